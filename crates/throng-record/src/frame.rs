@@ -1,0 +1,55 @@
+//! One moment of a world, and what stays the same from moment to moment.
+
+use glam::{DVec2, Vec2};
+use throng::{Goal, Obstacle, Status, Walkable};
+
+/// What stays the same over a recording: the place and the names.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Setting {
+    /// Title of the scene.
+    pub title: String,
+    /// Areas that can be walked on; empty: everywhere but on obstacles.
+    pub walkable: Vec<Walkable>,
+    /// What is solid.
+    pub obstacles: Vec<Obstacle>,
+    /// Names of the groups; [`Body::group`] indexes them.
+    pub groups: Vec<String>,
+    /// The goals; [`Body::goal`] indexes them.
+    pub goals: Vec<Goal>,
+}
+
+/// Everybody at one moment.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Frame {
+    /// Seconds since the start.
+    pub time: f64,
+    /// Everybody who is there, by number.
+    pub bodies: Vec<Body>,
+    /// How many are at the end of their journeys, the removed ones included.
+    pub arrived: usize,
+    /// How many there are in all: here, gone, and yet to come.
+    pub total: usize,
+}
+
+/// One agent at one moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    /// The agent's own number.
+    pub number: u32,
+    /// Index into [`Setting::groups`].
+    pub group: u32,
+    /// Index into [`Setting::goals`] of where it is going.
+    pub goal: Option<u32>,
+    /// Centre, world coordinates, metres.
+    pub position: DVec2,
+    /// Velocity, m/s.
+    pub velocity: Vec2,
+    /// Direction of the body, radians counter-clockwise from +x.
+    pub heading: f32,
+    /// Radius, metres.
+    pub radius: f32,
+    /// The speed it would like to walk at, m/s.
+    pub preferred_speed: f32,
+    /// What it is doing.
+    pub status: Status,
+}

@@ -1,0 +1,90 @@
+//! Agents: what is known of each, and how they are named.
+//!
+//! [`Agent`] describes one agent for [`World::add_agent`](crate::World::add_agent); inside the world the same
+//! facts live as [columns](columns). [`Group`] holds what many agents share: the local model and its reach.
+
+mod columns;
+mod group;
+mod id;
+
+pub use columns::Columns;
+pub use group::Group;
+pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId};
+
+use glam::{DVec2, Vec2};
+use serde::{Deserialize, Serialize};
+
+/// One agent, as handed to [`World::add_agent`](crate::World::add_agent).
+///
+/// Lengths are metres, times seconds, angles radians.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Agent {
+    /// Centre of the body, world coordinates.
+    pub position: DVec2,
+    /// Velocity at the start.
+    pub velocity: Vec2,
+    /// Direction of the body, counter-clockwise from +x; `None`: towards the first goal.
+    pub heading: Option<f32>,
+    /// The group whose model and reach it uses.
+    pub group: GroupId,
+    /// Where it goes.
+    pub journey: JourneyId,
+    /// Radius of the body. [Limit: > 0]
+    pub radius: f32,
+    /// Speed it walks at when nothing hinders it. [Limit: >= 0]
+    pub preferred_speed: f32,
+    /// Speed it never exceeds. [Limit: >= preferred_speed]
+    pub max_speed: f32,
+    /// Greatest change of velocity a second; infinite for none. [Limit: > 0]
+    pub max_acceleration: f32,
+    /// Greatest change of heading a second; infinite for none. [Limit: > 0]
+    pub max_turn_rate: f32,
+    /// Right of way: of two agents the one with the lower priority does more of the avoiding. Equal shares by
+    /// default; a difference of 1 leaves all of it to the other.
+    pub priority: f32,
+    /// The layers this agent is on, a bit each.
+    pub layers: u32,
+    /// The layers this agent avoids, a bit each.
+    pub avoids: u32,
+    /// A name for the agent that is its own: ties are broken, random numbers drawn and states hashed by it, so
+    /// that a world does not depend on the order in which agents are added. `None`: the next free number.
+    pub number: Option<u32>,
+}
+
+impl Default for Agent {
+    /// A pedestrian of the field's usual size and speed, standing at the origin.
+    fn default() -> Self {
+        Self {
+            position: DVec2::ZERO,
+            velocity: Vec2::ZERO,
+            heading: None,
+            group: GroupId(0),
+            journey: JourneyId::STAY,
+            radius: 0.2,
+            preferred_speed: 1.3,
+            max_speed: 1.8,
+            max_acceleration: 5.0,
+            max_turn_rate: f32::INFINITY,
+            priority: 0.0,
+            layers: 1,
+            avoids: u32::MAX,
+            number: None,
+        }
+    }
+}
+
+/// What an agent is doing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Status {
+    /// On its way.
+    #[default]
+    Walking,
+    /// Waiting at a stop of its journey.
+    Waiting,
+    /// Resting for a moment because the crowd leaves it no progress (the stop rule).
+    Stopped,
+    /// At the end of its journey.
+    Arrived,
+    /// Its goal cannot be reached; it stands.
+    Stranded,
+}
