@@ -1,1 +1,5 @@
-//! throng-record
+//! What happened in a world.
+
+mod frame;
+
+pub use frame::{Body, Frame, Setting};

@@ -30,9 +30,7 @@ impl Obstacle {
     pub fn rectangle(center: DVec2, size: DVec2, angle: f64) -> Self {
         let (sin, cos) = libm::sincos(angle);
         let half = size * 0.5;
-        let corner = |x: f64, y: f64| {
-            center + DVec2::new(cos * x - sin * y, sin * x + cos * y)
-        };
+        let corner = |x: f64, y: f64| center + DVec2::new(cos * x - sin * y, sin * x + cos * y);
         Self::Polygon {
             corners: vec![
                 corner(-half.x, -half.y),

@@ -1,0 +1,35 @@
+//! What the agents of a group share.
+
+use crate::avoid::{LocalModel, Orca};
+use std::sync::Arc;
+
+/// What the agents of a group share: their local model, how far they look, and their manners.
+#[derive(Clone, Debug)]
+pub struct Group {
+    /// Name, for people.
+    pub name: String,
+    /// How the preferred velocity becomes a safe one.
+    pub model: Arc<dyn LocalModel>,
+    /// How far an agent looks for others, metres between centres. [Limit: > 0]
+    pub neighbour_distance: f32,
+    /// How many of the nearest it takes into account. [Limit: >= 1]
+    pub neighbours: usize,
+    /// Keep-right: the preferred velocity is turned clockwise by this angle, radians; negative keeps left. It is
+    /// what resolves symmetric meetings (MODELS 1.10). [Limit: -0.5 to 0.5]
+    pub keep_right: f32,
+    /// Whether an agent whom others block steps aside for a moment (MODELS 1.10).
+    pub detour: bool,
+}
+
+impl Default for Group {
+    fn default() -> Self {
+        Self {
+            name: "agents".into(),
+            model: Arc::new(Orca::default()),
+            neighbour_distance: 5.0,
+            neighbours: 10,
+            keep_right: 5.0_f32.to_radians(),
+            detour: true,
+        }
+    }
+}
