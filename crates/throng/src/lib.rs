@@ -1,28 +1,45 @@
-//! throng
+//! # throng: crowds and groups that never overlap, never get stuck and never tremble
+//!
+//! A [`World`] holds agents, obstacles and goals; [`World::step`] moves everybody on by one time step, through five
+//! stages: [perceive], intend ([navigate]), [avoid], [guard], and [motion].
+//!
+//! ```
+//! use glam::DVec2;
+//! use throng::{Agent, Goal, Journey, Settings, Stop, World};
+//!
+//! let mut world = World::new(Settings { step: 0.04, ..Settings::default() })?;
+//! for x in [-4.0, 4.0] {
+//!     let goal = world.add_goal(Goal::Point { at: DVec2::new(-x, 0.0), tolerance: 0.1 })?;
+//!     let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })?;
+//!     world.add_agent(Agent { position: DVec2::new(x, 0.0), journey, ..Agent::default() })?;
+//! }
+//! while !world.finished() && world.time() < 20.0 {
+//!     world.step();
+//! }
+//! assert_eq!(world.summary().arrived, 2);
+//! assert!(world.summary().least_separation >= 0.9999);
+//! # Ok::<(), throng::Error>(())
+//! ```
+//!
+//! Metres, seconds, radians; right-handed, z up; ground crowds live in the plane z = 0. A world keeps positions
+//! relative to an origin of its own in `f32`; everything handed to it or asked of it by id is in world coordinates.
 
 pub mod agent;
 pub mod avoid;
+mod error;
+pub mod guard;
+pub mod motion;
 pub mod navigate;
+mod parallel;
+pub mod perceive;
+mod random;
 pub mod space;
+mod summary;
 mod world;
 
 pub use agent::{Agent, AgentId, GoalId, Group, GroupId, JourneyId, ObstacleId, Status};
+pub use error::Error;
 pub use navigate::{Goal, Journey, Stop};
 pub use space::{Obstacle, Walkable};
+pub use summary::Summary;
 pub use world::{Settings, SubSteps, World};
-
-/// What can be wrong with what a world is given.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum Error {
-    /// A number is out of its limits.
-    #[error("{what} is {value}, but must be {limit}")]
-    Limit {
-        /// Which number.
-        what: &'static str,
-        /// What it was.
-        value: f64,
-        /// What it may be.
-        limit: &'static str,
-    },
-}

@@ -1,15 +1,25 @@
-//! The world: what is there.
+//! The world: what is there, and the step that moves it on.
 
-use crate::Error;
-use crate::agent::{Agent, AgentId, GoalId, Group, GroupId, JourneyId, ObstacleId};
-use crate::navigate::{Goal, Journey};
-use crate::space::{Obstacle, Walkable};
-use glam::DVec2;
+mod build;
+mod schedule;
+mod snapshot;
+mod stages;
 
-/// How a step is divided.
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
+use crate::guard::{Contacts, Guard};
+use crate::navigate::{Goal, Journey, Meshes, Unreachable};
+use crate::perceive::{Grid, Near};
+use crate::space::{Place, Walls};
+use crate::summary::{Ended, Summary, Tally};
+use glam::{DVec2, Vec2};
+use schedule::Schedule;
+use serde::{Deserialize, Serialize};
+
+/// How a step is divided into sub-steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SubSteps {
-    /// By a rule that depends only on the world's state: sizes, speeds and how close people are.
+    /// By a rule that depends only on the world's state: nobody moves farther in a sub-step than a quarter of the
+    /// smallest radius, an eighth when somebody is within a body's width of somebody else.
     #[default]
     Auto,
     /// Always into this many. [Limit: >= 1]
@@ -17,15 +27,16 @@ pub enum SubSteps {
 }
 
 /// What a world is made with.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
-    /// Seconds a step covers. [Limit: > 0]
+    /// Seconds a step covers. [Limit: > 0, at most 10]
     pub step: f64,
-    /// How a step is divided.
+    /// How a step is divided into sub-steps.
     pub sub_steps: SubSteps,
     /// Seed of everything random.
     pub seed: u64,
-    /// World coordinates of the local origin: choose it near the middle of the scene.
+    /// World coordinates of the local origin: choose it near the middle of the scene, since positions are kept
+    /// relative to it in `f32`.
     pub origin: DVec2,
 }
 
@@ -35,40 +46,219 @@ impl Default for Settings {
     }
 }
 
-/// The world.
+/// Agents, groups, goals and the place they are in. See the [crate's page](crate) for an example.
 #[derive(Debug)]
 pub struct World {
-    agents: Vec<Agent>,
+    settings: Settings,
+    steps: u64,
+    agents: Columns,
+    slots: Slots,
+    groups: Vec<Group>,
+    goals: Vec<Goal>,
+    journeys: Vec<Journey>,
+    place: Place,
+    schedule: Schedule,
+    tally: Tally,
+    /// Agents whose goals cannot be reached, with the reasons, by number.
+    stranded: Vec<(u32, Unreachable)>,
+
+    // made anew from the above whenever it is needed
+    walls: Walls,
+    meshes: Meshes,
+    step: StepMemory,
 }
 
-#[allow(missing_docs, unused_variables)]
+/// Which row each id names.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+struct Slots {
+    /// Generation of each slot, and the row of the agent that has it.
+    rows: Vec<(u32, Option<u32>)>,
+    free: Vec<u32>,
+    next_number: u32,
+}
+
+/// What one step hands from stage to stage; kept so that a step allocates nothing.
+#[derive(Debug, Default)]
+struct StepMemory {
+    grid: Grid,
+    /// Neighbours of each row: `most_neighbours` places a row, filled from the front.
+    neighbours: Vec<Near>,
+    counts: Vec<u32>,
+    most_neighbours: usize,
+    preferred: Vec<Vec2>,
+    wishes: Vec<Vec2>,
+    targets: Vec<Vec2>,
+    reach: Vec<f32>,
+    contacts: Contacts,
+    guard: Guard,
+    arrivals: Vec<u32>,
+}
+
 impl World {
-    pub fn new(settings: Settings) -> Result<Self, Error> {
-        Ok(Self { agents: vec![] })
+    /// Moves everybody on by one time step.
+    pub fn step(&mut self) {
+        self.enter();
+        let parts = self.sub_steps();
+        let seconds = (self.settings.step / f64::from(parts)) as f32;
+        for part in 0..parts {
+            self.perceive();
+            self.intend(seconds);
+            self.avoid(seconds);
+            self.guard(seconds);
+            self.advance(seconds, self.time() + self.settings.step * f64::from(part + 1) / f64::from(parts));
+        }
+        self.steps += 1;
     }
-    pub fn add_group(&mut self, group: Group) -> Result<GroupId, Error> {
-        Ok(GroupId(0))
+
+    /// Seconds since the start.
+    pub fn time(&self) -> f64 {
+        self.steps as f64 * self.settings.step
     }
-    pub fn add_goal(&mut self, goal: Goal) -> Result<GoalId, Error> {
-        Ok(GoalId(0))
+
+    /// Steps made so far.
+    pub fn steps(&self) -> u64 {
+        self.steps
     }
-    pub fn add_journey(&mut self, journey: Journey) -> Result<JourneyId, Error> {
-        Ok(JourneyId(0))
+
+    /// What the world was made with.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
     }
-    pub fn add_obstacle(&mut self, obstacle: Obstacle) -> Result<ObstacleId, Error> {
-        Ok(ObstacleId(0))
+
+    /// Whether nobody is left to come and everybody who is there has arrived, or cannot.
+    pub fn finished(&self) -> bool {
+        let done = |status: &Status| matches!(status, Status::Arrived | Status::Stranded);
+        self.schedule.is_empty() && self.agents.status.iter().all(done)
     }
-    /// Several areas: their union
-    pub fn set_walkable(&mut self, areas: Vec<Walkable>) -> Result<(), Error> {
-        Ok(())
+
+    /// The agents' state, as columns; positions are relative to [`Settings::origin`].
+    pub fn agents(&self) -> &Columns {
+        &self.agents
     }
-    pub fn add_agent(&mut self, agent: Agent) -> Result<AgentId, Error> {
-        self.agents.push(agent);
-        Ok(AgentId { slot: 0, generation: 0 })
+
+    /// Centre of an agent, world coordinates; `None` if it has been removed.
+    pub fn position(&self, id: AgentId) -> Option<DVec2> {
+        Some(self.agents.position[self.row(id)?].as_dvec2() + self.settings.origin)
     }
-    /// Enters at `time` seconds, as soon as its place is free.
-    pub fn schedule_agent(&mut self, time: f64, agent: Agent) -> Result<(), Error> {
-        self.agents.push(agent);
-        Ok(())
+
+    /// The agent in a row of [`agents`](Self::agents).
+    pub fn id(&self, row: usize) -> AgentId {
+        let slot = self.agents.slot[row];
+        AgentId { slot, generation: self.slots.rows[slot as usize].0 }
+    }
+
+    /// The row of an agent in [`agents`](Self::agents); `None` if it has been removed.
+    pub fn row(&self, id: AgentId) -> Option<usize> {
+        let &(generation, row) = self.slots.rows.get(id.slot as usize)?;
+        row.filter(|_| generation == id.generation).map(|row| row as usize)
+    }
+
+    /// A group.
+    pub fn group(&self, id: GroupId) -> &Group {
+        &self.groups[id.index()]
+    }
+
+    /// All groups, by index.
+    pub fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    /// All goals, by index.
+    pub fn goals(&self) -> &[Goal] {
+        &self.goals
+    }
+
+    /// A journey.
+    pub fn journey(&self, id: JourneyId) -> &Journey {
+        &self.journeys[id.index()]
+    }
+
+    /// What is solid and what can be walked on.
+    pub fn place(&self) -> &Place {
+        &self.place
+    }
+
+    /// The goal an agent is on its way to; `None` if its journey has ended or it has none.
+    pub fn goal_of(&self, row: usize) -> Option<GoalId> {
+        let journey = &self.journeys[self.agents.journey[row].index()];
+        journey.stops.get(self.agents.travel[row].leg as usize).map(|stop| stop.goal)
+    }
+
+    /// Numbers of the agents whose goals cannot be reached, and why.
+    pub fn stranded(&self) -> &[(u32, Unreachable)] {
+        &self.stranded
+    }
+
+    /// Pairs of agents that overlap, with the distance of their centres over the sum of their radii: a bad start.
+    /// By number, each pair once.
+    pub fn overlapping(&self) -> Vec<(u32, u32, f64)> {
+        let mut grid = Grid::default();
+        grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
+        let largest = self.agents.radius.iter().copied().fold(0.0, f32::max);
+        let mut pairs = Vec::new();
+        for row in 0..self.agents.len() {
+            grid.within(self.agents.position[row], self.agents.radius[row] + largest, |near| {
+                let other = near.row as usize;
+                let radii = f64::from(self.agents.radius[row]) + f64::from(self.agents.radius[other]);
+                let d = self.agents.position[row].as_dvec2().distance(self.agents.position[other].as_dvec2());
+                let solid = self.agents.avoids(row, other) || self.agents.avoids(other, row);
+                if solid && self.agents.number[row] < near.number && d < radii * (1.0 - 1e-4) {
+                    pairs.push((self.agents.number[row], near.number, d / radii));
+                }
+            });
+        }
+        pairs.sort_by_key(|&(a, b, _)| (a, b));
+        pairs
+    }
+
+    /// How the run went so far.
+    pub fn summary(&self) -> Summary {
+        let agents = &self.agents;
+        let trips = (0..agents.len()).map(|row| {
+            (agents.number[row], Ended { trip: agents.trip[row], preferred_speed: agents.preferred_speed[row] })
+        });
+        let resting = agents.velocity.iter().filter(|v| v.length() < 0.05).count();
+        let stuck = (0..agents.len())
+            .filter(|&row| match agents.status[row] {
+                Status::Stranded => true,
+                Status::Walking => agents.travel[row].without_progress > 10.0,
+                Status::Waiting | Status::Arrived => false,
+            })
+            .count();
+        let summary = Summary {
+            agents: agents.len() + self.schedule.len() + self.tally.removed.len(),
+            resting,
+            stuck,
+            time: self.time(),
+            steps: self.steps,
+            ..Summary::default()
+        };
+        self.tally.summarise(trips.collect(), summary)
+    }
+
+    /// A hash of the state of all agents: the same for the same bits, whatever the order of rows. FNV-1a, 64 bits.
+    pub fn state_hash(&self) -> u64 {
+        let agents = &self.agents;
+        let mut rows: Vec<usize> = (0..agents.len()).collect();
+        rows.sort_by_key(|&row| agents.number[row]);
+        let words = rows.into_iter().flat_map(|row| {
+            let (p, v) = (agents.position[row], agents.velocity[row]);
+            let travel = &agents.travel[row];
+            [
+                agents.number[row],
+                p.x.to_bits(),
+                p.y.to_bits(),
+                v.x.to_bits(),
+                v.y.to_bits(),
+                agents.heading[row].to_bits(),
+                agents.status[row] as u32,
+                travel.leg,
+                travel.progress.to_bits(),
+                travel.detour.to_bits(),
+            ]
+        });
+        words.flat_map(u32::to_le_bytes).fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+        })
     }
 }

@@ -1,5 +1,118 @@
-//! The agents' state, a column a fact.
+//! The agents' state: a column a fact, a row an agent.
 
-/// Columns.
-#[derive(Clone, Debug, Default)]
-pub struct Columns {}
+use super::{Agent, GroupId, JourneyId, Status};
+use crate::navigate::Travel;
+use glam::{DVec2, Vec2};
+use serde::{Deserialize, Serialize};
+
+macro_rules! columns {
+    ($($(#[$meta:meta])* $name:ident: $type:ty,)*) => {
+        /// The agents' state. All columns have the same length; rows are in no particular order and change when
+        /// agents are removed.
+        #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+        pub struct Columns {
+            $($(#[$meta])* pub $name: Vec<$type>,)*
+        }
+
+        impl Columns {
+            /// Removes a row; the last row takes its place.
+            pub(crate) fn swap_remove(&mut self, row: usize) {
+                $(self.$name.swap_remove(row);)*
+            }
+        }
+    };
+}
+
+columns! {
+    /// Slot of the agent's [`AgentId`](super::AgentId).
+    slot: u32,
+    /// The agent's own number: ties, random draws and hashes go by it.
+    number: u32,
+    /// Centre, metres from the world's origin.
+    position: Vec2,
+    /// Velocity: the motion of the last step.
+    velocity: Vec2,
+    /// Direction of the body, radians counter-clockwise from +x, -pi to pi.
+    heading: f32,
+    /// Radius of the body.
+    radius: f32,
+    /// Speed it walks at when nothing hinders it.
+    preferred_speed: f32,
+    /// Speed it never exceeds.
+    max_speed: f32,
+    /// Greatest change of velocity a second.
+    max_acceleration: f32,
+    /// Greatest change of heading a second.
+    max_turn_rate: f32,
+    /// Right of way.
+    priority: f32,
+    /// Layers it is on.
+    layers: u32,
+    /// Layers it avoids.
+    avoids: u32,
+    /// Its group.
+    group: GroupId,
+    /// Its journey.
+    journey: JourneyId,
+    /// What it is doing, as others see it in this step.
+    status: Status,
+    /// How its journey goes.
+    travel: Travel,
+    /// What it has done so far.
+    trip: Trip,
+}
+
+/// What one agent has done so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Trip {
+    /// Time it entered, seconds.
+    pub entered: f64,
+    /// Time it first came to the end of its journey.
+    pub arrived: Option<f64>,
+    /// Metres walked.
+    pub walked: f64,
+    /// Radians its heading has turned, either way.
+    pub turned: f64,
+    /// Seconds it has been on its way.
+    pub on_way: f64,
+    /// Metres of the shortest way of the legs begun so far.
+    pub shortest: f64,
+}
+
+impl Columns {
+    /// Number of agents.
+    pub fn len(&self) -> usize {
+        self.position.len()
+    }
+
+    /// Whether there are no agents.
+    pub fn is_empty(&self) -> bool {
+        self.position.is_empty()
+    }
+
+    pub(crate) fn push(&mut self, agent: &Agent, origin: DVec2, slot: u32, number: u32, heading: f32, now: f64) {
+        self.slot.push(slot);
+        self.number.push(number);
+        self.position.push((agent.position - origin).as_vec2());
+        self.velocity.push(agent.velocity);
+        self.heading.push(heading);
+        self.radius.push(agent.radius);
+        self.preferred_speed.push(agent.preferred_speed);
+        self.max_speed.push(agent.max_speed);
+        self.max_acceleration.push(agent.max_acceleration);
+        self.max_turn_rate.push(agent.max_turn_rate);
+        self.priority.push(agent.priority);
+        self.layers.push(agent.layers);
+        self.avoids.push(agent.avoids);
+        self.group.push(agent.group);
+        self.journey.push(agent.journey);
+        self.status.push(Status::Walking);
+        self.travel.push(Travel::default());
+        self.trip.push(Trip { entered: now, ..Trip::default() });
+    }
+
+    /// Whether `row` avoids `other`.
+    pub(crate) fn avoids(&self, row: usize, other: usize) -> bool {
+        self.avoids[row] & self.layers[other] != 0
+    }
+}

@@ -7,7 +7,7 @@ mod columns;
 mod group;
 mod id;
 
-pub use columns::Columns;
+pub use columns::{Columns, Trip};
 pub use group::Group;
 pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId};
 
@@ -81,8 +81,6 @@ pub enum Status {
     Walking,
     /// Waiting at a stop of its journey.
     Waiting,
-    /// Resting for a moment because the crowd leaves it no progress (the stop rule).
-    Stopped,
     /// At the end of its journey.
     Arrived,
     /// Its goal cannot be reached; it stands.

@@ -1,8 +1,103 @@
 //! What is safe: local models turn the preferred velocity into a new one.
+//!
+//! A model is one file implementing [`LocalModel`]. It sees one agent and what is near it, frozen at the start of
+//! the step, and answers with a velocity; it keeps no state. What it answers need not be safe: the
+//! [guard](crate::guard) makes it so.
 
+mod half_plane;
+mod obstacle_lines;
 mod orca;
 
+pub use half_plane::{Line, closest_velocity, least_violation};
 pub use orca::Orca;
 
-/// A local model.
-pub trait LocalModel: std::fmt::Debug + Send + Sync {}
+use crate::space::{Disc, Edge};
+use glam::Vec2;
+
+/// Another agent, seen from the one that chooses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Neighbour {
+    /// Its centre, from the choosing agent's.
+    pub offset: Vec2,
+    /// Its velocity.
+    pub velocity: Vec2,
+    /// Sum of the two radii, with the margin that the model keeps (see [`MARGIN`]).
+    pub radii: f32,
+    /// The choosing agent's share of the avoiding, 0 (none) to 1 (all).
+    pub share: f32,
+    /// A unit vector for two agents in exactly one place; the other sees its opposite.
+    pub aside: Vec2,
+}
+
+/// A wall edge near the choosing agent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearEdge {
+    /// Its start, from the agent's centre.
+    pub start: Vec2,
+    /// Its end, from the agent's centre.
+    pub end: Vec2,
+    /// The edge.
+    pub edge: Edge,
+}
+
+/// A solid disc near the choosing agent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearDisc {
+    /// Its centre, from the agent's.
+    pub offset: Vec2,
+    /// The disc.
+    pub disc: Disc,
+}
+
+/// What a model sees: one agent and what is near it.
+#[derive(Clone, Copy, Debug)]
+pub struct View<'a> {
+    /// Current velocity.
+    pub velocity: Vec2,
+    /// Velocity it would like to have.
+    pub preferred: Vec2,
+    /// Radius of the body.
+    pub radius: f32,
+    /// Speed not to exceed.
+    pub max_speed: f32,
+    /// Seconds until it can choose again.
+    pub step: f32,
+    /// Others, nearest first.
+    pub neighbours: &'a [Neighbour],
+    /// Wall edges within [`LocalModel::wall_range`], nearest first.
+    pub edges: &'a [NearEdge],
+    /// Solid discs within [`LocalModel::wall_range`], nearest first.
+    pub discs: &'a [NearDisc],
+}
+
+/// Memory that models use while they choose; kept from agent to agent so that a step allocates nothing.
+#[derive(Clone, Debug, Default)]
+pub struct Workspace {
+    /// Half-planes of permitted velocities.
+    pub lines: Vec<Line>,
+    /// Half-planes of the fallback.
+    pub fallback: Vec<Line>,
+}
+
+/// How the preferred velocity becomes a safe one.
+pub trait LocalModel: std::fmt::Debug + Send + Sync {
+    /// The new velocity of one agent. Pure: the same view gives the same bits.
+    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2;
+
+    /// How far from its centre an agent of this radius and top speed needs to see walls, metres.
+    fn wall_range(&self, radius: f32, max_speed: f32) -> f32;
+
+    /// What is wrong with the parameters, if anything is.
+    ///
+    /// # Errors
+    /// [`Error::Limit`](crate::Error::Limit) names the parameter.
+    fn check(&self) -> Result<(), crate::Error> {
+        Ok(())
+    }
+}
+
+/// By how much larger than the [guard](crate::guard) models take two bodies to be: without it the guard must act
+/// in every contact, which jams corridors; with 8 % doors get arches.
+pub const MARGIN: f32 = 0.03;
+/// [`MARGIN`] for time steps of 0.1 s and longer.
+pub const MARGIN_LONG_STEP: f32 = 0.05;

@@ -1,13 +1,28 @@
-//! ORCA.
+//! Optimal reciprocal collision avoidance: van den Berg, Guy, Lin, Manocha, Reciprocal n-body collision avoidance,
+//! ISRR 2009 (STAR 70, 2011).
+//!
+//! Each neighbour forbids the relative velocities that lead to a collision within the time horizon: a cone with a
+//! rounded tip. The smallest change of relative velocity out of it, split by shares, gives a half-plane of permitted
+//! velocities for each of the two; the velocity closest to the preferred one within all half-planes is chosen.
+//! Walls are never violated; where neighbours leave no velocity, the greatest violation is made least.
 
-use super::LocalModel;
+use super::half_plane::{Line, closest_velocity, least_violation};
+use super::{LocalModel, Neighbour, View, Workspace, obstacle_lines};
+use crate::Error;
+use glam::Vec2;
 
 /// Optimal reciprocal collision avoidance.
+///
+/// ```
+/// use throng::avoid::Orca;
+/// let careful = Orca { time_horizon: 4.0, ..Orca::default() };
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orca {
-    /// Seconds ahead for which a velocity must be safe from other agents. [Limit: > 0]
+    /// Seconds ahead for which a velocity must be safe from other agents. Longer reacts earlier, and leaves fewer
+    /// velocities in a crowd. [Limit: > 0; 1 to 3 for pedestrians]
     pub time_horizon: f32,
-    /// Seconds ahead for which a velocity must be safe from obstacles. [Limit: > 0]
+    /// Seconds ahead for which a velocity must be safe from walls. [Limit: > 0; 0.5 to 1 for pedestrians]
     pub time_horizon_obstacles: f32,
 }
 
@@ -17,4 +32,74 @@ impl Default for Orca {
     }
 }
 
-impl LocalModel for Orca {}
+/// Seconds over which an overlap, or a margin that is used up, is given back. Shorter is a shove.
+const RECOVERY: f32 = 0.25;
+
+/// By how much larger than it is a body is taken to be at walls: enough to keep the guard out of it.
+const WALL_MARGIN: f32 = 0.01;
+
+impl LocalModel for Orca {
+    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+        let Workspace { lines, fallback } = workspace;
+        lines.clear();
+        let radius = view.radius * (1.0 + WALL_MARGIN);
+        obstacle_lines::push(lines, view, radius, self.time_horizon_obstacles);
+        for near in view.discs {
+            let disc = Neighbour {
+                offset: near.offset,
+                velocity: Vec2::ZERO,
+                radii: near.disc.radius as f32 + radius,
+                share: 1.0,
+                aside: Vec2::X,
+            };
+            lines.push(line(view.velocity, &disc, self.time_horizon_obstacles, view.step));
+        }
+        let hard = lines.len();
+        lines.extend(view.neighbours.iter().map(|n| line(view.velocity, n, self.time_horizon, view.step)));
+        closest_velocity(lines, view.max_speed, view.preferred)
+            .unwrap_or_else(|failed| least_violation(lines, hard, view.max_speed, failed, fallback))
+    }
+
+    fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
+        self.time_horizon_obstacles * max_speed + radius * (1.0 + WALL_MARGIN)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("time horizon", self.time_horizon)?;
+        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)
+    }
+}
+
+/// The half-plane that one neighbour leaves to an agent of the given velocity.
+pub(super) fn line(velocity: Vec2, other: &Neighbour, horizon: f32, step: f32) -> Line {
+    let Neighbour { offset, radii, .. } = *other;
+    let relative = velocity - other.velocity;
+    let distance_squared = offset.length_squared();
+    let (change, normal) = if distance_squared > radii * radii {
+        let w = relative - offset / horizon;
+        let along = w.dot(offset);
+        if along < 0.0 && along * along > radii * radii * w.length_squared() {
+            // nearest on the rounded tip
+            let length = w.length();
+            let normal = w / length;
+            (normal * (radii / horizon - length), normal)
+        } else {
+            // nearest on a leg
+            let leg = (distance_squared - radii * radii).sqrt();
+            let direction = if offset.perp_dot(w) > 0.0 {
+                Vec2::new(offset.x * leg - offset.y * radii, offset.x * radii + offset.y * leg) / distance_squared
+            } else {
+                -Vec2::new(offset.x * leg + offset.y * radii, offset.y * leg - offset.x * radii) / distance_squared
+            };
+            (direction * relative.dot(direction) - relative, direction.perp())
+        }
+    } else {
+        // too close: part, within the recovery time
+        let time = step.max(RECOVERY);
+        let w = relative - offset / time;
+        let length = w.length();
+        let normal = if length > 1e-6 { w / length } else { other.aside };
+        (normal * (radii / time - length), normal)
+    };
+    Line { point: velocity + change * other.share, direction: Vec2::new(normal.y, -normal.x) }
+}

@@ -44,3 +44,15 @@ pub struct Journey {
     /// After the last stop, begin again with the first.
     pub repeat: bool,
 }
+
+impl Goal {
+    /// The point, or the middle of the corners: where the goal is, roughly.
+    pub fn middle(&self) -> DVec2 {
+        match self {
+            Self::Point { at, .. } => *at,
+            Self::Area { corners } | Self::Exit { corners } => {
+                corners.iter().sum::<DVec2>() / corners.len().max(1) as f64
+            }
+        }
+    }
+}

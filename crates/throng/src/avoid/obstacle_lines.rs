@@ -1,0 +1,139 @@
+//! Half-planes that wall edges leave, as RVO2 makes them (MODELS 1.8): an edge forbids the velocities that lead the
+//! body to it within the time horizon, a truncated cone between the tangents at its ends. Standing still is always
+//! permitted.
+
+use super::half_plane::Line;
+use super::{NearEdge, View};
+use glam::Vec2;
+
+const EPSILON: f32 = 1e-5;
+
+/// Adds the half-planes of the edges in view for a body of this radius.
+pub(super) fn push(lines: &mut Vec<Line>, view: &View<'_>, radius: f32, horizon: f32) {
+    for near in view.edges {
+        if !covered(lines, near, radius, horizon)
+            && let Some(line) = of_edge(near, view.velocity, radius, horizon)
+        {
+            lines.push(line);
+        }
+    }
+}
+
+/// Whether a line made already forbids all that this edge would.
+fn covered(lines: &[Line], near: &NearEdge, radius: f32, horizon: f32) -> bool {
+    lines.iter().any(|line| {
+        [near.start, near.end].into_iter().all(|end| line.violation(end / horizon) >= radius / horizon - EPSILON)
+    })
+}
+
+/// Direction along a half-plane through zero that forbids moving towards `offset`.
+fn facing(offset: Vec2) -> Option<Line> {
+    let direction = offset.perp().normalize_or_zero();
+    Some(Line { point: Vec2::ZERO, direction })
+}
+
+/// Tangents from the origin to the disc at `offset`: left and right.
+fn tangents(offset: Vec2, radius: f32) -> (Vec2, Vec2) {
+    let distance_squared = offset.length_squared();
+    let leg = (distance_squared - radius * radius).max(0.0).sqrt();
+    let left = Vec2::new(offset.x * leg - offset.y * radius, offset.x * radius + offset.y * leg);
+    let right = Vec2::new(offset.x * leg + offset.y * radius, offset.y * leg - offset.x * radius);
+    (left / distance_squared, right / distance_squared)
+}
+
+fn of_edge(near: &NearEdge, velocity: Vec2, radius: f32, horizon: f32) -> Option<Line> {
+    let edge = &near.edge;
+    let (start, end) = (near.start, near.end);
+    let along = end - start;
+    // seen from the solid side: another edge is in the way
+    if along.perp_dot(-start) > 0.0 {
+        return None;
+    }
+    let radius_squared = radius * radius;
+    let s = -start.dot(along) / along.length_squared();
+    let off_line = (start + along * s).length_squared();
+
+    // touching already
+    if s < 0.0 && start.length_squared() <= radius_squared {
+        return if edge.convex_start { facing(start) } else { None };
+    }
+    if s > 1.0 && end.length_squared() <= radius_squared {
+        // the next edge sees this corner as its start unless it faces away
+        return if edge.convex_end && end.perp_dot(edge.next) >= 0.0 { facing(end) } else { None };
+    }
+    if (0.0..=1.0).contains(&s) && off_line <= radius_squared {
+        return Some(Line { point: Vec2::ZERO, direction: -edge.direction });
+    }
+
+    // the legs; an edge seen lengthwise shows one corner only
+    let oblique = off_line <= radius_squared;
+    let (left_corner, right_corner) = match (oblique, s < 0.0) {
+        (true, true) => (start, start),
+        (true, false) => (end, end),
+        (false, _) => (start, end),
+    };
+    let one_corner = oblique;
+    if one_corner && !(if s < 0.0 { edge.convex_start } else { edge.convex_end }) {
+        return None;
+    }
+    let at_start = left_corner == start;
+    let at_end = right_corner == end;
+    let left_convex = if at_start { edge.convex_start } else { edge.convex_end };
+    let right_convex = if at_end { edge.convex_end } else { edge.convex_start };
+    let mut left = if left_convex { tangents(left_corner, radius).0 } else { -edge.direction };
+    let mut right = if right_convex { tangents(right_corner, radius).1 } else { edge.direction };
+
+    // a leg that would lead into the neighbouring edge is that edge's business
+    let before_left = if at_start { edge.previous } else { edge.direction };
+    let after_right = if at_end { edge.next } else { edge.direction };
+    let mut left_foreign = false;
+    let mut right_foreign = false;
+    if left_convex && left.perp_dot(-before_left) >= 0.0 {
+        left = -before_left;
+        left_foreign = true;
+    }
+    if right_convex && right.perp_dot(after_right) <= 0.0 {
+        right = after_right;
+        right_foreign = true;
+    }
+
+    let (left_cut, right_cut) = (left_corner / horizon, right_corner / horizon);
+    let rounding = radius / horizon;
+    let from_left = velocity - left_cut;
+    let from_right = velocity - right_cut;
+    let cut = right_cut - left_cut;
+    let t = if one_corner { 0.5 } else { from_left.dot(cut) / cut.length_squared() };
+    let t_left = from_left.dot(left);
+    let t_right = from_right.dot(right);
+
+    let round = |cut: Vec2, from: Vec2| {
+        let normal = from.normalize_or(-cut.normalize_or(Vec2::X));
+        Some(Line { point: cut + normal * rounding, direction: Vec2::new(normal.y, -normal.x) })
+    };
+    if (t < 0.0 && t_left < 0.0) || (one_corner && t_left < 0.0 && t_right < 0.0) {
+        return round(left_cut, from_left);
+    }
+    if t > 1.0 && t_right < 0.0 {
+        return round(right_cut, from_right);
+    }
+
+    let to_cut = if !(0.0..=1.0).contains(&t) || one_corner {
+        f32::INFINITY
+    } else {
+        velocity.distance_squared(left_cut + cut * t)
+    };
+    let to_left = if t_left < 0.0 { f32::INFINITY } else { velocity.distance_squared(left_cut + left * t_left) };
+    let to_right = if t_right < 0.0 { f32::INFINITY } else { velocity.distance_squared(right_cut + right * t_right) };
+    let along_side = |corner: Vec2, direction: Vec2| {
+        Some(Line { point: corner + direction.perp() * rounding, direction })
+    };
+    if to_cut <= to_left && to_cut <= to_right {
+        along_side(left_cut, -edge.direction)
+    } else if to_left <= to_right {
+        if left_foreign { None } else { along_side(left_cut, left) }
+    } else if right_foreign {
+        None
+    } else {
+        along_side(right_cut, -right)
+    }
+}

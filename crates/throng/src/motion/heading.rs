@@ -1,0 +1,62 @@
+//! Headings: a body faces where it goes, turns smoothly, and keeps its heading at rest.
+
+use glam::Vec2;
+use std::f32::consts::PI;
+
+/// Seconds in which a heading makes up all but a third of the way to the direction of motion.
+const TIME: f32 = 0.3;
+/// Below this speed, m/s, the direction of motion says nothing: the heading stays.
+const REST: f32 = 0.1;
+/// Above this speed the heading follows fully; in between, in proportion.
+const WALK: f32 = 0.5;
+
+/// The heading after `step` seconds of motion at `velocity`, turning at most at `max_turn_rate`.
+pub fn turn(heading: f32, velocity: Vec2, step: f32, max_turn_rate: f32) -> f32 {
+    let speed = velocity.length();
+    if speed < REST {
+        return heading;
+    }
+    let certainty = ((speed - REST) / (WALK - REST)).min(1.0);
+    let away = wrap(libm::atan2f(velocity.y, velocity.x) - heading);
+    let most = max_turn_rate * step;
+    // a limited turn rate is obeyed by the motion already: then the heading is the direction of motion
+    let part = if max_turn_rate.is_finite() { 1.0 } else { certainty * (1.0 - libm::expf(-step / TIME)) };
+    wrap(heading + (away * part).clamp(-most, most))
+}
+
+/// The same angle between -pi and pi.
+fn wrap(angle: f32) -> f32 {
+    if angle > PI {
+        angle - 2.0 * PI
+    } else if angle < -PI {
+        angle + 2.0 * PI
+    } else {
+        angle
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn at_rest_the_heading_stays() {
+        assert_eq!(turn(1.0, Vec2::new(-0.05, 0.0), 0.02, f32::INFINITY), 1.0);
+    }
+
+    #[test]
+    fn turning_does_not_depend_on_the_step() {
+        let mut fine = 0.0;
+        for _ in 0..10 {
+            fine = turn(fine, Vec2::Y, 0.01, f32::INFINITY);
+        }
+        let coarse = turn(0.0, Vec2::Y, 0.1, f32::INFINITY);
+        assert!((fine - coarse).abs() < 1e-3, "{fine} {coarse}");
+    }
+
+    #[test]
+    fn it_turns_the_short_way() {
+        let heading = turn(3.0, Vec2::new(-1.0, -0.3), 0.1, f32::INFINITY);
+        assert!(!(-3.2..=3.0).contains(&heading) || heading < -2.9, "{heading}");
+    }
+}

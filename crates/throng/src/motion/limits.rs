@@ -1,0 +1,53 @@
+//! Limits of acceleration, speed and turning.
+
+use glam::Vec2;
+
+/// What a body can do in one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// Speed it never exceeds, m/s.
+    pub speed: f32,
+    /// Change of velocity in the step, m/s.
+    pub change: f32,
+    /// Turn of the direction of motion away from the heading in the step, radians.
+    pub turn: f32,
+}
+
+/// The velocity nearest to `wish` that a body with this velocity and heading can have after a step.
+pub fn limit(wish: Vec2, velocity: Vec2, heading: f32, limits: Limits) -> Vec2 {
+    let wish = if limits.turn < std::f32::consts::PI { turned(wish, heading, limits.turn) } else { wish };
+    let change = (wish - velocity).clamp_length_max(limits.change);
+    (velocity + change).clamp_length_max(limits.speed)
+}
+
+/// The part of `wish` that lies within `most` radians of `heading`.
+fn turned(wish: Vec2, heading: f32, most: f32) -> Vec2 {
+    let forward = Vec2::new(libm::cosf(heading), libm::sinf(heading));
+    let angle = libm::atan2f(forward.perp_dot(wish), forward.dot(wish));
+    if angle.abs() <= most {
+        return wish;
+    }
+    let angle = heading + angle.clamp(-most, most);
+    let along = Vec2::new(libm::cosf(angle), libm::sinf(angle));
+    along * wish.dot(along).max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn acceleration_is_limited() {
+        let limits = Limits { speed: 2.0, change: 0.1, turn: f32::INFINITY };
+        let v = limit(Vec2::new(2.0, 0.0), Vec2::ZERO, 0.0, limits);
+        assert!((v.length() - 0.1).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_body_that_turns_slowly_goes_round() {
+        let limits = Limits { speed: 2.0, change: 9.0, turn: 0.2 };
+        let v = limit(Vec2::Y, Vec2::X, 0.0, limits);
+        assert!((libm::atan2f(v.y, v.x) - 0.2).abs() < 1e-6, "{v}");
+        assert_eq!(limit(-Vec2::X, Vec2::X, 0.0, limits), Vec2::ZERO, "it stops rather than skid backwards");
+    }
+}

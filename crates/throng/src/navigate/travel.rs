@@ -1,0 +1,99 @@
+//! How an agent's journey goes: the leg it is on, and what it does when the crowd leaves it no progress.
+//!
+//! MODELS 1.9 (the stop rule) and 1.10 (deadlock): keep-right breaks the symmetry of meetings; an agent that others
+//! block for a while steps aside for a moment, to the right, by a random angle held for a random time; one that
+//! queues behind others who go the same way just waits.
+
+use super::Route;
+use crate::random::{Purpose, between};
+use glam::Vec2;
+use serde::{Deserialize, Serialize};
+
+/// Seconds over which progress is averaged.
+const AVERAGE: f32 = 0.3;
+/// Part of the preferred speed below which an agent makes no progress.
+const NO_PROGRESS: f32 = 0.15;
+/// Seconds without progress after which an agent counts as blocked.
+const PATIENCE: f32 = 0.7;
+/// Range of the angle of a detour, radians.
+const DETOUR_ANGLE: (f32, f32) = (0.5235988, 2.094_395);
+/// Range of the time a detour is held, seconds.
+const DETOUR_TIME: (f32, f32) = (0.5, 1.5);
+
+/// How an agent's journey goes.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Travel {
+    /// Index of the stop it is on its way to.
+    pub leg: u32,
+    /// Seconds it still waits at the stop.
+    pub wait: f32,
+    /// Part of the preferred speed that it has made towards where it wants to go, averaged.
+    pub progress: f32,
+    /// Seconds without progress.
+    pub blocked: f32,
+    /// Seconds without progress, detours included.
+    pub without_progress: f32,
+    /// Angle of the detour it makes, radians to the right.
+    pub detour: f32,
+    /// Seconds it still makes it.
+    pub detour_left: f32,
+    /// Its way to the stop, once planned.
+    pub route: Option<Route>,
+}
+
+/// Who draws the random numbers, and when.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Dice {
+    pub seed: u64,
+    pub number: u32,
+    pub step: u64,
+}
+
+impl Dice {
+    fn between(self, range: (f32, f32), purpose: Purpose) -> f32 {
+        between(range.0, range.1, self.seed, self.number, self.step, purpose)
+    }
+}
+
+impl Travel {
+    /// Starts a leg of the journey.
+    pub(crate) fn begin(&mut self, leg: u32) {
+        *self = Self { leg, progress: 1.0, ..Self::default() };
+    }
+
+    /// Notes how far the agent got in the last step, and tells by what angle to the right its preferred direction
+    /// is to be turned. `made` is the part of the preferred speed it had towards `direction`; `queues`
+    /// tells whether somebody ahead goes the same way.
+    pub(crate) fn detour(&mut self, made: f32, step: f32, dice: Dice, queues: impl FnOnce() -> bool) -> f32 {
+        self.progress += (made - self.progress) * (step / AVERAGE).min(1.0);
+        self.without_progress = if self.progress >= NO_PROGRESS { 0.0 } else { self.without_progress + step };
+        if self.detour_left > 0.0 {
+            self.detour_left -= step;
+            if self.detour_left <= 0.0 {
+                self.detour = 0.0;
+                self.blocked = 0.0;
+            }
+            return self.detour;
+        }
+        if self.progress >= NO_PROGRESS {
+            self.blocked = 0.0;
+            return 0.0;
+        }
+        self.blocked += step;
+        if self.blocked >= PATIENCE {
+            if queues() {
+                self.blocked = 0.0;
+            } else {
+                self.detour = dice.between(DETOUR_ANGLE, Purpose::DetourAngle);
+                self.detour_left = dice.between(DETOUR_TIME, Purpose::DetourTime);
+            }
+        }
+        self.detour
+    }
+}
+
+/// `direction` turned to the right by `angle` radians.
+pub(crate) fn turned_right(direction: Vec2, angle: f32) -> Vec2 {
+    let (sin, cos) = libm::sincosf(angle);
+    Vec2::new(cos * direction.x + sin * direction.y, cos * direction.y - sin * direction.x)
+}

@@ -1,0 +1,5 @@
+//! Who is near.
+
+mod grid;
+
+pub use grid::{Grid, Near};

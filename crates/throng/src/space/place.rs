@@ -1,0 +1,114 @@
+//! The place: what is solid and what can be walked on, in world coordinates, and whether a body fits somewhere.
+
+use super::{NearWalls, Obstacle, Walkable, Walls};
+use crate::Error;
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+/// What is solid and what can be walked on.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Place {
+    /// Areas that can be walked on, disjoint. None: everywhere.
+    pub areas: Vec<Walkable>,
+    /// Obstacles by index; removed ones leave a gap, so that ids stay valid.
+    pub obstacles: Vec<Option<Obstacle>>,
+}
+
+impl Place {
+    /// The obstacles that are there.
+    pub fn obstacles(&self) -> impl Iterator<Item = &Obstacle> {
+        self.obstacles.iter().flatten()
+    }
+
+    /// Why the point is not on free ground, if it is not.
+    pub fn blocked(&self, p: DVec2) -> Option<&'static str> {
+        if !self.areas.is_empty() && !self.areas.iter().any(|area| area.contains(p)) {
+            return Some("it is outside the walkable area");
+        }
+        let solid = self.obstacles().any(|obstacle| match obstacle {
+            Obstacle::Circle { center, radius } => center.distance(p) < *radius,
+            Obstacle::Polygon { corners } => is_inside(corners, p),
+            Obstacle::Wall { .. } => false,
+        });
+        solid.then_some("it is inside an obstacle")
+    }
+
+    /// Why a body does not fit at a point, if it does not. `walls` are those of this place round `origin`.
+    pub fn no_room(&self, p: DVec2, radius: f64, walls: &Walls, origin: DVec2) -> Option<&'static str> {
+        self.blocked(p).or_else(|| {
+            // positions are rounded to f32: that much less is not an overlap
+            let slack = 1e-4 * radius;
+            let distance = walls.distance(p - origin, radius, &mut NearWalls::default());
+            (distance < radius - slack).then_some("its body would overlap a wall")
+        })
+    }
+}
+
+impl Walkable {
+    /// Whether a point is on this ground.
+    pub fn contains(&self, p: DVec2) -> bool {
+        is_inside(&self.outer, p) && !self.holes.iter().any(|hole| is_inside(hole, p))
+    }
+}
+
+/// Whether `p` is inside a simple polygon (even-odd rule).
+pub fn is_inside(corners: &[DVec2], p: DVec2) -> bool {
+    let mut inside = false;
+    let mut before = match corners.last() {
+        Some(&last) => last,
+        None => return false,
+    };
+    for &corner in corners {
+        if (corner.y > p.y) != (before.y > p.y) {
+            let x = (before.x - corner.x) * (p.y - corner.y) / (before.y - corner.y) + corner.x;
+            inside ^= p.x < x;
+        }
+        before = corner;
+    }
+    inside
+}
+
+/// Checks that a polygon encloses something, and one thing.
+///
+/// # Errors
+/// [`Error::Shape`] with the point where two of its edges cross, or what else is wrong.
+pub fn check_polygon(what: &str, corners: &[DVec2]) -> Result<(), Error> {
+    let fail = |why: String| Err(Error::Shape { what: what.into(), why });
+    if let Some(p) = corners.iter().find(|p| !p.is_finite()) {
+        return fail(format!("the corner ({}, {}) is not a finite number", p.x, p.y));
+    }
+    let mut ring: Vec<DVec2> = corners.to_vec();
+    ring.dedup();
+    while ring.len() > 1 && ring.first() == ring.last() {
+        ring.pop();
+    }
+    let n = ring.len();
+    if n < 3 {
+        return fail(format!("a polygon needs at least 3 different corners, this has {n}"));
+    }
+    let edge = |i: usize| (ring[i], ring[(i + 1) % n]);
+    // edges sorted by their left ends: only those that overlap in x are compared
+    let mut order: Vec<usize> = (0..n).collect();
+    let left = |i: usize| edge(i).0.x.min(edge(i).1.x);
+    order.sort_by(|&i, &j| left(i).total_cmp(&left(j)).then(i.cmp(&j)));
+    for (k, &i) in order.iter().enumerate() {
+        let (a, b) = edge(i);
+        for &j in order[k + 1..].iter().take_while(|&&j| left(j) <= a.x.max(b.x)) {
+            let neighbours = (i + 1) % n == j || (j + 1) % n == i;
+            let (c, d) = edge(j);
+            if !neighbours && let Some(p) = crossing(a, b, c, d) {
+                return fail(format!("its boundary crosses itself at ({:.3}, {:.3})", p.x, p.y));
+            }
+        }
+    }
+    let area: f64 = (0..n).map(|i| edge(i).0.perp_dot(edge(i).1 - ring[0])).sum();
+    if area == 0.0 { fail("it encloses no area".into()) } else { Ok(()) }
+}
+
+/// Where two segments cross properly.
+fn crossing(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Option<DVec2> {
+    let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
+    let (c_side, d_side) = (side(a, b, c), side(a, b, d));
+    let crosses = c_side * d_side < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
+    crosses.then(|| c + (d - c) * (c_side / (c_side - d_side)))
+}

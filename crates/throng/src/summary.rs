@@ -1,0 +1,111 @@
+//! How a run went, in figures.
+
+use crate::agent::Trip;
+use serde::{Deserialize, Serialize};
+
+/// How a run went, in figures.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// Agents in all: present, removed by exits, and still to enter.
+    pub agents: usize,
+    /// Agents that came to the end of their journeys, those removed by exits included.
+    pub arrived: usize,
+    /// Agents that exits removed.
+    pub removed: usize,
+    /// Agents present that stand still (below 0.05 m/s).
+    pub resting: usize,
+    /// Agents present that have not arrived and cannot: their goal is out of reach, or they have made no progress
+    /// for 10 seconds.
+    pub stuck: usize,
+    /// Seconds simulated.
+    pub time: f64,
+    /// Mean over the arrived of their time over the time of the shortest way at preferred speed.
+    pub time_ratio: f64,
+    /// Mean over the arrived of the way they walked over the shortest way.
+    pub path_ratio: f64,
+    /// Least distance of two centres over the sum of their radii, ever. 1: they touched. Infinite if no two ever
+    /// came within reach of each other.
+    pub least_separation: f64,
+    /// Least distance of a centre to a wall over the radius, ever. Infinite if nobody came near one.
+    pub least_wall_separation: f64,
+    /// Pairs of bodies, and bodies and walls, that overlapped by more than 1e-4 of a radius, counted every sub-step.
+    pub overlaps: u64,
+    /// Share of agent-steps in which the guard changed the motion.
+    pub guard_share: f64,
+    /// Mean over agents of the turning of their headings while on their way, degrees a second.
+    pub heading_change_deg_per_s: f64,
+    /// Steps made.
+    pub steps: u64,
+    /// Sub-steps made: what steps were divided into.
+    pub sub_steps: u64,
+    /// Moves of one agent by one sub-step.
+    pub agent_steps: u64,
+}
+
+/// What is counted while a world runs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Tally {
+    pub sub_steps: u64,
+    pub agent_steps: u64,
+    pub guard_changed: u64,
+    pub overlaps: u64,
+    pub least_separation: f64,
+    pub least_wall_separation: f64,
+    /// Trips of the agents that exits removed, with their numbers.
+    pub removed: Vec<(u32, Ended)>,
+}
+
+/// A trip, and the speed it was meant to have.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Ended {
+    pub trip: Trip,
+    pub preferred_speed: f32,
+}
+
+impl Default for Tally {
+    fn default() -> Self {
+        Self {
+            sub_steps: 0,
+            agent_steps: 0,
+            guard_changed: 0,
+            overlaps: 0,
+            least_separation: f64::INFINITY,
+            least_wall_separation: f64::INFINITY,
+            removed: Vec::new(),
+        }
+    }
+}
+
+impl Tally {
+    /// Completes a summary with the figures of all trips. Sums run in the order of the agents' numbers.
+    pub(crate) fn summarise(&self, mut trips: Vec<(u32, Ended)>, mut summary: Summary) -> Summary {
+        trips.extend(&self.removed);
+        trips.sort_by_key(|&(number, _)| number);
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / (values.len().max(1) as f64);
+        let arrived = |&(_, ended): &(u32, Ended)| {
+            let Ended { trip, preferred_speed } = ended;
+            let free = trip.shortest / f64::from(preferred_speed);
+            // those who began at their goals have no ratio
+            let time = trip.arrived? - trip.entered;
+            (trip.shortest > 1e-3 && free > 0.0).then(|| (time / free, trip.walked / trip.shortest))
+        };
+        let (times, paths): (Vec<f64>, Vec<f64>) = trips.iter().filter_map(arrived).unzip();
+        let turns: Vec<f64> = trips
+            .iter()
+            .filter(|(_, ended)| ended.trip.on_way > 0.0)
+            .map(|(_, ended)| (ended.trip.turned / ended.trip.on_way).to_degrees())
+            .collect();
+        summary.time_ratio = mean(&times);
+        summary.path_ratio = mean(&paths);
+        summary.heading_change_deg_per_s = mean(&turns);
+        summary.arrived = trips.iter().filter(|(_, ended)| ended.trip.arrived.is_some()).count();
+        summary.removed = self.removed.len();
+        summary.least_separation = self.least_separation;
+        summary.least_wall_separation = self.least_wall_separation;
+        summary.overlaps = self.overlaps;
+        summary.guard_share = self.guard_changed as f64 / (self.agent_steps.max(1) as f64);
+        summary.sub_steps = self.sub_steps;
+        summary.agent_steps = self.agent_steps;
+        summary
+    }
+}

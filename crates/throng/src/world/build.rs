@@ -1,0 +1,264 @@
+//! Adding and removing: groups, goals, journeys, agents, obstacles. Everything can be done while the world runs.
+
+use super::{Settings, Slots, StepMemory, SubSteps, World};
+use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId};
+use crate::navigate::{Goal, Journey, Meshes};
+use crate::space::{Obstacle, Place, Walkable, Walls, check_polygon, disjoint};
+use crate::summary::Tally;
+use crate::{Error, world::schedule::Schedule};
+use glam::DVec2;
+
+/// Distance from the origin, in metres, up to which a world keeps its promises: beyond it `f32` is too coarse.
+const FARTHEST: f64 = 20_000.0;
+
+impl World {
+    /// An empty world: one [default](Group::default) group, one [journey](JourneyId::STAY) without stops.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] for a time step or a number of sub-steps out of range, or an origin that is not finite.
+    pub fn new(settings: Settings) -> Result<Self, Error> {
+        Error::unless(settings.step > 0.0 && settings.step <= 10.0, "time step", settings.step, "in (0, 10] s")?;
+        if let SubSteps::Fixed(parts) = settings.sub_steps {
+            Error::unless((1..=10_000).contains(&parts), "number of sub-steps", parts, "from 1 to 10000")?;
+        }
+        Error::unless_finite("origin", settings.origin.x + settings.origin.y)?;
+        Ok(Self {
+            settings,
+            steps: 0,
+            agents: Columns::default(),
+            slots: Slots::default(),
+            groups: vec![Group::default()],
+            goals: Vec::new(),
+            journeys: vec![Journey::default()],
+            place: Place::default(),
+            schedule: Schedule::default(),
+            tally: Tally::default(),
+            stranded: Vec::new(),
+            walls: Walls::default(),
+            meshes: Meshes::default(),
+            step: StepMemory::default(),
+        })
+    }
+
+    /// Adds a group.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] names the parameter that is out of range.
+    pub fn add_group(&mut self, group: Group) -> Result<GroupId, Error> {
+        Error::unless_positive("neighbour distance", group.neighbour_distance)?;
+        Error::unless((1..=1000).contains(&group.neighbours), "neighbours", group.neighbours as f64, "from 1 to 1000")?;
+        Error::unless(group.keep_right.abs() <= 0.5, "keep right", group.keep_right, "from -0.5 to 0.5 rad")?;
+        group.model.check()?;
+        self.groups.push(group);
+        Ok(GroupId(self.groups.len() as u32 - 1))
+    }
+
+    /// Adds a goal.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] for a point or tolerance out of range, [`Error::Shape`] for corners that enclose no area.
+    pub fn add_goal(&mut self, goal: Goal) -> Result<GoalId, Error> {
+        match &goal {
+            Goal::Point { at, tolerance } => {
+                self.check_position("goal", *at)?;
+                Error::unless_positive("tolerance", *tolerance)?;
+            }
+            Goal::Area { corners } | Goal::Exit { corners } => check_polygon("goal area", corners)?,
+        }
+        self.goals.push(goal);
+        Ok(GoalId(self.goals.len() as u32 - 1))
+    }
+
+    /// Adds a journey.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a goal that is not there, [`Error::Limit`] for a wait that is negative.
+    pub fn add_journey(&mut self, journey: Journey) -> Result<JourneyId, Error> {
+        for stop in &journey.stops {
+            known("goal", stop.goal.index(), self.goals.len())?;
+            Error::unless(stop.wait >= 0.0 && stop.wait.is_finite(), "wait", stop.wait, "at least 0 s and finite")?;
+        }
+        self.journeys.push(journey);
+        Ok(JourneyId(self.journeys.len() as u32 - 1))
+    }
+
+    /// Adds an obstacle. Agents that stand in it are pushed out.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] for a polygon that crosses itself or encloses nothing, [`Error::Limit`] for a radius out of
+    /// range.
+    pub fn add_obstacle(&mut self, obstacle: Obstacle) -> Result<ObstacleId, Error> {
+        match &obstacle {
+            Obstacle::Circle { center, radius } => {
+                self.check_position("centre of the obstacle", *center)?;
+                Error::unless(*radius > 0.0 && *radius < FARTHEST, "radius of the obstacle", *radius, "greater than 0")?;
+            }
+            Obstacle::Polygon { corners } => check_polygon("obstacle", corners)?,
+            Obstacle::Wall { points } => {
+                for &point in points {
+                    self.check_position("point of the wall", point)?;
+                }
+                if points.len() < 2 || points.iter().all(|p| *p == points[0]) {
+                    let why = "it needs at least two different points".into();
+                    return Err(Error::Shape { what: "wall".into(), why });
+                }
+            }
+        }
+        self.place.obstacles.push(Some(obstacle));
+        self.place_changed();
+        Ok(ObstacleId(self.place.obstacles.len() as u32 - 1))
+    }
+
+    /// Removes an obstacle; false if it is not there.
+    pub fn remove_obstacle(&mut self, id: ObstacleId) -> bool {
+        let removed = self.place.obstacles.get_mut(id.index()).and_then(Option::take).is_some();
+        if removed {
+            self.place_changed();
+        }
+        removed
+    }
+
+    /// Sets the areas that can be walked on: their union. None: everywhere but on obstacles.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] for a boundary that crosses itself or encloses nothing.
+    pub fn set_walkable(&mut self, areas: Vec<Walkable>) -> Result<(), Error> {
+        for (index, area) in areas.iter().enumerate() {
+            check_polygon(&format!("walkable area {}", index + 1), &area.outer)?;
+            for (hole, corners) in area.holes.iter().enumerate() {
+                check_polygon(&format!("hole {} of walkable area {}", hole + 1, index + 1), corners)?;
+            }
+        }
+        self.place.areas = disjoint(areas);
+        self.place_changed();
+        Ok(())
+    }
+
+    /// Whether a body could stand at `at`; why not, if not.
+    pub fn no_room(&self, at: DVec2, radius: f32) -> Option<&'static str> {
+        self.place.no_room(at, f64::from(radius), &self.walls, self.settings.origin)
+    }
+
+    /// Adds an agent. It may overlap others: then the pair is parted smoothly, and
+    /// [`overlapping`](Self::overlapping) tells of it.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] names the parameter out of range, [`Error::Unknown`] a group or journey that is not there,
+    /// [`Error::NoRoom`] what the body would stand in, [`Error::NumberTaken`] a number used twice.
+    pub fn add_agent(&mut self, agent: Agent) -> Result<AgentId, Error> {
+        self.check(&agent)?;
+        let number = self.number(&agent)?;
+        Ok(self.put(&agent, number, self.time()))
+    }
+
+    /// Lets an agent enter at `time` seconds, or as soon after that as its place is free.
+    ///
+    /// # Errors
+    /// As [`add_agent`](Self::add_agent), and [`Error::Limit`] for a time that is not finite.
+    pub fn schedule_agent(&mut self, time: f64, agent: Agent) -> Result<(), Error> {
+        Error::unless_finite("time of entry", time)?;
+        self.check(&agent)?;
+        let number = self.number(&agent)?;
+        self.schedule.add(time, Agent { number: Some(number), ..agent });
+        Ok(())
+    }
+
+    /// Removes an agent; false if it is not there.
+    pub fn remove_agent(&mut self, id: AgentId) -> bool {
+        let Some(row) = self.row(id) else { return false };
+        self.remove_row(row);
+        true
+    }
+
+    pub(super) fn remove_row(&mut self, row: usize) {
+        let slot = self.agents.slot[row] as usize;
+        self.agents.swap_remove(row);
+        let (generation, named) = &mut self.slots.rows[slot];
+        *generation += 1;
+        *named = None;
+        self.slots.free.push(slot as u32);
+        if let Some(&moved) = self.agents.slot.get(row) {
+            self.slots.rows[moved as usize].1 = Some(row as u32);
+        }
+    }
+
+    pub(super) fn put(&mut self, agent: &Agent, number: u32, now: f64) -> AgentId {
+        let slot = self.slots.free.pop().unwrap_or_else(|| {
+            self.slots.rows.push((0, None));
+            self.slots.rows.len() as u32 - 1
+        });
+        let row = self.agents.len() as u32;
+        self.slots.rows[slot as usize].1 = Some(row);
+        let heading = agent.heading.unwrap_or_else(|| {
+            let first = self.journeys[agent.journey.index()].stops.first();
+            let towards = first.map(|stop| self.goals[stop.goal.index()].middle() - agent.position);
+            towards.map_or(0.0, |towards| libm::atan2f(towards.y as f32, towards.x as f32))
+        });
+        self.agents.push(agent, self.settings.origin, slot, number, heading, now);
+        let status = self.first_status(agent.journey);
+        self.agents.status[row as usize] = status;
+        if status == crate::Status::Arrived {
+            self.agents.trip[row as usize].arrived = Some(now);
+        }
+        AgentId { slot, generation: self.slots.rows[slot as usize].0 }
+    }
+
+    fn check(&self, agent: &Agent) -> Result<(), Error> {
+        self.check_position("position", agent.position)?;
+        Error::unless_finite("velocity", f64::from(agent.velocity.x + agent.velocity.y))?;
+        Error::unless_finite("heading", f64::from(agent.heading.unwrap_or(0.0)))?;
+        Error::unless(
+            agent.radius >= 1e-3 && agent.radius <= 1e3,
+            "radius",
+            agent.radius,
+            "from 0.001 to 1000 m",
+        )?;
+        let limit = "at least 0 m/s and at most 1000 m/s";
+        Error::unless((0.0..=1e3).contains(&agent.preferred_speed), "preferred speed", agent.preferred_speed, limit)?;
+        Error::unless(
+            agent.max_speed >= agent.preferred_speed && agent.max_speed <= 1e3,
+            "max speed",
+            agent.max_speed,
+            "at least the preferred speed and at most 1000 m/s",
+        )?;
+        Error::unless(agent.max_acceleration > 0.0, "max acceleration", agent.max_acceleration, "greater than 0")?;
+        Error::unless(agent.max_turn_rate > 0.0, "max turn rate", agent.max_turn_rate, "greater than 0")?;
+        Error::unless_finite("priority", f64::from(agent.priority))?;
+        known("group", agent.group.index(), self.groups.len())?;
+        known("journey", agent.journey.index(), self.journeys.len())?;
+        match self.no_room(agent.position, agent.radius) {
+            Some(why) => Err(Error::NoRoom { at: agent.position, radius: agent.radius, why }),
+            None => Ok(()),
+        }
+    }
+
+    fn check_position(&self, what: &'static str, p: DVec2) -> Result<(), Error> {
+        Error::unless_finite(what, p.x + p.y)?;
+        let far = (p - self.settings.origin).abs().max_element();
+        Error::unless(far <= FARTHEST, what, far, "within 20 km of the world's origin")
+    }
+
+    fn number(&mut self, agent: &Agent) -> Result<u32, Error> {
+        let next = &mut self.slots.next_number;
+        let number = agent.number.unwrap_or(*next);
+        // numbers mostly come in order: only one out of order needs a search
+        if number < *next && (self.agents.number.contains(&number) || self.schedule.has(number)) {
+            return Err(Error::NumberTaken { number });
+        }
+        *next = (*next).max(number.saturating_add(1));
+        Ok(number)
+    }
+
+    /// Makes anew what depends on the place.
+    pub(super) fn place_changed(&mut self) {
+        self.walls = Walls::new(&self.place.areas, self.place.obstacles(), self.settings.origin);
+        self.meshes = Meshes::default();
+        for travel in &mut self.agents.travel {
+            travel.route = None;
+        }
+    }
+}
+
+fn known(what: &'static str, index: usize, count: usize) -> Result<(), Error> {
+    if index < count { Ok(()) } else { Err(Error::Unknown { what, index }) }
+}

@@ -1,0 +1,75 @@
+//! Who enters when.
+
+use super::World;
+use crate::agent::Agent;
+use crate::perceive::Grid;
+use serde::{Deserialize, Serialize};
+
+/// Agents that have yet to enter.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Schedule {
+    /// By time, then number; the last enters first.
+    entries: Vec<(f64, Agent)>,
+    sorted: bool,
+}
+
+impl Schedule {
+    pub(super) fn add(&mut self, time: f64, agent: Agent) {
+        self.entries.push((time, agent));
+        self.sorted = false;
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    pub(super) fn has(&self, number: u32) -> bool {
+        self.entries.iter().any(|(_, agent)| agent.number == Some(number))
+    }
+
+    /// Takes out everybody whose time has come.
+    fn due(&mut self, now: f64) -> Vec<(f64, Agent)> {
+        if !self.sorted {
+            self.entries.sort_by(|a, b| b.0.total_cmp(&a.0).then(b.1.number.cmp(&a.1.number)));
+            self.sorted = true;
+        }
+        let first = self.entries.partition_point(|(time, _)| *time > now);
+        let mut due = self.entries.split_off(first);
+        due.reverse();
+        due
+    }
+}
+
+impl World {
+    /// Lets in those whose time has come and whose place is free; the others wait.
+    pub(super) fn enter(&mut self) {
+        let now = self.time();
+        let due = self.schedule.due(now + 1e-9);
+        if due.is_empty() {
+            return;
+        }
+        let mut grid = Grid::default();
+        grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
+        let largest = self.agents.radius.iter().copied().fold(0.0, f32::max);
+        let settled = self.agents.len();
+        for (time, agent) in due {
+            let at = (agent.position - self.settings.origin).as_vec2();
+            let touches = |other: usize| {
+                let d = self.agents.position[other].as_dvec2().distance(at.as_dvec2());
+                d < (f64::from(self.agents.radius[other]) + f64::from(agent.radius)) * 1.01
+            };
+            let mut taken = (settled..self.agents.len()).any(touches);
+            grid.within(at, (agent.radius + largest) * 1.02, |near| taken |= touches(near.row as usize));
+            if taken || self.no_room(agent.position, agent.radius).is_some() {
+                self.schedule.add(time, agent);
+            } else {
+                let number = agent.number.unwrap_or_default();
+                self.put(&agent, number, now);
+            }
+        }
+    }
+}

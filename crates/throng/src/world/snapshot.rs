@@ -1,0 +1,78 @@
+//! Save, load, continue.
+
+use super::{Settings, Slots, World, schedule::Schedule};
+use crate::Error;
+use crate::agent::Columns;
+use crate::navigate::{Goal, Journey, Unreachable};
+use crate::space::Place;
+use crate::summary::Tally;
+use serde::{Deserialize, Serialize};
+
+/// Begins every saved state: what it is, and the version of its layout.
+const MAGIC: &[u8] = b"throng state 1\n";
+
+/// Everything that changes while a world runs.
+#[derive(Serialize, Deserialize)]
+struct State {
+    settings: Settings,
+    steps: u64,
+    agents: Columns,
+    slots: Slots,
+    groups: Vec<String>,
+    goals: Vec<Goal>,
+    journeys: Vec<Journey>,
+    place: Place,
+    schedule: Schedule,
+    tally: Tally,
+    stranded: Vec<(u32, Unreachable)>,
+}
+
+impl World {
+    /// The whole state as bytes. A world that [loads](Self::load) them continues with the same bits. Groups are
+    /// kept by name only, since their models are code.
+    pub fn save(&self) -> Vec<u8> {
+        let state = State {
+            settings: self.settings,
+            steps: self.steps,
+            agents: self.agents.clone(),
+            slots: self.slots.clone(),
+            groups: self.groups.iter().map(|group| group.name.clone()).collect(),
+            goals: self.goals.clone(),
+            journeys: self.journeys.clone(),
+            place: self.place.clone(),
+            schedule: self.schedule.clone(),
+            tally: self.tally.clone(),
+            stranded: self.stranded.clone(),
+        };
+        // writing to memory cannot fail, and all types are serialisable
+        postcard::to_extend(&state, MAGIC.to_vec()).unwrap_or_default()
+    }
+
+    /// Puts the world into a [saved](Self::save) state. The world must have the same groups, by name: one built
+    /// from the same scene has.
+    ///
+    /// # Errors
+    /// [`Error::Snapshot`] if the bytes are not a saved state or the groups differ; the world is as it was.
+    pub fn load(&mut self, bytes: &[u8]) -> Result<(), Error> {
+        let fail = |why: String| Error::Snapshot { why };
+        let body = bytes.strip_prefix(MAGIC).ok_or_else(|| fail("it begins with something else".into()))?;
+        let state: State = postcard::from_bytes(body).map_err(|error| fail(error.to_string()))?;
+        let names: Vec<&String> = self.groups.iter().map(|group| &group.name).collect();
+        if !names.iter().copied().eq(&state.groups) {
+            return Err(fail(format!("its groups are {:?}, this world's {names:?}", state.groups)));
+        }
+        self.settings = state.settings;
+        self.place = state.place;
+        self.agents = Columns::default();
+        self.place_changed();
+        self.steps = state.steps;
+        self.agents = state.agents;
+        self.slots = state.slots;
+        self.goals = state.goals;
+        self.journeys = state.journeys;
+        self.schedule = state.schedule;
+        self.tally = state.tally;
+        self.stranded = state.stranded;
+        Ok(())
+    }
+}
