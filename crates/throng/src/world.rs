@@ -1,6 +1,7 @@
 //! The world: what is there, and the step that moves it on.
 
 mod build;
+mod plan;
 mod schedule;
 mod snapshot;
 mod stages;
@@ -83,7 +84,6 @@ struct StepMemory {
     grid: Grid,
     /// Neighbours of each row: `most_neighbours` places a row, filled from the front.
     neighbours: Vec<Near>,
-    counts: Vec<u32>,
     most_neighbours: usize,
     preferred: Vec<Vec2>,
     wishes: Vec<Vec2>,
@@ -257,8 +257,8 @@ impl World {
                 travel.detour.to_bits(),
             ]
         });
-        words.flat_map(u32::to_le_bytes).fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-        })
+        words
+            .flat_map(u32::to_le_bytes)
+            .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
     }
 }

@@ -124,9 +124,8 @@ fn of_edge(near: &NearEdge, velocity: Vec2, radius: f32, horizon: f32) -> Option
     };
     let to_left = if t_left < 0.0 { f32::INFINITY } else { velocity.distance_squared(left_cut + left * t_left) };
     let to_right = if t_right < 0.0 { f32::INFINITY } else { velocity.distance_squared(right_cut + right * t_right) };
-    let along_side = |corner: Vec2, direction: Vec2| {
-        Some(Line { point: corner + direction.perp() * rounding, direction })
-    };
+    let along_side =
+        |corner: Vec2, direction: Vec2| Some(Line { point: corner + direction.perp() * rounding, direction });
     if to_cut <= to_left && to_cut <= to_right {
         along_side(left_cut, -edge.direction)
     } else if to_left <= to_right {

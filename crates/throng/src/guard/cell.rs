@@ -34,9 +34,10 @@ fn sides<'a>(
         let radii = radius + f64::from(bodies.radii[other]);
         side(bodies.positions[other].as_dvec2() - from, radii, 0.5)
     });
-    let edges = contacts.edges_of(row).iter().map(move |&index| {
-        side(walls.edges()[index as usize].nearest(from) - from, radius, 1.0)
-    });
+    let edges = contacts
+        .edges_of(row)
+        .iter()
+        .map(move |&index| side(walls.edges()[index as usize].nearest(from) - from, radius, 1.0));
     let discs = contacts.discs_of(row).iter().map(move |&index| {
         let disc = &walls.discs()[index as usize];
         side(disc.center - from, radius + disc.radius, 1.0)

@@ -38,7 +38,7 @@ pub use contacts::Contacts;
 
 use crate::avoid::Line;
 use crate::parallel;
-use crate::space::{NearWalls, Walls};
+use crate::space::Walls;
 use glam::{DVec2, Vec2};
 
 /// Part of the sum of radii by which a checked pair may be closer than touching.
@@ -80,20 +80,13 @@ pub struct Guard {
 /// Memory for one agent's cell.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scratch {
-    pub(crate) near: NearWalls,
     pub(crate) lines: Vec<Line>,
 }
 
 impl Guard {
     /// Makes the motion to `targets` certain, and puts what is certain there instead. `contacts` must hold every pair
     /// and every wall that the bodies' reach lets meet.
-    pub fn certify(
-        &mut self,
-        bodies: &Bodies<'_>,
-        contacts: &Contacts,
-        walls: &Walls,
-        targets: &mut [Vec2],
-    ) -> Report {
+    pub fn certify(&mut self, bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, targets: &mut [Vec2]) -> Report {
         let Self { targets: now, next, clamped, verdicts } = self;
         now.clear();
         now.extend(targets.iter().zip(bodies.positions).zip(bodies.reach).map(|((&to, &from), &reach)| {
@@ -108,9 +101,15 @@ impl Guard {
             verdicts.clear();
             verdicts.resize(now.len(), false);
             let last = round > ROUNDS;
-            parallel::rows(verdicts, 1, || (), |(), row, verdict| {
-                verdict[0] = !clamped[row] && (last && !contacts.is_alone(row) || !is_safe(row, bodies, contacts, walls, now));
-            });
+            parallel::rows(
+                verdicts,
+                1,
+                || (),
+                |(), row, verdict| {
+                    verdict[0] = !clamped[row]
+                        && (last && !contacts.is_alone(row) || !is_safe(row, bodies, contacts, walls, now));
+                },
+            );
             if !verdicts.contains(&true) {
                 break;
             }

@@ -19,11 +19,16 @@ pub(super) fn relax(
 ) {
     for _ in 0..ITERATIONS {
         next.clone_from(targets);
-        parallel::rows(next, 1, || (), |(), row, target| {
-            if !contacts.is_alone(row) {
-                target[0] = relaxed(row, bodies, contacts, walls, targets);
-            }
-        });
+        parallel::rows(
+            next,
+            1,
+            || (),
+            |(), row, target| {
+                if !contacts.is_alone(row) {
+                    target[0] = relaxed(row, bodies, contacts, walls, targets);
+                }
+            },
+        );
         let settled = next == targets;
         std::mem::swap(targets, next);
         if settled {

@@ -6,7 +6,7 @@
 
 use super::Route;
 use crate::random::{Purpose, between};
-use glam::Vec2;
+use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
 
 /// Seconds over which progress is averaged.
@@ -39,6 +39,16 @@ pub struct Travel {
     pub detour_left: f32,
     /// Its way to the stop, once planned.
     pub route: Option<Route>,
+    /// What it heads for now, world coordinates.
+    pub aim: DVec2,
+    /// Metres of way still ahead.
+    pub remaining: f32,
+    /// How near to an area in a wall counts as there, metres.
+    pub gap: f32,
+    /// Whether the length of this leg has been noted.
+    pub measured: bool,
+    /// Whether it arrived at the very point, and so comes back to it when pushed.
+    pub at_point: bool,
 }
 
 /// Who draws the random numbers, and when.

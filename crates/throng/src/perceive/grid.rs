@@ -197,14 +197,7 @@ impl Grid {
 
     /// The `k` nearest points within `range` of `from` (inclusive) that `accept` accepts, nearest first, ties by
     /// number, into `found` (emptied first).
-    pub fn nearest(
-        &self,
-        from: Vec2,
-        k: usize,
-        range: f32,
-        accept: impl Fn(&Near) -> bool,
-        found: &mut Vec<Near>,
-    ) {
+    pub fn nearest(&self, from: Vec2, k: usize, range: f32, accept: impl Fn(&Near) -> bool, found: &mut Vec<Near>) {
         found.clear();
         if self.order.is_empty() || k == 0 {
             return;

@@ -165,8 +165,7 @@ impl Walls {
             return;
         }
         let all = (0..count).map(|i| self.bounds(i));
-        let (low, high) =
-            all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))).unwrap_or((DVec2::ZERO, DVec2::ZERO));
+        let (low, high) = all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))).unwrap_or((DVec2::ZERO, DVec2::ZERO));
         let size = high - low;
         let mut cell = CELL;
         while (size.x / cell + 1.0) * (size.y / cell + 1.0) > MOST_CELLS {

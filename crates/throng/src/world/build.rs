@@ -91,7 +91,12 @@ impl World {
         match &obstacle {
             Obstacle::Circle { center, radius } => {
                 self.check_position("centre of the obstacle", *center)?;
-                Error::unless(*radius > 0.0 && *radius < FARTHEST, "radius of the obstacle", *radius, "greater than 0")?;
+                Error::unless(
+                    *radius > 0.0 && *radius < FARTHEST,
+                    "radius of the obstacle",
+                    *radius,
+                    "greater than 0",
+                )?;
             }
             Obstacle::Polygon { corners } => check_polygon("obstacle", corners)?,
             Obstacle::Wall { points } => {
@@ -207,12 +212,7 @@ impl World {
         self.check_position("position", agent.position)?;
         Error::unless_finite("velocity", f64::from(agent.velocity.x + agent.velocity.y))?;
         Error::unless_finite("heading", f64::from(agent.heading.unwrap_or(0.0)))?;
-        Error::unless(
-            agent.radius >= 1e-3 && agent.radius <= 1e3,
-            "radius",
-            agent.radius,
-            "from 0.001 to 1000 m",
-        )?;
+        Error::unless(agent.radius >= 1e-3 && agent.radius <= 1e3, "radius", agent.radius, "from 0.001 to 1000 m")?;
         let limit = "at least 0 m/s and at most 1000 m/s";
         Error::unless((0.0..=1e3).contains(&agent.preferred_speed), "preferred speed", agent.preferred_speed, limit)?;
         Error::unless(
@@ -255,6 +255,7 @@ impl World {
         self.meshes = Meshes::default();
         for travel in &mut self.agents.travel {
             travel.route = None;
+            travel.gap = 0.0;
         }
     }
 }

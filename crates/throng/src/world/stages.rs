@@ -5,19 +5,24 @@ use crate::agent::{JourneyId, Status};
 use crate::avoid::{MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, View, Workspace};
 use crate::guard::Bodies;
 use crate::motion::{Limits, limit, turn};
-use crate::navigate::{Goal, Dice, Travel, Way, turned_right};
+use crate::navigate::{Dice, Goal, Travel, nearest_on_ring, turned_right};
 use crate::perceive::Near;
 use crate::random::{Purpose, unit};
-use crate::space::{Disc, Edge, NearWalls};
+use crate::space::{Disc, Edge, NearWalls, is_inside};
 use crate::summary::Ended;
 use crate::{SubSteps, parallel};
 use glam::{DVec2, Vec2};
 
 /// A resting agent gives way: this much is taken off its priority.
 const RESTING_PRIORITY: f32 = 0.6;
+/// Seconds in which an agent that was pushed off its goal comes back.
+const RETURN_TIME: f32 = 0.5;
 /// Part of the smallest radius that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
 const FREE_MOVE: f32 = 0.25;
 const CROWD_MOVE: f32 = 0.125;
+
+/// Metres beyond the gap before an area in a wall that count as there.
+const GAP_TOLERANCE: f64 = 0.05;
 
 /// What a thread keeps while it goes through agents.
 #[derive(Default)]
@@ -90,16 +95,24 @@ impl World {
         let mut preferred = std::mem::take(&mut self.step.preferred);
         let mut out: Vec<(&mut Travel, &mut Vec2)> = travels.iter_mut().zip(&mut preferred).collect();
         let world = &*self;
-        parallel::rows(&mut out, 1, || (), |(), row, out| {
-            let (travel, preferred) = &mut out[0];
-            **preferred = world.preferred_velocity(row, travel, seconds);
-        });
+        parallel::rows(
+            &mut out,
+            1,
+            || (),
+            |(), row, out| {
+                let (travel, preferred) = &mut out[0];
+                **preferred = world.preferred_velocity(row, travel, seconds);
+            },
+        );
         self.agents.travel = travels;
         self.step.preferred = preferred;
     }
 
     fn preferred_velocity(&self, row: usize, travel: &mut Travel, seconds: f32) -> Vec2 {
         let agents = &self.agents;
+        if agents.status[row] == Status::Arrived {
+            return self.back_to_goal(row, travel);
+        }
         if agents.status[row] != Status::Walking {
             return Vec2::ZERO;
         }
@@ -107,18 +120,15 @@ impl World {
             return Vec2::ZERO;
         };
         let at = agents.position[row];
-        let Way { towards, remaining } = travel.way(&self.meshes, goal, at, agents.radius[row], self.settings.origin);
-        let distance = towards.length();
+        let towards = (travel.aim - self.settings.origin - at.as_dvec2()).as_vec2();
+        let (distance, remaining) = (towards.length(), travel.remaining);
         let direction = towards.normalize_or_zero();
         let speed = agents.preferred_speed[row];
         let group = &self.groups[agents.group[row].index()];
         let made = if speed > 0.0 { agents.velocity[row].dot(direction) / speed } else { 1.0 };
         let dice = Dice { seed: self.settings.seed, number: agents.number[row], step: self.tally.sub_steps };
-        let detour = if group.detour {
-            travel.detour(made, seconds, dice, || self.queues(row, direction))
-        } else {
-            0.0
-        };
+        let detour =
+            if group.detour { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
         // coming to a point: as slow as stopping there takes, and never past it
         let arriving = match goal {
             Goal::Point { .. } if self.is_last(row, travel.leg) => {
@@ -130,6 +140,19 @@ impl World {
         turned_right(direction, bias + detour) * speed.min(arriving)
     }
 
+    /// What an agent would like that has arrived: to rest, or to come gently back to its point if it was pushed away.
+    fn back_to_goal(&self, row: usize, travel: &Travel) -> Vec2 {
+        match self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]) {
+            Some(Goal::Point { at, tolerance }) if travel.at_point => {
+                let offset = (*at - self.world_position(row)).as_vec2();
+                let beyond = offset.length() - tolerance;
+                let speed = (beyond / RETURN_TIME).min(0.5 * self.agents.preferred_speed[row]);
+                offset.normalize_or_zero() * speed.max(0.0)
+            }
+            _ => Vec2::ZERO,
+        }
+    }
+
     /// Whether somebody close ahead goes the same way.
     fn queues(&self, row: usize, direction: Vec2) -> bool {
         let agents = &self.agents;
@@ -138,7 +161,8 @@ impl World {
             let offset = agents.position[other] - agents.position[row];
             let gap = offset.length() - agents.radius[row] - agents.radius[other];
             let ahead = offset.dot(direction) > 0.7 * offset.length();
-            let faces = libm::cosf(agents.heading[other]) * direction.x + libm::sinf(agents.heading[other]) * direction.y;
+            let faces =
+                libm::cosf(agents.heading[other]) * direction.x + libm::sinf(agents.heading[other]) * direction.y;
             let same = agents.status[other] == Status::Walking && faces > 0.5;
             ahead && gap < 2.0 * agents.radius[row] && same
         })
@@ -306,7 +330,7 @@ impl World {
         }
     }
 
-    fn stop(&self, row: usize, leg: u32) -> Option<crate::Stop> {
+    pub(super) fn stop(&self, row: usize, leg: u32) -> Option<crate::Stop> {
         self.journeys[self.agents.journey[row].index()].stops.get(leg as usize).copied()
     }
 
@@ -339,16 +363,18 @@ impl World {
         let mut gone = Vec::new();
         for (row, status) in next.into_iter().enumerate() {
             let before = self.agents.status[row];
-            let travel = &mut self.agents.travel[row];
             if before == Status::Waiting {
-                travel.wait -= seconds;
+                self.agents.travel[row].wait -= seconds;
+            }
+            if status == Status::Arrived && before == Status::Walking {
+                self.agents.travel[row].at_point = self.is_at_point(row);
             }
             let status = match status {
                 // there: the next leg, the end, or the way out
                 Status::Arrived if before == Status::Walking => {
-                    let leg = travel.leg;
-                    let wait = self.stop(row, leg).map_or(0.0, |stop| stop.wait);
-                    let exits = self.goal_of(row).is_some_and(|goal| matches!(self.goals[goal.index()], Goal::Exit { .. }));
+                    let wait = self.stop(row, self.agents.travel[row].leg).map_or(0.0, |stop| stop.wait);
+                    let exits =
+                        self.goal_of(row).is_some_and(|goal| matches!(self.goals[goal.index()], Goal::Exit { .. }));
                     if exits {
                         gone.push(row);
                         Status::Arrived
@@ -368,8 +394,7 @@ impl World {
             self.agents.status[row] = status;
         }
         for &row in gone.iter().rev() {
-            let ended =
-                Ended { trip: self.agents.trip[row], preferred_speed: self.agents.preferred_speed[row] };
+            let ended = Ended { trip: self.agents.trip[row], preferred_speed: self.agents.preferred_speed[row] };
             self.tally.removed.push((self.agents.number[row], ended));
             self.remove_row(row);
         }
@@ -403,11 +428,23 @@ impl World {
                         distance <= f64::from(*tolerance)
                             || self.arrives_by_contact(row, stop.goal, distance, arrived[stop.goal.index()])
                     }
-                    Goal::Area { corners } | Goal::Exit { corners } => crate::space::is_inside(corners, at),
+                    Goal::Area { corners } | Goal::Exit { corners } => {
+                        let gap = f64::from(agents.travel[row].gap);
+                        is_inside(corners, at)
+                            || gap > 0.0 && nearest_on_ring(corners, at).distance(at) <= gap + GAP_TOLERANCE
+                    }
                 };
                 if there { Status::Arrived } else { Status::Walking }
             }
             status => status,
+        }
+    }
+
+    /// Whether an agent is at the very point it was on its way to.
+    fn is_at_point(&self, row: usize) -> bool {
+        match self.goal_of(row).map(|goal| &self.goals[goal.index()]) {
+            Some(Goal::Point { at, tolerance }) => at.distance(self.world_position(row)) <= f64::from(*tolerance),
+            _ => false,
         }
     }
 
@@ -425,22 +462,6 @@ impl World {
                 && self.goal_of(other) == Some(goal)
                 && agents.position[row].distance(agents.position[other]) <= touch
         })
-    }
-
-    /// Plans the way of everybody who has none, or whose way no longer holds.
-    fn plan(&mut self) {
-        let unreachable = crate::navigate::plan(
-            &mut self.meshes,
-            &mut self.agents,
-            &self.place,
-            &self.goals,
-            &self.journeys,
-            self.settings.origin,
-        );
-        for (row, why) in unreachable {
-            self.agents.status[row] = Status::Stranded;
-            self.stranded.push((self.agents.number[row], why));
-        }
     }
 }
 

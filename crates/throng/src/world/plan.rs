@@ -1,0 +1,101 @@
+//! Planning ways: for those who have none, and for those whose way no longer holds. Everybody else keeps theirs.
+
+use super::World;
+use crate::agent::Status;
+use crate::navigate::{Goal, Heading, Route, Search, Travel, Unreachable};
+use crate::parallel;
+use glam::DVec2;
+
+impl World {
+    /// Brings everybody's way up to date: what to head for, and how far it still is.
+    pub(super) fn plan(&mut self) {
+        let mut travels = std::mem::take(&mut self.agents.travel);
+        let world = &*self;
+        parallel::rows(&mut travels, 1, || (), |(), row, travel| world.follow(row, &mut travel[0]));
+        let mut lost: Vec<Planned> = (0..travels.len())
+            .filter(|&row| self.agents.status[row] == Status::Walking && travels[row].route.is_none())
+            .map(|row| Planned { row, leg: travels[row].leg, outcome: None })
+            .collect();
+        if !lost.is_empty() {
+            self.prepare_meshes(&lost);
+            let world = &*self;
+            parallel::rows(&mut lost, 1, Search::default, |search, _, planned| world.plan_one(search, &mut planned[0]));
+            for Planned { row, outcome, .. } in lost {
+                match outcome {
+                    Some(Ok((route, length, gap))) => {
+                        let travel = &mut travels[row];
+                        if !travel.measured {
+                            travel.measured = true;
+                            self.agents.trip[row].shortest += length;
+                        }
+                        travel.route = Some(route);
+                        travel.gap = gap;
+                        self.follow(row, travel);
+                    }
+                    Some(Err(why)) => {
+                        self.agents.status[row] = Status::Stranded;
+                        self.stranded.push((self.agents.number[row], why));
+                    }
+                    None => {}
+                }
+            }
+            self.stranded.sort_by_key(|&(number, _)| number);
+        }
+        self.agents.travel = travels;
+    }
+
+    /// Lets an agent look where it is on its way; a way that no longer holds is given up.
+    fn follow(&self, row: usize, travel: &mut Travel) {
+        let at = self.world_position(row);
+        let Some(route) = &mut travel.route else { return };
+        let heading = match self.meshes.mesh(self.agents.radius[row]) {
+            Some(mesh) => route.advance(mesh, at),
+            None => route.end().map_or(Heading::Lost, Heading::End),
+        };
+        match heading {
+            Heading::Corner(p) | Heading::End(p) => {
+                travel.aim = p;
+                travel.remaining = route.remaining(at) as f32;
+            }
+            Heading::Lost => travel.route = None,
+        }
+    }
+
+    fn plan_one(&self, search: &mut Search, planned: &mut Planned) {
+        let Some(stop) = self.stop(planned.row, planned.leg) else { return };
+        let goal = &self.goals[stop.goal.index()];
+        let from = self.world_position(planned.row);
+        let path = self.meshes.path(search, self.agents.radius[planned.row], from, stop.goal, goal);
+        planned.outcome = Some(path.map(|(path, gap)| (Route::new(&path), path.length, gap as f32)));
+    }
+
+    fn prepare_meshes(&mut self, lost: &[Planned]) {
+        if self.walls.is_empty() {
+            return;
+        }
+        let points =
+            self.goals.iter().map(Goal::middle).chain((0..self.agents.len()).map(|row| self.world_position(row)));
+        let (low, high) = points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+        // room to go round, and to be pushed about
+        let around = DVec2::splat(10.0 + (high - low).max_element() * 0.5);
+        let needs: Vec<_> = lost
+            .iter()
+            .filter_map(|planned| {
+                let stop = self.stop(planned.row, planned.leg)?;
+                Some((self.agents.radius[planned.row], stop.goal))
+            })
+            .collect();
+        self.meshes.prepare(needs.into_iter(), &self.place, &self.goals, (low - around, high + around));
+    }
+
+    pub(super) fn world_position(&self, row: usize) -> DVec2 {
+        self.agents.position[row].as_dvec2() + self.settings.origin
+    }
+}
+
+/// A way to plan, and what came of it: the route, its length, and how near counts as there.
+struct Planned {
+    row: usize,
+    leg: u32,
+    outcome: Option<Result<(Route, f64, f32), Unreachable>>,
+}
