@@ -1,1 +1,32 @@
-//! throng-draw
+//! Pictures and video of worlds.
+//!
+//! [`Film`] turns the moments of a recording into a file of the kind its name says: MP4 or GIF, PNG or SVG, a folder of
+//! PNG files, or any other video that an installed ffmpeg writes. [`Painter`] paints single moments into memory, with
+//! the look that [`Style`] describes; [`sink`] holds the kinds of output for pictures of any origin.
+
+mod camera;
+mod color;
+mod disc;
+mod error;
+mod film;
+mod image;
+mod legend;
+mod look;
+mod mark;
+mod painter;
+mod place;
+mod raster;
+pub mod sink;
+mod style;
+mod svg;
+mod text;
+mod trail;
+
+pub use camera::{Camera, WorldBox};
+pub use color::{Color, PALETTE, palette, ramp, wheel};
+pub use error::Error;
+pub use film::{Film, Still};
+pub use image::Image;
+pub use painter::Painter;
+pub use sink::FrameSink;
+pub use style::{ColorBy, Style, Theme};

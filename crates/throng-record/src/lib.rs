@@ -1,5 +1,11 @@
-//! What happened in a world.
+//! What happened in a world: its moments ([`Setting`], [`Frame`], [`Body`]) and the files that hold them.
+//!
+//! [`csv`] writes trajectories as a table. Every file is written through [`Output`], under a temporary name until it
+//! is complete.
 
+pub mod csv;
 mod frame;
+mod output;
 
 pub use frame::{Body, Frame, Setting};
+pub use output::{Output, OutputError};

@@ -1,0 +1,105 @@
+//! From metres to pixels.
+
+use glam::{DVec2, Vec2};
+use throng::{Goal, Obstacle};
+use throng_record::{Frame, Setting};
+
+/// A rectangle of the world, metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorldBox {
+    /// The corner with the least coordinates.
+    pub min: DVec2,
+    /// The corner with the greatest coordinates.
+    pub max: DVec2,
+}
+
+impl WorldBox {
+    /// The smallest box that holds the place and everybody in `frame`; `None` if there is nothing.
+    pub fn of(setting: &Setting, frame: &Frame) -> Option<Self> {
+        let mut all = Self { min: DVec2::INFINITY, max: DVec2::NEG_INFINITY };
+        setting.walkable.iter().flat_map(|w| &w.outer).for_each(|&p| all.add(p, 0.0));
+        for obstacle in &setting.obstacles {
+            match obstacle {
+                Obstacle::Circle { center, radius } => all.add(*center, *radius),
+                Obstacle::Polygon { corners: points } | Obstacle::Wall { points } => {
+                    points.iter().for_each(|&p| all.add(p, 0.0));
+                }
+            }
+        }
+        for goal in &setting.goals {
+            match goal {
+                Goal::Point { at, tolerance } => all.add(*at, f64::from(*tolerance).min(1.0)),
+                Goal::Area { corners } | Goal::Exit { corners } => corners.iter().for_each(|&p| all.add(p, 0.0)),
+            }
+        }
+        frame.bodies.iter().for_each(|b| all.add(b.position, f64::from(b.radius)));
+        (all.min.cmple(all.max).all()).then_some(all)
+    }
+
+    fn add(&mut self, point: DVec2, radius: f64) {
+        if point.is_finite() && radius.is_finite() {
+            self.min = self.min.min(point - radius);
+            self.max = self.max.max(point + radius);
+        }
+    }
+}
+
+/// Where the picture looks: the middle, the scale, and the part of the picture that shows it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// The point of the world shown at `anchor`.
+    pub center: DVec2,
+    /// The pixel that shows `center`.
+    pub anchor: Vec2,
+    /// Pixels a metre.
+    pub scale: f64,
+}
+
+impl Camera {
+    /// Shows all of `view` inside the pixels from `low` to `high`, as large as it fits. The aspect is kept.
+    pub fn fit(view: WorldBox, low: Vec2, high: Vec2) -> Self {
+        let extent = (view.max - view.min).abs().max(DVec2::splat(1e-3));
+        let room = (high - low).max(Vec2::ONE).as_dvec2();
+        let scale = (room / extent).min_element();
+        Self { center: (view.min + view.max) * 0.5, anchor: (low + high) * 0.5, scale }
+    }
+
+    /// The pixel of a point of the world; x to the right, y down, whole numbers at the corners of pixels.
+    pub fn pixel(&self, point: DVec2) -> Vec2 {
+        let offset = (point - self.center) * self.scale;
+        self.anchor + Vec2::new(offset.x as f32, -offset.y as f32)
+    }
+
+    /// A length in pixels.
+    pub fn length(&self, metres: f64) -> f32 {
+        (metres * self.scale) as f32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_view_fits_and_keeps_its_aspect() {
+        let view = WorldBox { min: DVec2::new(-1800.0, 10.0), max: DVec2::new(-1780.0, 20.0) };
+        let camera = Camera::fit(view, Vec2::new(10.0, 30.0), Vec2::new(410.0, 430.0));
+        assert_eq!(camera.scale, 20.0);
+        assert_eq!(camera.pixel(view.min), Vec2::new(10.0, 330.0), "y points up in the world, down in the picture");
+        assert_eq!(camera.pixel(view.max), Vec2::new(410.0, 130.0));
+    }
+
+    #[test]
+    fn the_box_of_nothing_is_none_and_broken_numbers_are_left_out() {
+        assert_eq!(WorldBox::of(&Setting::default(), &Frame::default()), None);
+        let setting = Setting {
+            obstacles: vec![
+                Obstacle::Circle { center: DVec2::new(1.0, 2.0), radius: 0.5 },
+                Obstacle::Wall { points: vec![DVec2::NAN, DVec2::ZERO] },
+            ],
+            ..Setting::default()
+        };
+        let all = WorldBox::of(&setting, &Frame::default()).unwrap();
+        assert_eq!((all.min, all.max), (DVec2::ZERO, DVec2::new(1.5, 2.5)));
+    }
+}

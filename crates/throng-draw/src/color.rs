@@ -1,0 +1,150 @@
+//! Colours, and the palette that groups are told apart by.
+
+/// A colour, 8 bits a channel, sRGB, alpha not multiplied in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Color {
+    /// Red.
+    pub r: u8,
+    /// Green.
+    pub g: u8,
+    /// Blue.
+    pub b: u8,
+    /// Opacity, 255 is opaque.
+    pub a: u8,
+}
+
+impl Color {
+    /// An opaque colour from `0xRRGGBB`.
+    pub const fn rgb(hex: u32) -> Self {
+        Self { r: (hex >> 16) as u8, g: (hex >> 8) as u8, b: hex as u8, a: 255 }
+    }
+
+    /// The same colour with an opacity of `alpha`, 0 to 1.
+    pub fn alpha(self, alpha: f32) -> Self {
+        Self { a: (alpha.clamp(0.0, 1.0) * 255.0).round() as u8, ..self }
+    }
+
+    /// The colour a part `t` of the way to `other`, 0 to 1.
+    pub fn mix(self, other: Self, t: f32) -> Self {
+        let mix = |a: u8, b: u8| (f32::from(a) + (f32::from(b) - f32::from(a)) * t.clamp(0.0, 1.0)).round() as u8;
+        Self { r: mix(self.r, other.r), g: mix(self.g, other.g), b: mix(self.b, other.b), a: mix(self.a, other.a) }
+    }
+
+    /// `#rrggbb`, without the opacity.
+    pub fn hex(self) -> String {
+        format!("#{:02x}{:02x}{:02x}", self.r, self.g, self.b)
+    }
+}
+
+/// The colours of groups and goals, in order. Their hues follow Okabe and Ito (2008), "Color universal design",
+/// muted and moved apart in lightness; a test holds them apart for the three kinds of colour-blindness.
+pub const PALETTE: [Color; 8] = [
+    Color::rgb(0x3866b6), // blue
+    Color::rgb(0xe38c2e), // orange
+    Color::rgb(0x21ae76), // bluish green
+    Color::rgb(0xaa6591), // reddish purple
+    Color::rgb(0x9ab6e2), // sky blue
+    Color::rgb(0x3e3749), // slate
+    Color::rgb(0xdadc6e), // yellow
+    Color::rgb(0xb64c23), // vermilion
+];
+
+/// The colour of the group or goal `index`: the palette, then the palette again in paler rounds.
+pub fn palette(index: usize) -> Color {
+    let round = (index / PALETTE.len()).min(3);
+    PALETTE[index % PALETTE.len()].mix(Color::rgb(0xffffff), 0.25 * round as f32)
+}
+
+/// The stops of the ramp for speeds, slow to fast; lightness rises all the way.
+const RAMP: [Color; 5] =
+    [Color::rgb(0x2d3a6b), Color::rgb(0x35719a), Color::rgb(0x3fa38f), Color::rgb(0x9cc75c), Color::rgb(0xf2d04b)];
+
+/// The colour of a quantity `t` between 0 (least) and 1 (most).
+pub fn ramp(t: f32) -> Color {
+    let t = if t.is_finite() { t.clamp(0.0, 1.0) } else { 0.0 } * (RAMP.len() - 1) as f32;
+    let k = (t as usize).min(RAMP.len() - 2);
+    RAMP[k].mix(RAMP[k + 1], t - k as f32)
+}
+
+/// The colour of a direction, a fraction of a turn; it comes round without a jump. Lightness goes up and down once,
+/// so that opposite directions differ for everybody.
+pub fn wheel(turn: f32) -> Color {
+    const STOPS: [Color; 6] = [
+        Color::rgb(0x2f74a8),
+        Color::rgb(0x3aa09a),
+        Color::rgb(0xa9c15a),
+        Color::rgb(0xeba94a),
+        Color::rgb(0xcf6463),
+        Color::rgb(0x74519a),
+    ];
+    let t = turn.rem_euclid(1.0) * STOPS.len() as f32;
+    let k = (t as usize).min(STOPS.len() - 1);
+    STOPS[k].mix(STOPS[(k + 1) % STOPS.len()], t - k as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Linear light of one channel.
+    fn linear(c: u8) -> f64 {
+        let c = f64::from(c) / 255.0;
+        if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+    }
+
+    /// What a colour-blind eye makes of a colour in linear light: Machado, Oliveira and Fernandes (2009), severity 1.
+    const EYES: [[[f64; 3]; 3]; 4] = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+        [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
+        [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]],
+    ];
+
+    /// CIE L*a*b* of linear sRGB, D65.
+    fn lab(rgb: [f64; 3]) -> [f64; 3] {
+        let dot = |w: [f64; 3]| w[0] * rgb[0] + w[1] * rgb[1] + w[2] * rgb[2];
+        let f = |t: f64| if t > 0.008856 { t.cbrt() } else { 7.787 * t + 16.0 / 116.0 };
+        let x = f(dot([0.4124, 0.3576, 0.1805]) / 0.9505);
+        let y = f(dot([0.2126, 0.7152, 0.0722]));
+        let z = f(dot([0.0193, 0.1192, 0.9505]) / 1.089);
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    fn difference(eye: &[[f64; 3]; 3], a: Color, b: Color) -> f64 {
+        let see = |c: Color| {
+            let c = [linear(c.r), linear(c.g), linear(c.b)];
+            lab(eye.map(|row| (row[0] * c[0] + row[1] * c[1] + row[2] * c[2]).clamp(0.0, 1.0)))
+        };
+        let (a, b) = (see(a), see(b));
+        ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2) + (a[2] - b[2]).powi(2)).sqrt()
+    }
+
+    #[test]
+    fn everybody_can_tell_the_first_groups_apart() {
+        for (n, eye) in EYES.iter().enumerate() {
+            for i in 0..PALETTE.len() {
+                for j in 0..i {
+                    let d = difference(eye, PALETTE[i], PALETTE[j]);
+                    assert!(d >= 18.0, "eye {n}: colours {j} and {i} differ by only {d:.1}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_ramp_gets_lighter_all_the_way() {
+        let light = |t: f32| {
+            let c = ramp(t);
+            lab([linear(c.r), linear(c.g), linear(c.b)])[0]
+        };
+        for k in 0..50 {
+            assert!(light((k + 1) as f32 / 50.0) > light(k as f32 / 50.0));
+        }
+    }
+
+    #[test]
+    fn the_wheel_has_no_jump() {
+        assert_eq!(wheel(0.0), wheel(1.0));
+        assert_eq!(wheel(-0.25), wheel(0.75));
+    }
+}

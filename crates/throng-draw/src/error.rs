@@ -1,0 +1,84 @@
+//! What can go wrong with pictures and video.
+
+use std::path::{Path, PathBuf};
+use throng_record::OutputError;
+
+/// Why a picture or video could not be made.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The file could not be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// The size of the picture is out of its limits.
+    #[error("the picture is {width} by {height} pixels, but must be {limit}")]
+    Size {
+        /// Its width.
+        width: u32,
+        /// Its height.
+        height: u32,
+        /// What it may be.
+        limit: &'static str,
+    },
+    /// A picture has another size than the one before it.
+    #[error("{}: a picture of {width} by {height} pixels follows one of another size", path.display())]
+    SizeChanged {
+        /// The file.
+        path: PathBuf,
+        /// The new width.
+        width: u32,
+        /// The new height.
+        height: u32,
+    },
+    /// The rate is not a number of frames a second.
+    #[error("the rate is {0} frames a second, but must be between 0.001 and 1000")]
+    Rate(f64),
+    /// The name of the file does not say what it should be.
+    #[error(
+        "{}: cannot tell what to write from this name; end it in .mp4, .gif, .png, .svg, .avi, .mkv, .webm or .mov, \
+         or in / for a folder of PNG files", path.display()
+    )]
+    Extension {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Nothing was pushed.
+    #[error("{}: there is no frame to write", path.display())]
+    Empty {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The program ffmpeg, which this kind of file needs, is not there.
+    #[error(
+        "cannot write {}: this kind of video needs the program ffmpeg, which was not found; install it, or write \
+         .mp4 or .gif, which need nothing", path.display()
+    )]
+    NoFfmpeg {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The encoder reports an error.
+    #[error("cannot write {}: {encoder} says: {message}", path.display())]
+    Encoder {
+        /// The file.
+        path: PathBuf,
+        /// Which encoder.
+        encoder: &'static str,
+        /// What it says.
+        message: String,
+    },
+}
+
+impl Error {
+    pub(crate) fn check_size(width: u32, height: u32) -> Result<(), Self> {
+        let limits = 16..=16384;
+        if limits.contains(&width) && limits.contains(&height) {
+            return Ok(());
+        }
+        Err(Self::Size { width, height, limit: "between 16 and 16384 on each side" })
+    }
+
+    pub(crate) fn encoder(path: &Path, encoder: &'static str, message: impl ToString) -> Self {
+        Self::Encoder { path: path.to_path_buf(), encoder, message: message.to_string() }
+    }
+}

@@ -1,0 +1,148 @@
+//! From moments to a finished file: a painter and a sink in one.
+
+use crate::sink::{FrameSink, Kind, encode_png, sink};
+use crate::{Error, Image, Painter, Style};
+use std::path::{Path, PathBuf};
+use throng_record::{Frame, Output, Setting};
+
+/// Which moment a single picture (`.png`, `.svg`) shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Still {
+    /// The last.
+    #[default]
+    Last,
+    /// The one with this index, from 0; the last if there are not that many.
+    Index(usize),
+    /// The first at or after this time, seconds; the last if there is none.
+    Time(f64),
+}
+
+/// Makes a picture or a video of a recording, of the kind the name of the file says ([`Kind`]).
+///
+/// ```
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("film.gif");
+/// use throng_draw::{Film, Style};
+/// use throng_record::{Frame, Setting};
+/// let mut film = Film::create(&path, &Setting::default(), &Style::default(), 25.0)?;
+/// for k in 0..3 {
+///     film.push(&Frame { time: f64::from(k) / 25.0, ..Frame::default() })?;
+/// }
+/// film.finish()?;
+/// assert!(path.exists());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Film {
+    path: PathBuf,
+    setting: Setting,
+    style: Style,
+    painter: Option<Painter>,
+    target: Target,
+    count: usize,
+}
+
+enum Target {
+    /// Every moment is painted.
+    Moving(Box<dyn FrameSink>),
+    /// One moment is painted.
+    Still { which: Still, kind: Kind, picture: Option<Picture>, last: Option<Frame>, output: Output },
+}
+
+/// A finished still.
+enum Picture {
+    Pixels(Image),
+    Vector(String),
+}
+
+impl Film {
+    /// Begins `path`, at `rate` moments a second. The view is fitted to the first moment that is pushed, unless the
+    /// style names one. Of a single picture, the last moment is shown; see [`still`](Self::still).
+    ///
+    /// # Errors
+    /// The ending of the name is unknown, the folder is missing or cannot be written to, the rate or the size of the
+    /// picture is out of its limits, or ffmpeg is needed and not there.
+    pub fn create(path: impl AsRef<Path>, setting: &Setting, style: &Style, rate: f64) -> Result<Self, Error> {
+        let path = path.as_ref().to_path_buf();
+        Error::check_size(style.width, style.height)?;
+        let target = match Kind::of(&path)? {
+            kind @ (Kind::Png | Kind::Svg) => {
+                let output = Output::create(&path)?;
+                Target::Still { which: Still::Last, kind, picture: None, last: None, output }
+            }
+            _ => Target::Moving(sink(&path, rate)?),
+        };
+        Ok(Self { path, setting: setting.clone(), style: style.clone(), painter: None, target, count: 0 })
+    }
+
+    /// Chooses the moment that a single picture shows. It does nothing to a video.
+    #[must_use]
+    pub fn still(mut self, moment: Still) -> Self {
+        if let Target::Still { which, .. } = &mut self.target {
+            *which = moment;
+        }
+        self
+    }
+
+    /// How many moments were pushed.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Appends a moment.
+    ///
+    /// # Errors
+    /// It cannot be written or encoded.
+    pub fn push(&mut self, frame: &Frame) -> Result<(), Error> {
+        let painter = match &mut self.painter {
+            Some(painter) => painter,
+            none => none.insert(Painter::new(&self.setting, &self.style, frame)?),
+        };
+        let index = self.count;
+        self.count += 1;
+        match &mut self.target {
+            Target::Moving(sink) => sink.push(painter.paint(frame)),
+            Target::Still { picture: Some(_), .. } => Ok(()),
+            Target::Still { which, kind, picture, last, .. } => {
+                let now = match *which {
+                    Still::Last => false,
+                    Still::Index(wanted) => index == wanted,
+                    Still::Time(wanted) => frame.time >= wanted,
+                };
+                if now {
+                    *picture = Some(picture_of(painter, *kind, frame));
+                } else {
+                    painter.follow(frame);
+                    last.get_or_insert_default().clone_from(frame);
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// Completes the file and gives it its name.
+    ///
+    /// # Errors
+    /// It cannot be written, or nothing was pushed.
+    pub fn finish(self) -> Result<(), Error> {
+        let Some(mut painter) = self.painter else { return Err(Error::Empty { path: self.path }) };
+        let (kind, picture, last, mut output) = match self.target {
+            Target::Moving(sink) => return sink.finish(),
+            Target::Still { kind, picture, last, output, .. } => (kind, picture, last, output),
+        };
+        let picture = picture.unwrap_or_else(|| picture_of(&mut painter, kind, &last.unwrap_or_default()));
+        match picture {
+            Picture::Pixels(image) => encode_png(output, &image),
+            Picture::Vector(text) => {
+                output.put(text.as_bytes())?;
+                Ok(output.finish()?)
+            }
+        }
+    }
+}
+
+fn picture_of(painter: &mut Painter, kind: Kind, frame: &Frame) -> Picture {
+    match kind {
+        Kind::Svg => Picture::Vector(painter.svg(frame)),
+        _ => Picture::Pixels(painter.paint(frame).clone()),
+    }
+}

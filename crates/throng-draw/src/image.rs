@@ -1,0 +1,62 @@
+//! A picture in memory.
+
+use crate::Color;
+
+/// A picture: rows from the top, each pixel four bytes, red, green, blue, alpha. Pictures of worlds are opaque.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Image {
+    width: u32,
+    height: u32,
+    data: Vec<u8>,
+}
+
+impl Image {
+    /// A picture in one colour.
+    pub fn new(width: u32, height: u32, color: Color) -> Self {
+        let data = [color.r, color.g, color.b, color.a].repeat(width as usize * height as usize);
+        Self { width, height, data }
+    }
+
+    /// Width, pixels.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height, pixels.
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// The bytes: `width * height * 4`.
+    pub fn data(&self) -> &[u8] {
+        &self.data
+    }
+
+    /// The bytes, to be drawn on.
+    pub fn data_mut(&mut self) -> &mut [u8] {
+        &mut self.data
+    }
+
+    /// The colour at column `x`, row `y`.
+    ///
+    /// # Panics
+    /// If the pixel is outside.
+    pub fn pixel(&self, x: u32, y: u32) -> Color {
+        assert!(x < self.width && y < self.height, "pixel ({x}, {y}) of {} by {}", self.width, self.height);
+        let p = (y as usize * self.width as usize + x as usize) * 4;
+        Color { r: self.data[p], g: self.data[p + 1], b: self.data[p + 2], a: self.data[p + 3] }
+    }
+
+    /// Makes this a copy of `other`, which has the same size.
+    pub(crate) fn copy_from(&mut self, other: &Self) {
+        self.data.copy_from_slice(&other.data);
+    }
+}
+
+/// Lays `color` over an opaque pixel; `cover` is 0 to 256.
+pub(crate) fn blend(pixel: &mut [u8], color: [u8; 3], cover: u32) {
+    for (p, c) in pixel.iter_mut().zip(color) {
+        let (from, to) = (u32::from(*p), u32::from(c));
+        *p = ((from * (256 - cover) + to * cover + 128) >> 8) as u8;
+    }
+}

@@ -1,0 +1,200 @@
+//! The type round a picture: title, time, counts, the key of the colours, a scale bar.
+
+use crate::color::ramp;
+use crate::look::Look;
+use crate::mark::{Anchor, Mark, Stroke};
+use crate::text::Type;
+use crate::{Camera, ColorBy, Style};
+use glam::Vec2;
+use throng_record::{Frame, Setting};
+
+/// Sizes of the legend for one picture, pixels.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Layout {
+    width: f32,
+    height: f32,
+    /// Everything scales with this: 1 for a picture 480 pixels high.
+    pub unit: f32,
+    /// Size of the type.
+    size: f32,
+    margin: f32,
+}
+
+impl Layout {
+    pub(crate) fn new(style: &Style) -> Self {
+        let (width, height) = (style.width as f32, style.height as f32);
+        let unit = (width / 640.0).min(height / 480.0).clamp(0.75, 4.0);
+        Self { width, height, unit, size: 13.0 * unit, margin: 14.0 * unit }
+    }
+
+    /// The part of the picture left to the world: its least and greatest corner.
+    pub(crate) fn room(&self, legend: bool) -> (Vec2, Vec2) {
+        let strip = if legend { self.margin + 1.7 * self.size } else { self.margin };
+        let low = Vec2::new(self.margin, strip);
+        (low, Vec2::new(self.width, self.height) - low)
+    }
+
+    fn top(&self) -> f32 {
+        self.margin + 0.75 * self.size
+    }
+
+    fn bottom(&self) -> f32 {
+        self.height - self.margin
+    }
+
+    /// What the legend says that stays the same.
+    pub(crate) fn fixed(
+        &self,
+        setting: &Setting,
+        style: &Style,
+        look: &Look,
+        camera: &Camera,
+        typeface: &Type,
+    ) -> Vec<Mark> {
+        let mut marks = Vec::new();
+        let bar = self.scale_bar(style, camera, &mut marks);
+        let room = self.width - 2.0 * self.margin - bar - 2.0 * self.size;
+        match style.color_by {
+            ColorBy::Speed { .. } => self.speed_key(style, look, &mut marks),
+            ColorBy::Group if setting.groups.len() > 1 => {
+                self.group_key(setting, style, look, typeface, room, &mut marks);
+            }
+            _ => {}
+        }
+        let title = self.clip(typeface, &setting.title, 1.15 * self.size, 0.6 * self.width);
+        let at = Vec2::new(self.margin, self.top());
+        marks.push(self.text(title, at, Anchor::Start, 1.15 * self.size, style.theme.text));
+        marks.retain(|mark| !matches!(mark, Mark::Text { text, .. } if text.is_empty()));
+        marks
+    }
+
+    /// What the legend says of one moment.
+    pub(crate) fn moment(&self, frame: &Frame, style: &Style, typeface: &Type) -> Vec<Mark> {
+        let at = Vec2::new(self.width - self.margin, self.top());
+        let time = format!("{:.1} s", frame.time);
+        // The counts keep their place whatever the time is.
+        let column = typeface.width("0000.0 s", self.size).max(typeface.width(&time, self.size) + self.size);
+        let mut marks = vec![self.text(time, at, Anchor::End, self.size, style.theme.text)];
+        if frame.total > 0 {
+            let counts = format!("{} of {} arrived", frame.arrived, frame.total);
+            let at = at - Vec2::new(column, 0.0);
+            marks.push(self.text(counts, at, Anchor::End, self.size, style.theme.quiet));
+        }
+        marks
+    }
+
+    fn text(&self, text: String, at: Vec2, anchor: Anchor, size: f32, color: crate::Color) -> Mark {
+        Mark::Text { text, at, anchor, size, color }
+    }
+
+    /// `text`, cut off with an ellipsis where it is wider than `room`.
+    fn clip(&self, typeface: &Type, text: &str, size: f32, room: f32) -> String {
+        let line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        if typeface.width(&line, size) <= room {
+            return line;
+        }
+        let mut cut = line;
+        while cut.pop().is_some() {
+            let shorter = format!("{}…", cut.trim_end());
+            if typeface.width(&shorter, size) <= room {
+                return shorter;
+            }
+        }
+        cut
+    }
+
+    /// A bar of a round number of metres, about a sixth of the picture; the width it takes.
+    fn scale_bar(&self, style: &Style, camera: &Camera, marks: &mut Vec<Mark>) -> f32 {
+        let metres = round_length(f64::from(self.width) / 6.0 / camera.scale);
+        let length = camera.length(metres);
+        if !(length.is_finite() && length > 0.0) {
+            return 0.0;
+        }
+        let label = if metres >= 1000.0 { format!("{} km", metres / 1000.0) } else { format!("{metres} m") };
+        let right = Vec2::new(self.width - self.margin, self.bottom());
+        let left = right - Vec2::new(length, 0.0);
+        let tick = Vec2::new(0.0, 4.0 * self.unit);
+        let stroke = Stroke::plain(1.2 * self.unit, style.theme.quiet);
+        marks.push(Mark::Line { points: vec![left - tick, left, right, right - tick], closed: false, stroke });
+        let at = (left + right) * 0.5 - Vec2::new(0.0, 5.0 * self.unit);
+        marks.push(self.text(label, at, Anchor::Middle, 0.92 * self.size, style.theme.quiet));
+        length
+    }
+
+    fn group_key(
+        &self,
+        setting: &Setting,
+        style: &Style,
+        look: &Look,
+        typeface: &Type,
+        room: f32,
+        marks: &mut Vec<Mark>,
+    ) {
+        let radius = 0.34 * self.size;
+        let mut at = Vec2::new(self.margin, self.bottom());
+        for (k, name) in setting.groups.iter().enumerate() {
+            let name = self.clip(typeface, name, self.size, 0.3 * self.width);
+            let advance = 2.0 * radius + 0.5 * self.size + typeface.width(&name, self.size) + 1.3 * self.size;
+            if at.x + advance - self.margin > room {
+                let more = format!("+{} more", setting.groups.len() - k);
+                marks.push(self.text(more, at, Anchor::Start, self.size, style.theme.quiet));
+                return;
+            }
+            let center = at + Vec2::new(radius, -0.30 * self.size);
+            marks.push(Mark::Disc { center, radius, fill: look.group(k) });
+            let from = at + Vec2::new(2.0 * radius + 0.5 * self.size, 0.0);
+            marks.push(self.text(name, from, Anchor::Start, self.size, style.theme.quiet));
+            at.x += advance;
+        }
+    }
+
+    fn speed_key(&self, style: &Style, look: &Look, marks: &mut Vec<Mark>) {
+        const STEPS: usize = 48;
+        let (length, thickness) = (110.0 * self.unit, 5.0 * self.unit);
+        let corner = Vec2::new(self.margin, self.bottom() - thickness);
+        for k in 0..STEPS {
+            let edge = |k: usize| corner.x + (length * k as f32 / STEPS as f32).round();
+            let (a, b) = (Vec2::new(edge(k), corner.y), Vec2::new(edge(k + 1), corner.y + thickness));
+            let ring = vec![a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)];
+            marks.push(Mark::Area { rings: vec![ring], fill: ramp((k as f32 + 0.5) / STEPS as f32) });
+        }
+        let (low, high) = (corner - Vec2::new(0.0, 4.0 * self.unit), corner.x + length);
+        let size = 0.92 * self.size;
+        marks.push(self.text("0".into(), low, Anchor::Start, size, style.theme.quiet));
+        let most = format!("{} m/s", (look.fastest() * 100.0).round() / 100.0);
+        marks.push(self.text(most, Vec2::new(high, low.y), Anchor::End, size, style.theme.quiet));
+    }
+}
+
+/// The greatest of 1, 2 and 5 times a power of ten that is not above `most`.
+fn round_length(most: f64) -> f64 {
+    if !(most.is_finite() && most > 0.0) {
+        return 1.0;
+    }
+    let power = most.log10().floor() as i32;
+    // Written as a quotient below one: 1 / 10 is the nearest number to 0.1, a power of 0.1 need not be.
+    let ten = |p: i32| if p < 0 { 1.0 / 10f64.powi(-p) } else { 10f64.powi(p) };
+    [5.0, 2.0, 1.0].map(|m| m * ten(power)).into_iter().find(|&m| m <= most).unwrap_or_else(|| ten(power))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scale_bars_have_round_lengths() {
+        for (most, want) in [(7.3, 5.0), (19.9, 10.0), (20.0, 20.0), (0.35, 0.2), (0.12, 0.1), (1400.0, 1000.0)] {
+            assert_eq!(round_length(most), want);
+        }
+        assert_eq!(round_length(f64::NAN), 1.0);
+    }
+
+    #[test]
+    fn a_long_title_is_cut_off() {
+        let layout = Layout::new(&Style::default());
+        let typeface = Type::new();
+        let cut = layout.clip(&typeface, &"long ".repeat(50), 13.0, 200.0);
+        assert!(cut.ends_with('…') && typeface.width(&cut, 13.0) <= 200.0, "{cut}");
+        assert_eq!(layout.clip(&typeface, "short", 13.0, 200.0), "short");
+    }
+}

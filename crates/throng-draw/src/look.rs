@@ -1,0 +1,92 @@
+//! What each agent looks like: the colour that says its group, speed or goal, and what its status makes of it.
+
+use crate::color::{PALETTE, palette, ramp, wheel};
+use crate::{Color, ColorBy, Style};
+use glam::DVec2;
+use throng::{Goal, Status};
+use throng_record::{Body, Frame, Setting};
+
+/// The colours of agents.
+#[derive(Clone, Debug)]
+pub(crate) struct Look {
+    by: ColorBy,
+    ground: Color,
+    rim: Color,
+    fastest: f32,
+    /// The colour of each goal.
+    goals: Vec<Color>,
+}
+
+/// The colours of one agent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Coat {
+    pub fill: Color,
+    pub rim: Color,
+}
+
+impl Look {
+    pub(crate) fn new(setting: &Setting, style: &Style, first: &Frame) -> Self {
+        let preferred = first.bodies.iter().map(|b| b.preferred_speed).filter(|s| s.is_finite()).fold(0.0, f32::max);
+        let fastest = match style.color_by {
+            ColorBy::Speed { max: Some(max) } if max > 0.0 => max,
+            _ if preferred > 0.0 => preferred,
+            _ => 1.5,
+        };
+        Self {
+            by: style.color_by,
+            ground: style.theme.ground,
+            rim: Color::rgb(0x1c232b),
+            fastest,
+            goals: goal_colors(&setting.goals),
+        }
+    }
+
+    /// The colour of a group.
+    pub(crate) fn group(&self, index: usize) -> Color {
+        palette(index)
+    }
+
+    /// The speed at the end of the ramp, m/s.
+    pub(crate) fn fastest(&self) -> f32 {
+        self.fastest
+    }
+
+    /// The colour that says what [`ColorBy`] asks for.
+    pub(crate) fn color(&self, body: &Body) -> Color {
+        match self.by {
+            ColorBy::Group => self.group(body.group as usize),
+            ColorBy::Speed { .. } => ramp(body.velocity.length() / self.fastest),
+            ColorBy::Goal => {
+                body.goal.and_then(|goal| self.goals.get(goal as usize).copied()).unwrap_or(Color::rgb(0x8a9099))
+            }
+        }
+    }
+
+    /// The colours of an agent: those who have arrived step back, those who cannot reach their goal are hollow.
+    pub(crate) fn coat(&self, body: &Body) -> Coat {
+        let color = self.color(body);
+        let rim = color.mix(self.rim, 0.38);
+        match body.status {
+            Status::Arrived => Coat { fill: color.mix(self.ground, 0.55), rim: rim.mix(self.ground, 0.45) },
+            Status::Stranded => Coat { fill: self.ground, rim: color },
+            Status::Walking | Status::Waiting | Status::Stopped => Coat { fill: color, rim },
+        }
+    }
+}
+
+/// A colour for each goal; more goals than the palette holds are coloured by their direction from the middle.
+fn goal_colors(goals: &[Goal]) -> Vec<Color> {
+    if goals.len() <= PALETTE.len() {
+        return (0..goals.len()).map(palette).collect();
+    }
+    let middles: Vec<DVec2> = goals.iter().map(middle).collect();
+    let center = middles.iter().filter(|m| m.is_finite()).sum::<DVec2>() / goals.len() as f64;
+    middles.iter().map(|m| wheel(((m.y - center.y).atan2(m.x - center.x) / std::f64::consts::TAU) as f32)).collect()
+}
+
+fn middle(goal: &Goal) -> DVec2 {
+    match goal {
+        Goal::Point { at, .. } => *at,
+        Goal::Area { corners } | Goal::Exit { corners } => corners.iter().sum::<DVec2>() / corners.len().max(1) as f64,
+    }
+}

@@ -1,0 +1,184 @@
+//! Pictures of moments.
+
+use crate::disc::{Disc, NOTCH_LEAST_RADIUS};
+use crate::legend::Layout;
+use crate::look::Look;
+use crate::mark::Mark;
+use crate::text::Type;
+use crate::trail::{Track, TrailLayer, Trails, freshness};
+use crate::{Camera, Error, Image, Style, WorldBox, place, raster};
+use glam::{DVec2, Vec2};
+use throng_record::{Body, Frame, Setting};
+
+/// Opacity of a trail where it leaves the agent.
+const TRAIL_OPACITY: f32 = 0.5;
+/// Half the width of a trail there, in radii of the body.
+const TRAIL_HALF_WIDTH: f32 = 0.42;
+/// The least radius an agent is drawn with, pixels.
+const LEAST_RADIUS: f32 = 1.3;
+
+/// Paints the moments of one recording, one after the other.
+///
+/// It keeps what does not change as a finished picture, and remembers where agents have been, for their trails:
+/// [`paint`](Self::paint) or [`follow`](Self::follow) every frame in order.
+///
+/// ```
+/// use throng_draw::{Painter, Style};
+/// use throng_record::{Frame, Setting};
+/// let (setting, frame) = (Setting::default(), Frame::default());
+/// let mut painter = Painter::new(&setting, &Style::default(), &frame)?;
+/// let image = painter.paint(&frame);
+/// assert_eq!((image.width(), image.height()), (640, 480));
+/// # Ok::<(), throng_draw::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Painter {
+    pub(crate) style: Style,
+    base: crate::Color,
+    pub(crate) camera: Camera,
+    pub(crate) layout: Layout,
+    pub(crate) look: Look,
+    pub(crate) typeface: Type,
+    pub(crate) trails: Trails,
+    /// Ground, obstacles and goals, below the agents.
+    pub(crate) place: Vec<Mark>,
+    /// What the legend always says, above the agents.
+    pub(crate) legend: Vec<Mark>,
+    background: Image,
+    layer: TrailLayer,
+    image: Image,
+}
+
+impl Painter {
+    /// A painter for a recording that begins with `first`, which the view is fitted to if the style names none.
+    ///
+    /// # Errors
+    /// [`Error::Size`] if the style's width or height is out of its limits.
+    pub fn new(setting: &Setting, style: &Style, first: &Frame) -> Result<Self, Error> {
+        let (width, height) = (style.width, style.height);
+        Error::check_size(width, height)?;
+        let layout = Layout::new(style);
+        let (low, high) = layout.room(style.legend);
+        let everything = WorldBox { min: DVec2::splat(-5.0), max: DVec2::splat(5.0) };
+        let view = style.view.or_else(|| WorldBox::of(setting, first)).unwrap_or(everything);
+        // A single agent is not blown up to fill the picture.
+        let view = if style.view.is_some() { view } else { at_least(view, 4.0) };
+        let camera = Camera::fit(view, low, high);
+        let look = Look::new(setting, style, first);
+        let mut typeface = Type::new();
+        let place = place::marks(setting, style, &camera, layout.unit);
+        let legend = if style.legend { layout.fixed(setting, style, &look, &camera, &typeface) } else { Vec::new() };
+        let base = if setting.walkable.is_empty() { style.theme.ground } else { style.theme.outside };
+        let mut background = Image::new(width, height, base);
+        raster::draw(&mut background, &mut typeface, &place);
+        Ok(Self {
+            style: style.clone(),
+            base,
+            camera,
+            layout,
+            look,
+            typeface,
+            trails: Trails::default(),
+            place,
+            legend,
+            image: background.clone(),
+            background,
+            layer: TrailLayer::new(width, height),
+        })
+    }
+
+    /// From metres to pixels.
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// The colour under everything.
+    pub(crate) fn base(&self) -> crate::Color {
+        self.base
+    }
+
+    /// Remembers where everybody is without painting, for trails in later pictures.
+    pub fn follow(&mut self, frame: &Frame) {
+        let spacing = f64::from(2.5 * self.layout.unit) / self.camera.scale;
+        let look = &self.look;
+        self.trails.follow(frame, f64::from(self.style.trails), spacing, |k| look.color(&frame.bodies[k]));
+    }
+
+    /// Paints a moment.
+    pub fn paint(&mut self, frame: &Frame) -> &Image {
+        self.follow(frame);
+        self.image.copy_from(&self.background);
+        let brush = self.brush();
+        for track in self.trails.tracks.values() {
+            let color = track.color.unwrap_or(self.style.theme.goal);
+            let mut pieces = brush.pieces(track, frame.time);
+            if let Some(mut from) = pieces.next() {
+                for to in pieces {
+                    self.layer.piece(from, to, color);
+                    from = to;
+                }
+            }
+        }
+        self.layer.lay(&mut self.image);
+        for body in &frame.bodies {
+            self.disc(body).draw(&mut self.image);
+        }
+        raster::draw(&mut self.image, &mut self.typeface, &self.legend);
+        if self.style.legend {
+            let moment = self.layout.moment(frame, &self.style, &self.typeface);
+            raster::draw(&mut self.image, &mut self.typeface, &moment);
+        }
+        &self.image
+    }
+
+    /// How trails are drawn.
+    pub(crate) fn brush(&self) -> Brush {
+        Brush { camera: self.camera, seconds: f64::from(self.style.trails) }
+    }
+
+    /// How an agent is drawn.
+    pub(crate) fn disc(&self, body: &Body) -> Disc {
+        let coat = self.look.coat(body);
+        let radius = self.camera.length(f64::from(body.radius)).max(LEAST_RADIUS);
+        let notch = self.style.headings && radius >= NOTCH_LEAST_RADIUS;
+        let notch = notch.then(|| {
+            let (sin, cos) = body.heading.sin_cos();
+            // Up in the world is down in the rows of a picture.
+            (Vec2::new(cos, -sin), self.style.theme.notch.alpha(0.92))
+        });
+        let rim_width = if body.status == throng::Status::Stranded { 0.34 * radius } else { 0.13 * radius };
+        Disc {
+            center: self.camera.pixel(body.position),
+            radius,
+            fill: coat.fill,
+            rim: coat.rim,
+            rim_width: rim_width.clamp(0.6, 3.0 * self.layout.unit),
+            notch,
+        }
+    }
+}
+
+/// What it takes to draw a trail.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Brush {
+    camera: Camera,
+    seconds: f64,
+}
+
+impl Brush {
+    /// The points of a trail with their half widths and opacities, oldest first.
+    pub(crate) fn pieces(self, track: &Track, now: f64) -> impl Iterator<Item = (Vec2, f32, f32)> {
+        let half = (self.camera.length(f64::from(track.radius)) * TRAIL_HALF_WIDTH).max(0.6);
+        track.points.iter().map(move |&(time, point)| {
+            let fresh = freshness(now - time, self.seconds);
+            (self.camera.pixel(point), half * (0.35 + 0.65 * fresh), TRAIL_OPACITY * fresh)
+        })
+    }
+}
+
+/// `view`, or a box round its middle, with sides of at least `side` metres.
+fn at_least(view: WorldBox, side: f64) -> WorldBox {
+    let half = (view.max - view.min).max(DVec2::splat(side)) * 0.5;
+    let center = (view.min + view.max) * 0.5;
+    WorldBox { min: center - half, max: center + half }
+}

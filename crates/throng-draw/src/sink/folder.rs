@@ -1,0 +1,56 @@
+//! A folder of numbered PNG files.
+
+use super::{FrameSink, SameSize, png::encode};
+use crate::{Error, Image};
+use std::path::{Path, PathBuf};
+use throng_record::{Output, OutputError};
+
+/// Writes every picture as a file of its own: `frame_000000.png`, `frame_000001.png` and so on.
+///
+/// Each file is complete when it appears. Files of these names from an earlier, longer film are removed at the end, so
+/// that the folder holds one film.
+#[derive(Debug)]
+pub struct FolderSink {
+    folder: PathBuf,
+    count: usize,
+    size: SameSize,
+}
+
+impl FolderSink {
+    /// Begins in `folder`, which is created if the folder it lies in exists.
+    ///
+    /// # Errors
+    /// It cannot be created.
+    pub fn create(folder: impl AsRef<Path>) -> Result<Self, Error> {
+        let folder = folder.as_ref().to_path_buf();
+        if !folder.is_dir() {
+            std::fs::create_dir(&folder).map_err(|source| OutputError::new(&folder, source))?;
+        }
+        Ok(Self { count: 0, size: SameSize::new(&folder), folder })
+    }
+
+    fn file(&self, index: usize) -> PathBuf {
+        self.folder.join(format!("frame_{index:06}.png"))
+    }
+}
+
+impl FrameSink for FolderSink {
+    fn push(&mut self, image: &Image) -> Result<(), Error> {
+        self.size.check(image)?;
+        let output = Output::create(self.file(self.count))?;
+        self.count += 1;
+        encode(output, image, ::png::Compression::Fast)
+    }
+
+    fn finish(self: Box<Self>) -> Result<(), Error> {
+        self.size.known()?;
+        for index in self.count.. {
+            let stale = self.file(index);
+            if !stale.is_file() {
+                break;
+            }
+            std::fs::remove_file(&stale).map_err(|source| OutputError::new(&stale, source))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,133 @@
+//! Where pictures go: one file for each kind of output, all of them fed picture by picture.
+
+mod folder;
+mod gif;
+mod mp4;
+mod mux;
+mod nal;
+mod pipe;
+mod png;
+mod quantize;
+mod yuv;
+
+pub use folder::FolderSink;
+pub use gif::GifSink;
+pub use mp4::Mp4Sink;
+pub use pipe::PipeSink;
+pub(crate) use png::encode_png;
+pub use png::{PngSink, write_png};
+
+use crate::{Error, Image};
+use std::path::{Path, PathBuf};
+
+/// Takes the pictures of a film one after the other.
+///
+/// Nothing stands under the name of the result before [`finish`](Self::finish); a sink that is dropped unfinished
+/// leaves nothing behind. What a sink keeps in memory does not grow with the length of the film.
+pub trait FrameSink: Send {
+    /// Appends a picture.
+    ///
+    /// # Errors
+    /// It cannot be written or encoded, or its size is not that of the first.
+    fn push(&mut self, image: &Image) -> Result<(), Error>;
+
+    /// Completes the result and gives it its name.
+    ///
+    /// # Errors
+    /// It cannot be written, or nothing was pushed.
+    fn finish(self: Box<Self>) -> Result<(), Error>;
+}
+
+/// The kinds of output, as the name of the result says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Kind {
+    /// `.mp4`: H.264 video, encoded by openh264.
+    Mp4,
+    /// `.gif`: a looping animation.
+    Gif,
+    /// `.png`: one picture.
+    Png,
+    /// `.svg`: one vector picture.
+    Svg,
+    /// A folder of numbered PNG files: an existing folder, or a name that ends in `/`.
+    Folder,
+    /// Any other video, through the program ffmpeg.
+    Pipe,
+}
+
+/// Endings of videos that are left to ffmpeg.
+const PIPED: [&str; 14] =
+    ["avi", "mkv", "webm", "mov", "m4v", "mpg", "mpeg", "ogv", "ts", "flv", "wmv", "3gp", "mxf", "apng"];
+
+impl Kind {
+    /// What to write to `path`.
+    ///
+    /// # Errors
+    /// [`Error::Extension`] if the name does not say.
+    pub fn of(path: &Path) -> Result<Self, Error> {
+        let slash = path.as_os_str().as_encoded_bytes().last().is_some_and(|&b| b == b'/' || b == b'\\');
+        if slash || path.is_dir() {
+            return Ok(Self::Folder);
+        }
+        let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
+        match extension.as_str() {
+            "mp4" => Ok(Self::Mp4),
+            "gif" => Ok(Self::Gif),
+            "png" => Ok(Self::Png),
+            "svg" => Ok(Self::Svg),
+            other if PIPED.contains(&other) => Ok(Self::Pipe),
+            _ => Err(Error::Extension { path: path.to_path_buf() }),
+        }
+    }
+}
+
+/// The sink for `path` by its ending, at `rate` pictures a second. `.svg` is no sequence of pictures: see
+/// [`Film`](crate::Film).
+///
+/// # Errors
+/// The ending is unknown, the folder is missing or cannot be written to, the rate is no rate, or ffmpeg is needed and
+/// not there.
+pub fn sink(path: impl AsRef<Path>, rate: f64) -> Result<Box<dyn FrameSink>, Error> {
+    let path = path.as_ref();
+    Ok(match Kind::of(path)? {
+        Kind::Mp4 => Box::new(Mp4Sink::create(path, rate)?),
+        Kind::Gif => Box::new(GifSink::create(path, rate)?),
+        Kind::Png => Box::new(PngSink::create(path)?),
+        Kind::Folder => Box::new(FolderSink::create(path)?),
+        Kind::Pipe => Box::new(PipeSink::create(path, rate)?),
+        Kind::Svg => return Err(Error::Extension { path: path.to_path_buf() }),
+    })
+}
+
+/// That all pictures have the size of the first.
+#[derive(Debug)]
+struct SameSize {
+    path: PathBuf,
+    size: Option<(u32, u32)>,
+}
+
+impl SameSize {
+    fn new(path: &Path) -> Self {
+        Self { path: path.to_path_buf(), size: None }
+    }
+
+    /// Whether this is the first picture.
+    fn check(&mut self, image: &Image) -> Result<bool, Error> {
+        let (width, height) = (image.width(), image.height());
+        let first = self.size.is_none();
+        if *self.size.get_or_insert((width, height)) != (width, height) {
+            return Err(Error::SizeChanged { path: self.path.clone(), width, height });
+        }
+        Ok(first)
+    }
+
+    /// The size, or that there was no picture.
+    fn known(&self) -> Result<(u32, u32), Error> {
+        self.size.ok_or_else(|| Error::Empty { path: self.path.clone() })
+    }
+}
+
+fn check_rate(rate: f64) -> Result<(), Error> {
+    if (0.001..=1000.0).contains(&rate) { Ok(()) } else { Err(Error::Rate(rate)) }
+}

@@ -1,0 +1,77 @@
+//! One picture as a PNG file.
+
+use super::FrameSink;
+use crate::{Error, Image};
+use std::io::Write;
+use std::path::Path;
+use throng_record::Output;
+
+/// Writes a picture as a PNG file.
+///
+/// # Errors
+/// It cannot be written.
+pub fn write_png(path: impl AsRef<Path>, image: &Image) -> Result<(), Error> {
+    encode_png(Output::create(path)?, image)
+}
+
+/// Writes `image` to `output` and completes it.
+pub(crate) fn encode_png(output: Output, image: &Image) -> Result<(), Error> {
+    encode(output, image, png::Compression::Balanced)
+}
+
+/// Writes `image` and completes the file.
+pub(super) fn encode(mut output: Output, image: &Image, compression: png::Compression) -> Result<(), Error> {
+    let result = encode_to(&mut output, image, compression);
+    match result {
+        Ok(()) => Ok(output.finish()?),
+        Err(png::EncodingError::IoError(source)) => Err(output.error(source).into()),
+        Err(other) => Err(Error::encoder(output.path(), "the PNG encoder", other)),
+    }
+}
+
+fn encode_to(output: &mut impl Write, image: &Image, compression: png::Compression) -> Result<(), png::EncodingError> {
+    // Pictures of worlds are opaque: a fourth channel would only cost.
+    let rgb: Vec<u8> = image.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
+    let mut encoder = png::Encoder::new(output, image.width(), image.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(compression);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&rgb)?;
+    writer.finish()
+}
+
+/// Keeps the last picture and writes it as a PNG file.
+#[derive(Debug)]
+pub struct PngSink {
+    output: Output,
+    last: Option<Image>,
+}
+
+impl PngSink {
+    /// Begins `path`.
+    ///
+    /// # Errors
+    /// The folder is missing or cannot be written to.
+    pub fn create(path: impl AsRef<Path>) -> Result<Self, Error> {
+        Ok(Self { output: Output::create(path)?, last: None })
+    }
+}
+
+impl FrameSink for PngSink {
+    fn push(&mut self, image: &Image) -> Result<(), Error> {
+        match &mut self.last {
+            Some(last) if (last.width(), last.height()) == (image.width(), image.height()) => last.copy_from(image),
+            last => *last = Some(image.clone()),
+        }
+        Ok(())
+    }
+
+    fn finish(self: Box<Self>) -> Result<(), Error> {
+        let Some(image) = &self.last else {
+            return Err(Error::Empty { path: self.output.path().to_path_buf() });
+        };
+        encode_png(self.output, image)
+    }
+}

@@ -1,0 +1,109 @@
+//! How a picture should look.
+
+use crate::{Color, WorldBox};
+
+/// How a picture should look. The default is a calm light picture of 640 by 480 pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Style {
+    /// Width of the picture, pixels. [Limit: 16 to 16384]
+    pub width: u32,
+    /// Height of the picture, pixels. [Limit: 16 to 16384]
+    pub height: u32,
+    /// The part of the world to show; `None`: everything the setting and the first frame hold.
+    pub view: Option<WorldBox>,
+    /// How long a trail is, seconds; 0 for none.
+    pub trails: f32,
+    /// What the colour of an agent says.
+    pub color_by: ColorBy,
+    /// Whether agents have a notch that shows their heading.
+    pub headings: bool,
+    /// Whether goals are drawn.
+    pub goals: bool,
+    /// Whether title, time, counts, the key of the colours and a scale bar are drawn.
+    pub legend: bool,
+    /// The colours of everything but the agents.
+    pub theme: Theme,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Self {
+            width: 640,
+            height: 480,
+            view: None,
+            trails: 1.5,
+            color_by: ColorBy::Group,
+            headings: true,
+            goals: true,
+            legend: true,
+            theme: Theme::light(),
+        }
+    }
+}
+
+/// What the colour of an agent says.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum ColorBy {
+    /// Its group.
+    #[default]
+    Group,
+    /// How fast it is, from standing to `max` m/s; `None`: to the greatest preferred speed of the first frame.
+    Speed {
+        /// The speed at the end of the ramp. [Limit: > 0]
+        max: Option<f32>,
+    },
+    /// Where it is going: a colour for each goal, or, where there are more than the palette holds, for the direction
+    /// in which the goal lies from the middle of all goals.
+    Goal,
+}
+
+/// The colours of the place and the type.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Theme {
+    /// Where nobody can walk.
+    pub outside: Color,
+    /// Where people walk.
+    pub ground: Color,
+    /// Obstacles.
+    pub obstacle: Color,
+    /// Edges of obstacles and of the ground, and thin walls.
+    pub edge: Color,
+    /// Goals.
+    pub goal: Color,
+    /// Type.
+    pub text: Color,
+    /// Type that steps back.
+    pub quiet: Color,
+    /// The notch that shows the heading.
+    pub notch: Color,
+}
+
+impl Theme {
+    /// Warm paper greys.
+    pub const fn light() -> Self {
+        Self {
+            outside: Color::rgb(0xe6e4df),
+            ground: Color::rgb(0xf6f5f1),
+            obstacle: Color::rgb(0xcfccc4),
+            edge: Color::rgb(0xa9a59b),
+            goal: Color::rgb(0x7d8a99),
+            text: Color::rgb(0x33383f),
+            quiet: Color::rgb(0x737880),
+            notch: Color::rgb(0xffffff),
+        }
+    }
+
+    /// Blue-black, for a dark room.
+    pub const fn dark() -> Self {
+        Self {
+            outside: Color::rgb(0x14171c),
+            ground: Color::rgb(0x20252c),
+            obstacle: Color::rgb(0x3a414b),
+            edge: Color::rgb(0x5a6471),
+            goal: Color::rgb(0x8d9aab),
+            text: Color::rgb(0xe3e6ea),
+            quiet: Color::rgb(0x98a1ac),
+            notch: Color::rgb(0x14171c),
+        }
+    }
+}

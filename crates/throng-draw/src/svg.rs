@@ -1,0 +1,161 @@
+//! A moment as a vector picture.
+
+use crate::disc::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO};
+use crate::mark::{Anchor, Mark, Stroke};
+use crate::{Color, Painter};
+use glam::Vec2;
+use std::fmt::{self, Write};
+use throng_record::Frame;
+
+impl Painter {
+    /// The moment as an SVG document, with the look of [`paint`](Self::paint).
+    pub fn svg(&mut self, frame: &Frame) -> String {
+        self.follow(frame);
+        let mut out = String::new();
+        self.write_svg(&mut out, frame).expect("writing to a string does not fail");
+        out
+    }
+
+    fn write_svg(&self, out: &mut String, frame: &Frame) -> fmt::Result {
+        let (w, h) = (self.style.width, self.style.height);
+        writeln!(out, r#"<?xml version="1.0" encoding="UTF-8"?>"#)?;
+        writeln!(
+            out,
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" font-family="Ubuntu, 'Helvetica Neue', Arial, sans-serif" font-weight="300">"#
+        )?;
+        writeln!(out, r#"<rect width="{w}" height="{h}" {}/>"#, fill(self.base()))?;
+        group(out, "place", |out| self.place.iter().try_for_each(|mark| write_mark(out, mark)))?;
+        group(out, "trails", |out| self.write_trails(out, frame))?;
+        group(out, "agents", |out| self.write_agents(out, frame))?;
+        group(out, "legend", |out| {
+            self.legend.iter().try_for_each(|mark| write_mark(out, mark))?;
+            if self.style.legend {
+                let moment = self.layout.moment(frame, &self.style, &self.typeface);
+                moment.iter().try_for_each(|mark| write_mark(out, mark))?;
+            }
+            Ok(())
+        })?;
+        writeln!(out, "</svg>")
+    }
+
+    fn write_trails(&self, out: &mut String, frame: &Frame) -> fmt::Result {
+        writeln!(out, r#"<g fill="none" stroke-linecap="butt">"#)?;
+        for track in self.trails.tracks.values() {
+            let color = track.color.unwrap_or(self.style.theme.goal);
+            let points: Vec<_> = self.brush().pieces(track, frame.time).collect();
+            for pair in points.windows(2) {
+                let ((a, half_a, fresh_a), (b, half_b, fresh_b)) = (pair[0], pair[1]);
+                let stroke = Stroke::plain(half_a + half_b, color.alpha(0.5 * (fresh_a + fresh_b)));
+                write!(out, r#"<path d="M{} {}L{} {}" "#, n(a.x), n(a.y), n(b.x), n(b.y))?;
+                writeln!(out, "{}/>", self::stroke(stroke))?;
+            }
+        }
+        writeln!(out, "</g>")
+    }
+
+    fn write_agents(&self, out: &mut String, frame: &Frame) -> fmt::Result {
+        for body in &frame.bodies {
+            let disc = self.disc(body);
+            let (c, r) = (disc.center, disc.radius);
+            // The edge lies inside the disc.
+            let (x, y, inner) = (n(c.x), n(c.y), n(r - 0.5 * disc.rim_width));
+            let rim = stroke(Stroke::plain(disc.rim_width, disc.rim));
+            writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{inner}" {} {rim}/>"#, fill(disc.fill))?;
+            if let Some((direction, color)) = disc.notch {
+                let (a, b) = (c + direction * (NOTCH_FROM * r), c + direction * (NOTCH_TO * r));
+                let notch = stroke(Stroke::plain((2.0 * NOTCH_HALF_WIDTH * r).max(1.2), color));
+                write!(out, r#"<path d="M{} {}L{} {}" "#, n(a.x), n(a.y), n(b.x), n(b.y))?;
+                writeln!(out, r#"stroke-linecap="round" {notch}/>"#)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn group(out: &mut String, id: &str, content: impl FnOnce(&mut String) -> fmt::Result) -> fmt::Result {
+    writeln!(out, r#"<g id="{id}">"#)?;
+    content(out)?;
+    writeln!(out, "</g>")
+}
+
+fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
+    match mark {
+        Mark::Area { rings, fill: color } => {
+            let path: String = rings.iter().map(|ring| path(ring, true)).collect();
+            writeln!(out, r#"<path d="{path}" fill-rule="evenodd" {}/>"#, fill(*color))
+        }
+        Mark::Line { points, closed, stroke: line } => {
+            let cap = if line.dash.is_some() { "butt" } else { "round" };
+            let ends = format!(r#"fill="none" stroke-linejoin="round" stroke-linecap="{cap}""#);
+            writeln!(out, r#"<path d="{}" {ends} {}/>"#, path(points, *closed), stroke(*line))
+        }
+        Mark::Disc { center, radius, fill: color } => {
+            writeln!(out, r#"<circle cx="{}" cy="{}" r="{}" {}/>"#, n(center.x), n(center.y), n(*radius), fill(*color))
+        }
+        Mark::Ring { center, radius, stroke: line } => {
+            let (x, y, r) = (n(center.x), n(center.y), n(*radius));
+            writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" fill="none" {}/>"#, stroke(*line))
+        }
+        Mark::Text { text, at, anchor, size, color } => {
+            let anchor = match anchor {
+                Anchor::Start => "start",
+                Anchor::Middle => "middle",
+                Anchor::End => "end",
+            };
+            let (x, y, size) = (n(at.x), n(at.y), n(*size));
+            write!(out, r#"<text x="{x}" y="{y}" text-anchor="{anchor}" font-size="{size}" "#)?;
+            writeln!(out, "{}>{}</text>", fill(*color), escape(text))
+        }
+    }
+}
+
+fn path(points: &[Vec2], closed: bool) -> String {
+    let mut path = String::new();
+    for point in points.iter().filter(|p| p.is_finite()) {
+        path.push(if path.is_empty() { 'M' } else { 'L' });
+        path.push_str(&format!("{} {}", n(point.x), n(point.y)));
+    }
+    if closed && !path.is_empty() {
+        path.push('Z');
+    }
+    path
+}
+
+/// A number with two digits after the point and no more of them than it needs.
+fn n(value: f32) -> f32 {
+    let rounded = (value * 100.0).round() / 100.0;
+    if rounded.is_finite() { rounded + 0.0 } else { 0.0 }
+}
+
+fn fill(color: Color) -> String {
+    match color.a {
+        255 => format!(r#"fill="{}""#, color.hex()),
+        a => format!(r#"fill="{}" fill-opacity="{}""#, color.hex(), n(f32::from(a) / 255.0)),
+    }
+}
+
+fn stroke(stroke: Stroke) -> String {
+    let mut text = format!(r#"stroke="{}" stroke-width="{}""#, stroke.color.hex(), n(stroke.width));
+    if stroke.color.a < 255 {
+        text.push_str(&format!(r#" stroke-opacity="{}""#, n(f32::from(stroke.color.a) / 255.0)));
+    }
+    if let Some(dash) = stroke.dash {
+        text.push_str(&format!(r#" stroke-dasharray="{}""#, n(dash)));
+    }
+    text
+}
+
+/// Text as it may stand in XML.
+fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,282 @@
+//! A file that appears under its name only when it is complete.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use tempfile::{NamedTempFile, TempPath};
+
+/// Why a file could not be written. Every message names the path and says what to do.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum OutputError {
+    /// The folder the file should go to is not there.
+    #[error("cannot write {}: there is no folder {}; create it, or name another", path.display(), folder.display())]
+    FolderMissing {
+        /// The file.
+        path: PathBuf,
+        /// The folder that is missing.
+        folder: PathBuf,
+    },
+    /// The path is a folder.
+    #[error("cannot write {}: it is a folder; add a file name", path.display())]
+    IsFolder {
+        /// The path.
+        path: PathBuf,
+    },
+    /// The system does not let us write there.
+    #[error("cannot write {}: permission denied; check the folder's permissions, or write elsewhere", path.display())]
+    Denied {
+        /// The file.
+        path: PathBuf,
+    },
+    /// No room is left.
+    #[error("cannot write {}: the disk is full; free some space, or write to another disk", path.display())]
+    Full {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Anything else the system reports.
+    #[error("cannot write {}: {source}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+}
+
+impl OutputError {
+    /// The error of the system as an error about `path`.
+    pub fn new(path: &Path, source: io::Error) -> Self {
+        let path = path.to_path_buf();
+        match source.kind() {
+            io::ErrorKind::NotFound => Self::FolderMissing { folder: folder_of(&path), path },
+            io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => Self::Denied { path },
+            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => Self::Full { path },
+            io::ErrorKind::IsADirectory => Self::IsFolder { path },
+            _ => Self::Io { path, source },
+        }
+    }
+
+    /// The file it is about.
+    pub fn path(&self) -> &Path {
+        match self {
+            Self::FolderMissing { path, .. }
+            | Self::IsFolder { path }
+            | Self::Denied { path }
+            | Self::Full { path }
+            | Self::Io { path, .. } => path,
+        }
+    }
+}
+
+/// A file being written: it grows under a temporary name in the folder of its target and takes the target's name,
+/// replacing what was there, in [`finish`](Self::finish). Dropped before that, it leaves nothing behind.
+///
+/// A target that exists and is no ordinary file (a pipe, `/dev/stdout`) is written to directly.
+///
+/// ```
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("hello.txt");
+/// use std::io::Write;
+/// let mut output = throng_record::Output::create(&path)?;
+/// output.write_all(b"hello")?;
+/// assert!(!path.exists());
+/// output.finish()?;
+/// assert_eq!(std::fs::read(&path)?, b"hello");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Output {
+    path: PathBuf,
+    /// Where the finished file goes: `path` with symbolic links followed.
+    target: PathBuf,
+    file: BufWriter<File>,
+    /// Removes the temporary file when dropped; `None`: `file` is the target itself.
+    temporary: Option<TempPath>,
+}
+
+impl Output {
+    /// Begins a file that will be called `path`.
+    ///
+    /// # Errors
+    /// The folder is missing or cannot be written to, or `path` is a folder.
+    pub fn create(path: impl AsRef<Path>) -> Result<Self, OutputError> {
+        let path = path.as_ref().to_path_buf();
+        let fail = |source| OutputError::new(&path, source);
+        // A name that ends in a separator means a folder, whether or not it exists.
+        if path.is_dir() || path.as_os_str().as_encoded_bytes().last().is_some_and(|&b| b == b'/') {
+            return Err(OutputError::IsFolder { path });
+        }
+        if path.exists() && !path.is_file() {
+            let file = File::options().write(true).open(&path).map_err(fail)?;
+            return Ok(Self { target: path.clone(), path, file: BufWriter::new(file), temporary: None });
+        }
+        let target = if path.exists() { path.canonicalize().map_err(fail)? } else { path.clone() };
+        let folder = folder_of(&target);
+        if !folder.is_dir() {
+            return Err(OutputError::FolderMissing { path, folder });
+        }
+        // The extension is kept, for programs that go by it.
+        let suffix = target.extension().map(|e| format!(".{}", e.to_string_lossy())).unwrap_or_default();
+        let file = temporary(&folder, &suffix).map_err(fail)?;
+        let (file, temporary) = file.into_parts();
+        Ok(Self { path, target, file: BufWriter::with_capacity(1 << 16, file), temporary: Some(temporary) })
+    }
+
+    /// The name it will have.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The name of the file that is being written now.
+    pub fn temporary_path(&self) -> &Path {
+        self.temporary.as_deref().unwrap_or(&self.target)
+    }
+
+    /// An error met while writing it, with its path.
+    pub fn error(&self, source: io::Error) -> OutputError {
+        OutputError::new(&self.path, source)
+    }
+
+    /// Appends `bytes`.
+    ///
+    /// # Errors
+    /// The system's, such as a full disk.
+    pub fn put(&mut self, bytes: &[u8]) -> Result<(), OutputError> {
+        self.file.write_all(bytes).map_err(|source| OutputError::new(&self.path, source))
+    }
+
+    /// Gives the complete file its name.
+    ///
+    /// # Errors
+    /// The last bytes cannot be written, or the file cannot be renamed. Nothing is left behind then.
+    pub fn finish(self) -> Result<(), OutputError> {
+        let Self { path, target, mut file, temporary } = self;
+        file.flush().map_err(|source| OutputError::new(&path, source))?;
+        drop(file);
+        match temporary {
+            Some(temporary) => temporary.persist(&target).map_err(|e| OutputError::new(&path, e.error)),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.file.write_all(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+/// The folder of a file; `.` for a bare name.
+fn folder_of(path: &Path) -> PathBuf {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder.to_path_buf(),
+        _ => PathBuf::from("."),
+    }
+}
+
+fn temporary(folder: &Path, suffix: &str) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".throng-").suffix(suffix);
+    #[cfg(unix)]
+    {
+        // Temporary files are private by default; a result is as readable as any other file (the umask applies).
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<PathBuf> {
+        std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect()
+    }
+
+    #[test]
+    fn a_dropped_output_leaves_the_old_file_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("out.txt");
+        std::fs::write(&path, "old").unwrap();
+        let mut output = Output::create(&path).unwrap();
+        output.put(b"new").unwrap();
+        assert_eq!(names(folder.path()).len(), 2);
+        drop(output);
+        assert_eq!(names(folder.path()), [path.clone()]);
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "old");
+    }
+
+    #[test]
+    fn a_finished_output_replaces_the_old_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("out.txt");
+        std::fs::write(&path, "old and long").unwrap();
+        let mut output = Output::create(&path).unwrap();
+        output.put(b"new").unwrap();
+        output.finish().unwrap();
+        assert_eq!(names(folder.path()), [path.clone()]);
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "new");
+    }
+
+    #[test]
+    fn a_missing_folder_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let missing = folder.path().join("nowhere");
+        let error = Output::create(missing.join("out.txt")).unwrap_err();
+        assert!(matches!(&error, OutputError::FolderMissing { folder, .. } if *folder == missing), "{error}");
+        assert!(error.to_string().contains("create it"), "{error}");
+    }
+
+    #[test]
+    fn a_folder_is_no_file() {
+        let folder = tempfile::tempdir().unwrap();
+        assert!(matches!(Output::create(folder.path()).unwrap_err(), OutputError::IsFolder { .. }));
+        assert!(matches!(Output::create(folder.path().join("new/")).unwrap_err(), OutputError::IsFolder { .. }));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_full_disk_is_reported_as_such() {
+        let Ok(mut output) = Output::create("/dev/full") else { return };
+        output.put(b"something").unwrap();
+        let error = output.finish().unwrap_err();
+        assert!(matches!(error, OutputError::Full { .. }), "{error}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn the_result_is_as_readable_as_any_new_file() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let (ours, plain) = (folder.path().join("ours"), folder.path().join("plain"));
+        Output::create(&ours).unwrap().finish().unwrap();
+        std::fs::write(&plain, "").unwrap();
+        let mode = |p: &Path| std::fs::metadata(p).unwrap().permissions().mode();
+        assert_eq!(mode(&ours), mode(&plain));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_symbolic_link_stays_and_its_target_is_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let (real, link) = (folder.path().join("real"), folder.path().join("link"));
+        std::fs::write(&real, "old").unwrap();
+        std::os::unix::fs::symlink(&real, &link).unwrap();
+        let mut output = Output::create(&link).unwrap();
+        output.put(b"new").unwrap();
+        output.finish().unwrap();
+        assert!(link.is_symlink());
+        assert_eq!(std::fs::read_to_string(&real).unwrap(), "new");
+    }
+}
