@@ -11,7 +11,7 @@
 //! | `vx`, `vy` | velocity | m/s |
 //! | `heading` | direction of the body, counter-clockwise from +x | rad |
 //! | `radius` | radius of the body | m |
-//! | `status` | `walking`, `waiting`, `stopped`, `arrived` or `stranded` | |
+//! | `status` | `walking`, `waiting`, `arrived` or `stranded` | |
 //!
 //! Numbers are written with as many digits as it takes to read the same bits back. Text is UTF-8, quoted where it
 //! holds commas, quotes or line breaks; lines end in a line feed.
@@ -127,7 +127,6 @@ pub fn status_name(status: Status) -> &'static str {
     match status {
         Status::Walking => "walking",
         Status::Waiting => "waiting",
-        Status::Stopped => "stopped",
         Status::Arrived => "arrived",
         Status::Stranded => "stranded",
     }
