@@ -69,7 +69,7 @@ impl Look {
         match body.status {
             Status::Arrived => Coat { fill: color.mix(self.ground, 0.55), rim: rim.mix(self.ground, 0.45) },
             Status::Stranded => Coat { fill: self.ground, rim: color },
-            Status::Walking | Status::Waiting | Status::Stopped => Coat { fill: color, rim },
+            Status::Walking | Status::Waiting => Coat { fill: color, rim },
         }
     }
 }

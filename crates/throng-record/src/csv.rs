@@ -147,7 +147,7 @@ mod tests {
             heading: 0.1,
             radius: 0.2,
             preferred_speed: 1.3,
-            status: Status::Stopped,
+            status: Status::Waiting,
         }
     }
 
@@ -179,7 +179,7 @@ mod tests {
             assert_eq!(row[5].parse::<f32>().unwrap(), want.velocity.x);
             assert_eq!(row[7].parse::<f32>().unwrap(), want.heading);
             assert_eq!(row[8].parse::<f32>().unwrap(), want.radius);
-            assert_eq!(&row[9], "stopped");
+            assert_eq!(&row[9], "waiting");
         }
     }
 
