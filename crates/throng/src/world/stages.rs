@@ -308,14 +308,22 @@ impl World {
         for row in 0..agents.len() {
             let at = agents.position[row].as_dvec2();
             let radius = f64::from(agents.radius[row]);
+            let separation = |other: u32| {
+                let radii = radius + f64::from(agents.radius[other as usize]);
+                at.distance(agents.position[other as usize].as_dvec2()) / radii
+            };
             for &other in step.contacts.of(row) {
-                let other = other as usize;
-                if agents.number[other] > agents.number[row] {
-                    let radii = radius + f64::from(agents.radius[other]);
-                    let separation = at.distance(agents.position[other].as_dvec2()) / radii;
+                if agents.number[other as usize] > agents.number[row] {
+                    let separation = separation(other);
                     tally.least_separation = tally.least_separation.min(separation);
                     tally.overlaps += u64::from(separation < 1.0 - 1e-4);
                 }
+            }
+            // those who can't touch yet: the nearest that was perceived
+            if let Some(near) = step.neighbours.get(row * step.most_neighbours)
+                && near.row as usize != row
+            {
+                tally.least_separation = tally.least_separation.min(separation(near.row));
             }
             let edges = step.contacts.edges_of(row).iter().map(|&i| walls.edges()[i as usize].nearest(at).distance(at));
             let discs = step.contacts.discs_of(row).iter().map(|&i| {
@@ -389,7 +397,10 @@ impl World {
                 status => status,
             };
             if status == Status::Arrived && self.agents.trip[row].arrived.is_none() {
-                self.agents.trip[row].arrived = Some(now);
+                let trip = &mut self.agents.trip[row];
+                trip.arrived = Some(now);
+                // whoever arrives by contact has not the whole way to go
+                trip.shortest -= f64::from(self.agents.travel[row].remaining);
             }
             self.agents.status[row] = status;
         }

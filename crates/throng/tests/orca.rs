@@ -1,0 +1,111 @@
+//! ORCA against its definition: pairs stay free for the horizon, and the chosen velocity is the one that a dense
+//! search over velocities finds.
+
+use glam::Vec2;
+use proptest::prelude::*;
+use throng::avoid::{Line, LocalModel, Neighbour, Orca, View, Workspace, closest_velocity, least_violation};
+
+const HORIZON: f32 = 2.0;
+
+fn view<'a>(velocity: Vec2, preferred: Vec2, max_speed: f32, neighbours: &'a [Neighbour]) -> View<'a> {
+    View { velocity, preferred, radius: 0.2, max_speed, step: 0.02, neighbours, edges: &[], discs: &[] }
+}
+
+fn vector(range: f32) -> impl Strategy<Value = Vec2> {
+    (-range..range, -range..range).prop_map(|(x, y)| Vec2::new(x, y))
+}
+
+/// Least distance of the centres within the horizon.
+fn nearest_approach(offset: Vec2, relative: Vec2) -> f32 {
+    (0..=2000).map(|i| (offset - relative * (HORIZON * i as f32 / 2000.0)).length()).fold(f32::INFINITY, f32::min)
+}
+
+proptest! {
+    /// MODELS 1.4: for any shares that sum to one, if both take a velocity of their half-plane, they are free.
+    #[test]
+    fn a_pair_is_free_for_the_horizon(
+        offset in vector(6.0), a in vector(2.0), b in vector(2.0), wish_a in vector(2.0), wish_b in vector(2.0),
+        share in 0.0f32..=1.0, radii in 0.2f32..1.0,
+    ) {
+        prop_assume!(offset.length() > radii * 1.01);
+        let orca = Orca { time_horizon: HORIZON, ..Orca::default() };
+        let mut workspace = Workspace::default();
+        let seen = |offset, velocity, share| [Neighbour { offset, velocity, radii, share, aside: Vec2::X }];
+        // no limit of speed that could take a velocity out of the half-plane
+        let new_a = orca.velocity(&view(a, wish_a, 100.0, &seen(offset, b, share)), &mut workspace);
+        let new_b = orca.velocity(&view(b, wish_b, 100.0, &seen(-offset, a, 1.0 - share)), &mut workspace);
+        prop_assert!(nearest_approach(offset, new_a - new_b) >= radii * (1.0 - 2e-3));
+    }
+
+    /// Nothing in it depends on the direction of the axes.
+    #[test]
+    fn turned_scenes_give_turned_velocities(offset in vector(4.0), a in vector(1.5), b in vector(1.5), wish in vector(1.5)) {
+        prop_assume!(offset.length() > 0.45);
+        let orca = Orca::default();
+        let mut workspace = Workspace::default();
+        let seen = [Neighbour { offset, velocity: b, radii: 0.4, share: 0.5, aside: Vec2::X }];
+        let straight = orca.velocity(&view(a, wish, 2.0, &seen), &mut workspace);
+        let seen = [Neighbour { offset: offset.perp(), velocity: b.perp(), ..seen[0] }];
+        let turned = orca.velocity(&view(a.perp(), wish.perp(), 2.0, &seen), &mut workspace);
+        prop_assert!(straight.perp().distance(turned) < 1e-3, "{straight} {turned}");
+    }
+
+    /// The linear program against a search over a fine grid of velocities.
+    #[test]
+    fn the_chosen_velocity_is_the_best_of_all(
+        lines in prop::collection::vec((0.0f32..std::f32::consts::TAU, -1.0f32..1.5), 0..8),
+        preferred in vector(1.5),
+    ) {
+        let lines: Vec<Line> = lines
+            .iter()
+            .map(|&(angle, depth)| {
+                let direction = Vec2::new(angle.cos(), angle.sin());
+                Line { point: -direction.perp() * depth, direction }
+            })
+            .collect();
+        let speed = 1.6;
+        let grid = || {
+            (-200..=200)
+                .flat_map(move |x| (-200..=200).map(move |y| Vec2::new(x as f32, y as f32) * (speed / 200.0)))
+                .filter(move |v| v.length() <= speed)
+        };
+        let worst = |v: Vec2| lines.iter().map(|line| line.violation(v)).fold(f32::NEG_INFINITY, f32::max);
+        match closest_velocity(&lines, speed, preferred) {
+            Ok(v) => {
+                prop_assert!(v.length() <= speed * 1.0001);
+                prop_assert!(worst(v) <= 1e-3, "it keeps all lines: {}", worst(v));
+                let best =
+                    grid().filter(|&v| worst(v) <= 0.0).map(|v| v.distance(preferred)).fold(f32::INFINITY, f32::min);
+                prop_assert!(v.distance(preferred) <= best + 1e-3);
+            }
+            Err(failed) => {
+                let open = grid().filter(|&v| worst(v) <= -0.02).count();
+                prop_assert_eq!(open, 0, "there is no velocity with room to spare");
+                let v = least_violation(&lines, 0, speed, failed, &mut Vec::new());
+                let best = grid().map(worst).fold(f32::INFINITY, f32::min);
+                prop_assert!(worst(v) <= best + 2e-2, "{} instead of {best}", worst(v));
+            }
+        }
+    }
+}
+
+#[test]
+fn coincident_agents_part() {
+    let orca = Orca::default();
+    let mut workspace = Workspace::default();
+    let seen = |aside| [Neighbour { offset: Vec2::ZERO, velocity: Vec2::ZERO, radii: 0.4, share: 0.5, aside }];
+    let a = orca.velocity(&view(Vec2::ZERO, Vec2::ZERO, 1.5, &seen(Vec2::X)), &mut workspace);
+    let b = orca.velocity(&view(Vec2::ZERO, Vec2::ZERO, 1.5, &seen(-Vec2::X)), &mut workspace);
+    assert!(a.x > 0.1 && b.x < -0.1, "{a} {b}");
+}
+
+#[test]
+fn who_does_not_give_way_keeps_its_velocity() {
+    let orca = Orca::default();
+    let mut workspace = Workspace::default();
+    let offset = Vec2::new(2.0, 0.1);
+    let meeting = [Neighbour { offset, velocity: -Vec2::X, radii: 0.4, share: 0.0, aside: Vec2::X }];
+    let chosen = orca.velocity(&view(Vec2::X, Vec2::X, 1.5, &meeting), &mut workspace);
+    // on the very edge of the half-plane, give or take rounding
+    assert!(chosen.distance(Vec2::X) < 1e-5, "{chosen}");
+}
