@@ -1,5 +1,25 @@
 //! How do I get there: goals, journeys, the navigation mesh and the paths on it.
+//!
+//! [`NavMesh::build`] turns ground and obstacles into the triangles that the centre of a disc may be in;
+//! [`NavMesh::path`] finds shortest ways on them, and a [`Route`] keeps an agent on its way from step to step.
 
+mod area;
+mod error;
 mod goal;
+mod inflate;
+mod interval;
+mod lattice;
+mod locate;
+mod mesh;
+mod outline;
+mod polyanya;
+mod route;
+mod triangulate;
+mod visible;
 
+pub use area::Area;
+pub use error::{NavError, Ring, Unreachable};
 pub use goal::{Goal, Journey, Stop};
+pub use mesh::NavMesh;
+pub use polyanya::{Path, Search};
+pub use route::{Heading, Route};

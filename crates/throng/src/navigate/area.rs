@@ -1,0 +1,242 @@
+//! Where a path may end: a point, or the part of an area that is on the mesh.
+
+use super::error::NavError;
+use super::interval::{View, Way, clip};
+use super::locate::{closest_convex, closest_on_segment};
+use super::mesh::NavMesh;
+use super::outline::{Shapes, area_shapes, erode, grow};
+use super::triangulate::triangulate;
+use glam::DVec2;
+use std::ops::Range;
+
+/// How far inside the area paths end, metres, so that whoever gets there is inside beyond doubt.
+const INSET: f64 = 0.05;
+
+/// Pieces of an area with less than this many square metres are dropped.
+const CRUMB: f64 = 1e-12;
+
+/// A goal area, cut to the triangles of one mesh.
+#[derive(Clone, Debug, Default)]
+pub struct Area {
+    corner: DVec2,
+    low: DVec2,
+    high: DVec2,
+    /// Sorted by triangle.
+    pieces: Vec<Piece>,
+    points: Vec<DVec2>,
+    islands: Vec<u32>,
+    gap: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    triangle: u32,
+    from: u32,
+    to: u32,
+}
+
+impl NavMesh {
+    /// Cuts a goal area, a polygon of any form, to the mesh. Where it can, the area is taken 5 cm smaller. An area
+    /// that is off the mesh, but within a radius and 1 cm of it, counts as the part of the mesh that is nearest
+    /// (within 5 mm); see [`Area::gap`]. It belongs to this mesh alone.
+    ///
+    /// # Errors
+    /// The corners cross or are too few. An area out of reach is no error here: [`Area::is_empty`].
+    pub fn area(&self, corners: &[DVec2]) -> Result<Area, NavError> {
+        let shapes = area_shapes(&self.lattice, corners)?;
+        let mut area = Area { corner: corners[0], ..Area::default() };
+        let whole = self.cut(&shapes)?;
+        let inner = self.cut(&erode(&shapes, INSET))?;
+        let island = |piece: &(u32, Vec<DVec2>)| self.islands[piece.0 as usize];
+        let has_inner: Vec<u32> = inner.iter().map(island).collect();
+        area.take(whole.into_iter().filter(|piece| !has_inner.contains(&island(piece))).chain(inner), self);
+        if area.is_empty() {
+            let gap = self.gap_to(&shapes);
+            if gap <= self.radius + 0.01 {
+                area.gap = gap;
+                area.take(self.cut(&grow(&shapes, gap + 0.005))?.into_iter(), self);
+            }
+        }
+        Ok(area)
+    }
+
+    /// The convex pieces of `shapes` on the mesh, each in one triangle.
+    fn cut(&self, shapes: &Shapes) -> Result<Vec<(u32, Vec<DVec2>)>, NavError> {
+        let parts = triangulate(shapes)?;
+        let (mut near, mut first, mut second) = (Vec::new(), Vec::new(), Vec::new());
+        let mut pieces = Vec::new();
+        for corners in &parts.corners {
+            let [a, b, c] = corners.map(|vertex| self.lattice.metres(parts.points[vertex as usize]));
+            self.grid.in_box(a.min(b).min(c), a.max(b).max(c), &mut near);
+            for &triangle in &near {
+                let [u, v, w] = self.corners(triangle);
+                clip(&[a, b, c], u, v, &mut first);
+                clip(&first, v, w, &mut second);
+                clip(&second, w, u, &mut first);
+                let size: f64 = (2..first.len()).map(|k| (first[k - 1] - first[0]).perp_dot(first[k] - first[0])).sum();
+                if size > CRUMB {
+                    pieces.push((triangle, first.clone()));
+                }
+            }
+        }
+        pieces.sort_by_key(|piece| piece.0);
+        Ok(pieces)
+    }
+
+    /// Distance between shapes off the mesh and the mesh, as far as it matters.
+    fn gap_to(&self, shapes: &Shapes) -> f64 {
+        let reach = DVec2::splat(self.radius + 0.01);
+        let mut near = Vec::new();
+        let mut gap = f64::INFINITY;
+        for contour in shapes.iter().flatten() {
+            for (at, &point) in contour.iter().enumerate() {
+                let (a, b) = (self.lattice.metres(point), self.lattice.metres(contour[(at + 1) % contour.len()]));
+                self.grid.in_box(a.min(b) - reach, a.max(b) + reach, &mut near);
+                for &triangle in &near {
+                    let corners = self.corners(triangle);
+                    for end in [a, b] {
+                        gap = gap.min(closest_convex(&corners, end).distance(end));
+                    }
+                    for corner in corners {
+                        gap = gap.min(closest_on_segment(a, b, corner).distance(corner));
+                    }
+                }
+            }
+        }
+        gap
+    }
+}
+
+impl Area {
+    /// Whether no point of it can be reached from anywhere: it is inside a wall.
+    pub fn is_empty(&self) -> bool {
+        self.pieces.is_empty()
+    }
+
+    /// Distance between the area and the mesh, metres; zero where they share ground. Paths to an area with a gap end
+    /// this far before it, give or take 5 mm.
+    pub fn gap(&self) -> f64 {
+        self.gap
+    }
+
+    /// The islands it has parts on, in order.
+    pub fn islands(&self) -> &[u32] {
+        &self.islands
+    }
+
+    /// The point of it that is nearest as the crow flies, whatever is between; `None` when it is empty.
+    pub fn nearest(&self, point: DVec2) -> Option<DVec2> {
+        let mut best: Option<DVec2> = None;
+        for piece in &self.pieces {
+            let candidate = closest_convex(self.polygon(*piece), point);
+            if best.is_none_or(|best| candidate.distance_squared(point) < best.distance_squared(point)) {
+                best = Some(candidate);
+            }
+        }
+        best
+    }
+
+    pub(super) fn corner(&self) -> DVec2 {
+        self.corner
+    }
+
+    fn take(&mut self, pieces: impl Iterator<Item = (u32, Vec<DVec2>)>, mesh: &NavMesh) {
+        let mut pieces: Vec<_> = pieces.collect();
+        pieces.sort_by_key(|piece| piece.0);
+        (self.low, self.high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        for (triangle, polygon) in pieces {
+            let from = self.points.len() as u32;
+            for &point in &polygon {
+                (self.low, self.high) = (self.low.min(point), self.high.max(point));
+            }
+            self.points.extend(polygon);
+            self.pieces.push(Piece { triangle, from, to: self.points.len() as u32 });
+            self.islands.push(mesh.islands[triangle as usize]);
+        }
+        self.islands.sort_unstable();
+        self.islands.dedup();
+    }
+
+    fn in_triangle(&self, triangle: u32) -> Range<usize> {
+        let from = self.pieces.partition_point(|piece| piece.triangle < triangle);
+        let more = self.pieces[from..].iter().take_while(|piece| piece.triangle == triangle).count();
+        from..from + more
+    }
+
+    fn polygon(&self, piece: Piece) -> &[DVec2] {
+        &self.points[piece.from as usize..piece.to as usize]
+    }
+}
+
+/// What a search looks for.
+pub(super) enum Target<'a> {
+    /// A point of the mesh, and the triangles it is in.
+    Point {
+        /// Where.
+        at: DVec2,
+        /// Sorted.
+        triangles: &'a [u32],
+    },
+    /// The nearest point of an area.
+    Area(&'a Area),
+}
+
+impl Target<'_> {
+    /// Whether some of it is in a triangle.
+    pub fn is_in(&self, triangle: u32) -> bool {
+        match self {
+            Self::Point { triangles, .. } => triangles.contains(&triangle),
+            Self::Area(area) => !area.in_triangle(triangle).is_empty(),
+        }
+    }
+
+    /// Whether a search that got to this triangle need not look behind it.
+    pub fn ends_in(&self, triangle: u32) -> bool {
+        matches!(self, Self::Point { triangles, .. } if triangles.contains(&triangle))
+    }
+
+    pub fn on_island(&self, mesh: &NavMesh, island: u32) -> bool {
+        match self {
+            Self::Point { triangles, .. } => triangles.iter().any(|&t| mesh.islands[t as usize] == island),
+            Self::Area(area) => area.islands.contains(&island),
+        }
+    }
+
+    pub fn first_island(&self, mesh: &NavMesh) -> u32 {
+        match self {
+            Self::Point { triangles, .. } => triangles.first().map_or(0, |&triangle| mesh.islands[triangle as usize]),
+            Self::Area(area) => area.islands.first().copied().unwrap_or(0),
+        }
+    }
+
+    /// A lower bound for ways through an interval.
+    pub fn bound(&self, view: &View) -> f64 {
+        match self {
+            Self::Point { at, .. } => view.bound(*at),
+            Self::Area(area) => view.bound_to_box(area.low, area.high),
+        }
+    }
+
+    /// The shortest way from a point of a triangle to the part of the target in it.
+    pub fn straight(&self, triangle: u32, from: DVec2) -> Option<Way> {
+        let way = |end: DVec2| Way { length: end.distance(from), via: None, end };
+        match self {
+            Self::Point { at, triangles } => triangles.contains(&triangle).then(|| way(*at)),
+            Self::Area(area) => area.pieces[area.in_triangle(triangle)]
+                .iter()
+                .map(|&piece| way(closest_convex(area.polygon(piece), from)))
+                .min_by(|one, other| one.length.total_cmp(&other.length)),
+        }
+    }
+
+    /// The shortest way through an interval to the part of the target in the triangle behind it.
+    pub fn way(&self, triangle: u32, view: &View, scratch: &mut [Vec<DVec2>; 2]) -> Option<Way> {
+        match self {
+            Self::Point { at, triangles } => triangles.contains(&triangle).then(|| view.way(*at)),
+            Self::Area(area) => area.pieces[area.in_triangle(triangle)]
+                .iter()
+                .filter_map(|&piece| view.way_to(area.polygon(piece), scratch))
+                .min_by(|one, other| one.length.total_cmp(&other.length)),
+        }
+    }
+}

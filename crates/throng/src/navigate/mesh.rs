@@ -1,0 +1,183 @@
+//! The navigation mesh: triangles of the ground that the centre of a disc may be in.
+
+use super::error::NavError;
+use super::lattice::{Lattice, turn};
+use super::locate::Grid;
+use super::outline::free_ground;
+use super::triangulate::{NONE, Triangles, triangulate};
+use crate::space::{Obstacle, Walkable};
+use glam::DVec2;
+
+/// The ground that the centre of a disc may be in, as constrained Delaunay triangles with their neighbours.
+///
+/// Coordinates are those of the input, metres. Far from the origin (5 000 km) f64 leaves only nanometres to the
+/// searches; a caller with map coordinates should give them relative to a local origin.
+///
+/// # Precision
+/// The ground is computed on a lattice of 2^-24 m (60 nm), whatever its size, at most 1000 km wide. Walls are grown
+/// by the radius and half a micrometre; arcs round their corners are polygons outside the true arc by at most 2 mm.
+/// A gap wider than two radii and 4 mm is open, a gap narrower than two radii closed.
+#[derive(Clone, Debug)]
+pub struct NavMesh {
+    pub(super) radius: f64,
+    pub(super) lattice: Lattice,
+    pub(super) vertices: Vec<DVec2>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) neighbours: Vec<[u32; 3]>,
+    /// Whether a shortest path may bend at the vertex.
+    pub(super) bends: Vec<bool>,
+    pub(super) islands: Vec<u32>,
+    pub(super) island_count: u32,
+    pub(super) grid: Grid,
+    outline: Vec<Vec<DVec2>>,
+}
+
+impl NavMesh {
+    /// Builds the mesh for discs of `radius` on the union of the `walkable` areas, less the `obstacles`. Without
+    /// walkable areas everything is ground, in a box round `bounds` and all obstacles with room to pass round them.
+    ///
+    /// # Errors
+    /// Rings that cross themselves or have too few corners, numbers that are not finite, a radius that is not
+    /// positive, and ground that leaves no room.
+    ///
+    /// ```
+    /// use glam::DVec2;
+    /// use throng::{Obstacle, Walkable, navigate::{NavMesh, Search}};
+    ///
+    /// let corners = [(0.0, 0.0), (10.0, 0.0), (10.0, 6.0), (0.0, 6.0)];
+    /// let room = Walkable { outer: corners.map(DVec2::from).to_vec(), holes: vec![] };
+    /// let wall = Obstacle::Wall { points: vec![DVec2::new(5.0, 0.0), DVec2::new(5.0, 4.0)] };
+    /// let mesh = NavMesh::build(&[room], &[wall], 0.3, (DVec2::ZERO, DVec2::ZERO))?;
+    /// let path = mesh.path(&mut Search::new(), DVec2::new(1.0, 1.0), DVec2::new(9.0, 1.0)).unwrap();
+    /// assert!(path.length > 10.0 && path.length < 11.0);
+    /// # Ok::<(), throng::navigate::NavError>(())
+    /// ```
+    pub fn build(
+        walkable: &[Walkable],
+        obstacles: &[Obstacle],
+        radius: f64,
+        bounds: (DVec2, DVec2),
+    ) -> Result<Self, NavError> {
+        let (lattice, ground) = free_ground(walkable, obstacles, radius, bounds)?;
+        let triangles = triangulate(&ground)?;
+        let outline = ground.iter().flatten().map(|ring| ring.iter().map(|&p| lattice.metres(p)).collect()).collect();
+        Ok(Self::assemble(radius, lattice, &triangles, outline))
+    }
+
+    fn assemble(radius: f64, lattice: Lattice, parts: &Triangles, outline: Vec<Vec<DVec2>>) -> Self {
+        let vertices: Vec<DVec2> = parts.points.iter().map(|&point| lattice.metres(point)).collect();
+        let (islands, island_count) = islands(&parts.neighbours);
+        let grid = Grid::new(&vertices, &parts.corners);
+        Self {
+            radius,
+            lattice,
+            bends: bends(parts),
+            triangles: parts.corners.clone(),
+            neighbours: parts.neighbours.clone(),
+            vertices,
+            islands,
+            island_count,
+            grid,
+            outline,
+        }
+    }
+
+    /// The radius it was built for, metres.
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Corners of the triangles.
+    pub fn vertices(&self) -> &[DVec2] {
+        &self.vertices
+    }
+
+    /// Indices of the corners of each triangle, counter-clockwise.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// Behind the edge from corner k to corner k + 1 of a triangle: the triangle there, or `None` for a wall.
+    pub fn neighbour(&self, triangle: u32, edge: usize) -> Option<u32> {
+        let neighbour = self.neighbours[triangle as usize][edge];
+        (neighbour != NONE).then_some(neighbour)
+    }
+
+    /// The boundary rings of the mesh, with the ground to their left.
+    pub fn outline(&self) -> &[Vec<DVec2>] {
+        &self.outline
+    }
+
+    /// Area of the mesh, square metres.
+    pub fn area_size(&self) -> f64 {
+        (0..self.triangles.len() as u32)
+            .map(|triangle| {
+                let [a, b, c] = self.corners(triangle);
+                (b - a).perp_dot(c - a) * 0.5
+            })
+            .sum()
+    }
+
+    /// Number of islands: parts of the mesh without a way between them.
+    pub fn island_count(&self) -> u32 {
+        self.island_count
+    }
+
+    /// The island that a point lies on; `None` off the mesh.
+    pub fn island(&self, point: DVec2) -> Option<u32> {
+        self.locate(point).map(|triangle| self.islands[triangle as usize])
+    }
+
+    /// Corners of a triangle.
+    pub(super) fn corners(&self, triangle: u32) -> [DVec2; 3] {
+        self.triangles[triangle as usize].map(|vertex| self.vertices[vertex as usize])
+    }
+
+    /// Which edge of `triangle` leads to `neighbour`.
+    pub(super) fn edge_to(&self, triangle: u32, neighbour: u32) -> usize {
+        let edges = self.neighbours[triangle as usize];
+        (0..2).find(|&edge| edges[edge] == neighbour).unwrap_or(2)
+    }
+}
+
+/// Numbers the connected parts.
+fn islands(neighbours: &[[u32; 3]]) -> (Vec<u32>, u32) {
+    let mut islands = vec![NONE; neighbours.len()];
+    let mut count = 0;
+    let mut open = Vec::new();
+    for first in 0..neighbours.len() {
+        if islands[first] != NONE {
+            continue;
+        }
+        islands[first] = count;
+        open.push(first);
+        while let Some(triangle) = open.pop() {
+            for next in neighbours[triangle].into_iter().filter(|&next| next != NONE) {
+                if islands[next as usize] == NONE {
+                    islands[next as usize] = count;
+                    open.push(next as usize);
+                }
+            }
+        }
+        count += 1;
+    }
+    (islands, count)
+}
+
+/// The vertices where a shortest path may bend: those where the boundary turns right, and those where it meets itself.
+fn bends(parts: &Triangles) -> Vec<bool> {
+    let count = parts.points.len();
+    let (mut into, mut out_of, mut walls) = (vec![NONE; count], vec![NONE; count], vec![0_u32; count]);
+    for (corners, neighbours) in parts.corners.iter().zip(&parts.neighbours) {
+        for edge in (0..3).filter(|&edge| neighbours[edge] == NONE) {
+            let (from, to) = (corners[edge], corners[(edge + 1) % 3]);
+            out_of[from as usize] = to;
+            into[to as usize] = from;
+            walls[from as usize] += 1;
+        }
+    }
+    let point = |vertex: u32| parts.points[vertex as usize];
+    (0..count)
+        .map(|at| walls[at] > 1 || walls[at] == 1 && turn(point(into[at]), parts.points[at], point(out_of[at])) < 0)
+        .collect()
+}

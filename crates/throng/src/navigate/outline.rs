@@ -1,0 +1,215 @@
+//! The free ground as polygons with holes: walkable areas united, obstacles and a radius taken off.
+
+use super::error::{NavError, Ring};
+use super::inflate::{Brush, disc};
+use super::lattice::{Lattice, LatticePoint, WIDEST, steps, turn};
+use crate::space::{Obstacle, Walkable};
+use glam::DVec2;
+use i_overlay::core::{fill_rule::FillRule, overlay::Overlay, overlay::ShapeType, overlay_rule::OverlayRule};
+
+/// Polygons with holes: each a list of contours, the ground to their left.
+pub(super) type Shapes = Vec<Vec<Vec<LatticePoint>>>;
+
+/// The free ground for the centre of a disc of `radius`. Without walkable areas the ground is the box `bounds`, grown
+/// so that there is a way round every obstacle.
+pub(super) fn free_ground(
+    walkable: &[Walkable],
+    obstacles: &[Obstacle],
+    radius: f64,
+    bounds: (DVec2, DVec2),
+) -> Result<(Lattice, Shapes), NavError> {
+    let (low, high) = extent(walkable, obstacles, radius, bounds)?;
+    let lattice = Lattice::near((low + high) * 0.5);
+    let mut solid = solids(&lattice, obstacles, radius)?;
+    let ground = if walkable.is_empty() {
+        vec![vec![[low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)].map(|p| lattice.point(p)).to_vec()]]
+    } else {
+        let ground = unite(&lattice, walkable)?;
+        strips(&ground, radius, &mut solid);
+        ground
+    };
+    let free = subtract(&ground, &solid);
+    if free.is_empty() { Err(NavError::NoRoom { radius }) } else { Ok((lattice, free)) }
+}
+
+/// `shapes` without what is nearer than `radius` to their boundary.
+pub(super) fn erode(shapes: &Shapes, radius: f64) -> Shapes {
+    let mut solid = Vec::new();
+    strips(shapes, radius, &mut solid);
+    subtract(shapes, &solid)
+}
+
+/// `shapes` and what is nearer than `radius` to them.
+pub(super) fn grow(shapes: &Shapes, radius: f64) -> Shapes {
+    let brush = Brush::new(radius);
+    let grown: Vec<_> = shapes.iter().flatten().map(|contour| brush.ring(contour)).collect();
+    Overlay::from_subj(&grown).overlay(OverlayRule::Subject, FillRule::Positive)
+}
+
+/// The corners of an area of any form as shapes.
+pub(super) fn area_shapes(lattice: &Lattice, corners: &[DVec2]) -> Result<Shapes, NavError> {
+    Ok(fill(&ring(lattice, corners, Ring::Goal, 3)?))
+}
+
+/// A box round everything, checked for size.
+fn extent(
+    walkable: &[Walkable],
+    obstacles: &[Obstacle],
+    radius: f64,
+    bounds: (DVec2, DVec2),
+) -> Result<(DVec2, DVec2), NavError> {
+    if !(radius > 0.0 && radius < WIDEST) {
+        return Err(NavError::Limit { what: "the radius of a navigation mesh", value: radius, limit: "> 0" });
+    }
+    let mut low = DVec2::INFINITY;
+    let mut high = DVec2::NEG_INFINITY;
+    let mut take = |points: &[DVec2], around: f64, ring: Ring| {
+        for (point, at) in points.iter().enumerate() {
+            if !at.is_finite() {
+                return Err(NavError::NotFinite { ring, point });
+            }
+            low = low.min(*at - DVec2::splat(around));
+            high = high.max(*at + DVec2::splat(around));
+        }
+        Ok(())
+    };
+    for (area, ground) in walkable.iter().enumerate() {
+        take(&ground.outer, 0.0, Ring::Outer { area })?;
+        for (hole, corners) in ground.holes.iter().enumerate() {
+            take(corners, 0.0, Ring::Hole { area, hole })?;
+        }
+    }
+    let around = 3.0 * radius + 1.0;
+    for (index, obstacle) in obstacles.iter().enumerate() {
+        let name = Ring::Obstacle { index };
+        match obstacle {
+            Obstacle::Circle { center, radius } => {
+                if !(*radius > 0.0 && *radius < WIDEST) {
+                    return Err(NavError::Limit { what: "the radius of an obstacle", value: *radius, limit: "> 0" });
+                }
+                take(&[*center], radius + around, name)?;
+            }
+            Obstacle::Polygon { corners } => take(corners, around, name)?,
+            Obstacle::Wall { points } => take(points, around, name)?,
+        }
+    }
+    if walkable.is_empty() {
+        for at in [bounds.0, bounds.1] {
+            if at.is_finite() {
+                low = low.min(at);
+                high = high.max(at);
+            }
+        }
+    }
+    let size = (high - low).max_element();
+    if size > WIDEST {
+        return Err(NavError::TooWide { size, limit: WIDEST });
+    }
+    if low.is_finite() && high.is_finite() { Ok((low, high)) } else { Err(NavError::NoRoom { radius }) }
+}
+
+/// Outlines round all obstacles.
+fn solids(lattice: &Lattice, obstacles: &[Obstacle], radius: f64) -> Result<Vec<Vec<LatticePoint>>, NavError> {
+    let brush = Brush::new(radius);
+    let mut solid = Vec::new();
+    for (index, obstacle) in obstacles.iter().enumerate() {
+        let name = Ring::Obstacle { index };
+        match obstacle {
+            Obstacle::Circle { center, radius: own } => solid.push(disc(lattice.point(*center), own + radius)),
+            Obstacle::Wall { points } => {
+                let mut chain: Vec<_> = points.iter().map(|&point| lattice.point(point)).collect();
+                chain.dedup();
+                if chain.len() < 2 {
+                    return Err(NavError::TooFewCorners { ring: name, found: chain.len(), needed: 2 });
+                }
+                solid.push(brush.chain(&chain));
+            }
+            Obstacle::Polygon { corners } => {
+                let corners = ring(lattice, corners, name, 2)?;
+                let filled = fill(&corners);
+                if filled.is_empty() {
+                    solid.push(brush.chain(&corners));
+                }
+                solid.extend(filled.iter().flatten().map(|contour| brush.ring(contour)));
+            }
+        }
+    }
+    Ok(solid)
+}
+
+/// The union of walkable areas.
+fn unite(lattice: &Lattice, walkable: &[Walkable]) -> Result<Shapes, NavError> {
+    let mut union = Overlay::new(64);
+    for (area, ground) in walkable.iter().enumerate() {
+        let outer = fill(&ring(lattice, &ground.outer, Ring::Outer { area }, 3)?);
+        let mut holes = Vec::new();
+        for (hole, corners) in ground.holes.iter().enumerate() {
+            holes.extend(fill(&ring(lattice, corners, Ring::Hole { area, hole }, 3)?).into_iter().flatten());
+        }
+        union.add_source(&if holes.is_empty() { outer } else { subtract(&outer, &holes) }, ShapeType::Subject);
+    }
+    Ok(union.overlay(OverlayRule::Subject, FillRule::Positive))
+}
+
+/// Outlines of the strips along the boundary of `shapes`, on their inside.
+fn strips(shapes: &Shapes, radius: f64, solid: &mut Vec<Vec<LatticePoint>>) {
+    let brush = Brush::new(radius);
+    for contour in shapes.iter().flatten() {
+        let wall: Vec<_> = contour.iter().rev().copied().collect();
+        solid.push(brush.ring(&wall));
+        solid.push(contour.clone());
+    }
+}
+
+/// `shapes` without what `solid` goes round.
+fn subtract(shapes: &Shapes, solid: &[Vec<LatticePoint>]) -> Shapes {
+    let mut difference = Overlay::from_subj(shapes);
+    difference.add_source(solid, ShapeType::Clip);
+    difference.overlay(OverlayRule::Difference, FillRule::Positive)
+}
+
+/// The inside of a ring, either way round, also where it touches itself.
+fn fill(ring: &[LatticePoint]) -> Shapes {
+    Overlay::from_subj(ring).overlay(OverlayRule::Subject, FillRule::NonZero)
+}
+
+/// The corners of a ring on the lattice, each once, checked for crossings.
+fn ring(lattice: &Lattice, corners: &[DVec2], name: Ring, needed: usize) -> Result<Vec<LatticePoint>, NavError> {
+    if let Some(point) = corners.iter().position(|at| !at.is_finite()) {
+        return Err(NavError::NotFinite { ring: name, point });
+    }
+    let mut kept: Vec<(usize, LatticePoint)> =
+        corners.iter().enumerate().map(|(index, &at)| (index, lattice.point(at))).collect();
+    kept.dedup_by_key(|corner| corner.1);
+    while kept.len() > 1 && kept[0].1 == kept[kept.len() - 1].1 {
+        kept.pop();
+    }
+    if kept.len() < needed {
+        return Err(NavError::TooFewCorners { ring: name, found: kept.len(), needed });
+    }
+    let points: Vec<_> = kept.iter().map(|corner| corner.1).collect();
+    if let Some((first, second, at)) = crossing(&points) {
+        let at = lattice.metres(super::lattice::round(at));
+        return Err(NavError::SelfCrossing { ring: name, first: kept[first].0, second: kept[second].0, at });
+    }
+    Ok(points)
+}
+
+/// The first two edges of a ring that cross, by a sweep along x; touching is no crossing.
+fn crossing(ring: &[LatticePoint]) -> Option<(usize, usize, DVec2)> {
+    let end = |edge: usize| ring[(edge + 1) % ring.len()];
+    let span = |edge: usize| (ring[edge].x.min(end(edge).x), ring[edge].x.max(end(edge).x));
+    let mut order: Vec<usize> = (0..ring.len()).collect();
+    order.sort_by_key(|&edge| (span(edge).0, edge));
+    for (rank, &one) in order.iter().enumerate() {
+        for &other in order[rank + 1..].iter().take_while(|&&other| span(other).0 <= span(one).1) {
+            let (a, b, c, d) = (ring[one], end(one), ring[other], end(other));
+            let (left, right) = (turn(a, b, c), turn(a, b, d));
+            if left.signum() * right.signum() < 0 && turn(c, d, a).signum() * turn(c, d, b).signum() < 0 {
+                let part = left as f64 / (left as f64 - right as f64);
+                return Some((one.min(other), one.max(other), steps(c) + (steps(d) - steps(c)) * part));
+            }
+        }
+    }
+    None
+}

@@ -1,0 +1,364 @@
+//! Exact Euclidean shortest paths on the mesh: Polyanya (Cui, Harabor, Grastien: Compromise-free pathfinding on a
+//! navigation mesh, IJCAI 2017).
+//!
+//! A node of the search is an interval on an edge, seen from a root where the path bends last. Expanding it projects
+//! the view through the triangle ahead on its two other edges; at an end of the interval that is a convex corner of a
+//! wall the path may bend into what is out of view, with that corner as a new root. A* on intervals, with the exact
+//! distance through the interval as its bound, gives the exact shortest path.
+
+use super::area::{Area, Target};
+use super::error::Unreachable;
+use super::interval::{SNAP, View, Way};
+use super::locate::TOUCH;
+use super::mesh::NavMesh;
+use super::triangulate::NONE;
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// A corner this near to the edge of a view counts as on it, metres.
+const GRAZE: f64 = 1e-9;
+
+/// A shortest path.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Path {
+    /// Where it begins: the point of the mesh nearest to the start that was asked for.
+    pub start: DVec2,
+    /// The points where it bends, in order, then its end. Without `start`.
+    pub corners: Vec<DVec2>,
+    /// Its length from `start`, metres.
+    pub length: f64,
+}
+
+/// Scratch memory of path queries: reuse it, so that they allocate nothing but their results. Results do not depend
+/// on what it was used for before, nor on the mesh.
+#[derive(Clone, Debug, Default)]
+pub struct Search {
+    nodes: Vec<Node>,
+    finals: Vec<Final>,
+    open: BinaryHeap<Entry>,
+    /// Marks entries of the tables below as of this query.
+    query: u32,
+    /// Per vertex: the query, and the shortest way to it as a root.
+    roots: Vec<(u32, f64)>,
+    /// Per edge of a triangle: the query, and the latest node entering there.
+    edges: Vec<(u32, u32)>,
+    start_triangles: Vec<u32>,
+    pub(super) goal_triangles: Vec<u32>,
+    scratch: [Vec<DVec2>; 2],
+    expanded: u32,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    view: View,
+    /// Vertex that is the root; [`NONE`] for the start.
+    root: u32,
+    /// Length of the path to the root.
+    length: f64,
+    parent: u32,
+    /// The triangle ahead, and its edge that holds the interval.
+    triangle: u32,
+    edge: u8,
+    /// The node that entered by the same edge before.
+    sibling: u32,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Final {
+    parent: u32,
+    way: Way,
+}
+
+/// Ordered by the bound, then by age.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    bound: f64,
+    age: u32,
+    index: u32,
+    is_final: bool,
+}
+
+impl Ord for Entry {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.bound.total_cmp(&self.bound).then(other.age.cmp(&self.age))
+    }
+}
+impl PartialOrd for Entry {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl PartialEq for Entry {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+impl Eq for Entry {}
+
+impl NavMesh {
+    /// The shortest path between two points. A start off the mesh is moved to the nearest point of it, within two
+    /// radii and 1 m; a goal within a radius and 1 cm, so that the path to a goal close to a wall ends before the wall.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn path(&self, search: &mut Search, from: DVec2, to: DVec2) -> Result<Path, Unreachable> {
+        let start = self.start_point(from)?;
+        if !to.is_finite() {
+            return Err(Unreachable::NotFinite);
+        }
+        let goal = self.nearest(to);
+        let distance = goal.distance(to);
+        if distance > self.radius + 0.01 {
+            return Err(Unreachable::GoalInWall { at: to, distance });
+        }
+        let mut triangles = std::mem::take(&mut search.goal_triangles);
+        self.touching(goal, TOUCH, &mut triangles);
+        let found = search.run(self, start, &Target::Point { at: goal, triangles: &triangles });
+        search.goal_triangles = triangles;
+        found
+    }
+
+    /// The shortest path to the nearest point of an area, nearest along the path.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn path_to(&self, search: &mut Search, from: DVec2, area: &Area) -> Result<Path, Unreachable> {
+        let start = self.start_point(from)?;
+        if area.is_empty() {
+            return Err(Unreachable::GoalInWall { at: area.corner(), distance: f64::INFINITY });
+        }
+        search.run(self, start, &Target::Area(area))
+    }
+
+    fn start_point(&self, from: DVec2) -> Result<DVec2, Unreachable> {
+        if !from.is_finite() {
+            return Err(Unreachable::NotFinite);
+        }
+        let start = self.nearest(from);
+        let distance = start.distance(from);
+        if distance > 2.0 * self.radius + 1.0 {
+            return Err(Unreachable::StartInWall { at: from, distance });
+        }
+        Ok(start)
+    }
+}
+
+impl Search {
+    /// New scratch memory.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// How many nodes the latest query expanded.
+    pub fn expanded(&self) -> u32 {
+        self.expanded
+    }
+
+    fn reset(&mut self, mesh: &NavMesh) {
+        self.nodes.clear();
+        self.finals.clear();
+        self.open.clear();
+        self.expanded = 0;
+        let (vertices, edges) = (mesh.vertices.len(), mesh.triangles.len() * 3);
+        if self.query == u32::MAX || self.roots.len() < vertices || self.edges.len() < edges {
+            self.query = 0;
+            self.roots.clear();
+            self.edges.clear();
+            self.roots.resize(vertices, (0, 0.0));
+            self.edges.resize(edges, (0, NONE));
+        }
+        self.query += 1;
+    }
+
+    fn run(&mut self, mesh: &NavMesh, start: DVec2, target: &Target<'_>) -> Result<Path, Unreachable> {
+        self.reset(mesh);
+        let mut around = std::mem::take(&mut self.start_triangles);
+        mesh.touching(start, TOUCH, &mut around);
+        let home = around.iter().map(|&triangle| mesh.islands[triangle as usize]);
+        if !home.clone().any(|island| target.on_island(mesh, island)) {
+            let from = home.min().unwrap_or(NONE);
+            self.start_triangles = around;
+            return Err(Unreachable::NoWay { from, to: target.first_island(mesh) });
+        }
+        for &triangle in &around {
+            if let Some(way) = target.straight(triangle, start) {
+                self.finish(NONE, 0.0, way);
+            }
+            let corners = mesh.corners(triangle);
+            for edge in 0..3 {
+                let next = mesh.neighbours[triangle as usize][edge];
+                if next != NONE && around.binary_search(&next).is_err() {
+                    let view = View { root: start, left: corners[edge], right: corners[(edge + 1) % 3] };
+                    // Looking out of the triangle, the beginning of its edge is on the right.
+                    let view = View { left: view.right, right: view.left, ..view };
+                    self.push(mesh, target, NONE, (NONE, 0.0), (triangle, edge), view);
+                }
+            }
+        }
+        self.start_triangles = around;
+        while let Some(entry) = self.open.pop() {
+            if entry.is_final {
+                return Ok(self.path(start, entry));
+            }
+            let node = self.nodes[entry.index as usize];
+            if node.root == NONE || node.length <= self.roots[node.root as usize].1 + GRAZE {
+                self.expanded += 1;
+                self.expand(mesh, target, entry.index, &node);
+            }
+        }
+        // On one island there is a way; only rounding at a needle-thin triangle could hide it.
+        Err(Unreachable::NoWay { from: target.first_island(mesh), to: target.first_island(mesh) })
+    }
+
+    fn expand(&mut self, mesh: &NavMesh, target: &Target<'_>, index: u32, node: &Node) {
+        let triangle = node.triangle;
+        if let Some(way) = target.way(triangle, &node.view, &mut self.scratch) {
+            self.finish(index, node.length, way);
+        }
+        if target.ends_in(triangle) {
+            return;
+        }
+        let edge = node.edge as usize;
+        let [ia, ib, _] = rotate(mesh.triangles[triangle as usize], edge);
+        let [a, b, c] = rotate(mesh.corners(triangle), edge);
+        let (right_edge, left_edge) = ((triangle, (edge + 1) % 3), (triangle, (edge + 2) % 3));
+        let view = node.view;
+        let (at_left, at_right) = (view.left == a, view.right == b);
+        let (left, right) = (view.left_of(view.left, c), view.left_of(view.right, c));
+
+        // The same root goes on seeing what is between the ends of the interval.
+        let same = (node.root, node.length);
+        if left > GRAZE {
+            let from = view.hit(view.left, c, b);
+            let to = if at_right { b } else { view.hit(view.right, c, b) };
+            self.push(mesh, target, index, same, right_edge, View { left: from, right: to, ..view });
+        } else if right < -GRAZE {
+            let from = if at_left { a } else { view.hit(view.left, a, c) };
+            let to = view.hit(view.right, a, c);
+            self.push(mesh, target, index, same, left_edge, View { left: from, right: to, ..view });
+        } else {
+            let from = if at_left { a } else { view.hit(view.left, a, c) };
+            self.push(mesh, target, index, same, left_edge, View { left: from, right: c, ..view });
+            let to = if at_right { b } else { view.hit(view.right, c, b) };
+            self.push(mesh, target, index, same, right_edge, View { left: c, right: to, ..view });
+        }
+        // What is out of view is seen from a corner that the path bends round.
+        if left > -GRAZE && at_left && mesh.bends[ia as usize] && node.root != ia {
+            let bend = (ia, node.length + view.root.distance(a));
+            self.push(mesh, target, index, bend, left_edge, View { root: a, left: a, right: c });
+            let end = if left > GRAZE { view.hit(a, c, b) } else { c };
+            self.push(mesh, target, index, bend, right_edge, View { root: a, left: c, right: end });
+        }
+        if right < GRAZE && at_right && mesh.bends[ib as usize] && node.root != ib {
+            let bend = (ib, node.length + view.root.distance(b));
+            self.push(mesh, target, index, bend, right_edge, View { root: b, left: c, right: b });
+            let end = if right < -GRAZE { view.hit(b, a, c) } else { c };
+            self.push(mesh, target, index, bend, left_edge, View { root: b, left: end, right: c });
+        }
+    }
+
+    /// Adds a node that looks out of `from` (a triangle and its edge), unless it cannot be of use.
+    fn push(
+        &mut self,
+        mesh: &NavMesh,
+        target: &Target<'_>,
+        parent: u32,
+        (root, length): (u32, f64),
+        (triangle, edge): (u32, usize),
+        view: View,
+    ) {
+        let next = mesh.neighbours[triangle as usize][edge];
+        if next == NONE || view.left.distance_squared(view.right) < SNAP * SNAP {
+            return;
+        }
+        let back = mesh.edge_to(next, triangle);
+        let dead_end = (1..3).all(|turn| mesh.neighbours[next as usize][(back + turn) % 3] == NONE);
+        if dead_end && !target.is_in(next) {
+            return;
+        }
+        if root != NONE {
+            let best = &mut self.roots[root as usize];
+            if best.0 != self.query {
+                *best = (self.query, length);
+            } else if length > best.1 + GRAZE {
+                return;
+            } else {
+                best.1 = best.1.min(length);
+            }
+        }
+        let slot = &mut self.edges[next as usize * 3 + back];
+        if slot.0 != self.query {
+            *slot = (self.query, NONE);
+        }
+        let mut sibling = slot.1;
+        while sibling != NONE {
+            let other = &self.nodes[sibling as usize];
+            if other.root == root && other.length <= length + GRAZE && covers(&other.view, &view) {
+                return;
+            }
+            sibling = other.sibling;
+        }
+        let index = self.nodes.len() as u32;
+        let node = Node { view, root, length, parent, triangle: next, edge: back as u8, sibling: slot.1 };
+        slot.1 = index;
+        self.nodes.push(node);
+        self.enter(length + target.bound(&view), index, false);
+    }
+
+    fn finish(&mut self, parent: u32, length: f64, way: Way) {
+        let index = self.finals.len() as u32;
+        self.finals.push(Final { parent, way });
+        self.enter(length + way.length, index, true);
+    }
+
+    fn enter(&mut self, bound: f64, index: u32, is_final: bool) {
+        let age = (self.nodes.len() + self.finals.len()) as u32;
+        self.open.push(Entry { bound, age, index, is_final });
+    }
+
+    /// The path that ends in a final entry.
+    fn path(&self, start: DVec2, entry: Entry) -> Path {
+        let Final { parent, way } = self.finals[entry.index as usize];
+        let mut corners = vec![way.end];
+        corners.extend(way.via);
+        let (mut at, mut root) = (parent, NONE);
+        while at != NONE {
+            let node = &self.nodes[at as usize];
+            if node.root != NONE && node.root != root {
+                root = node.root;
+                corners.push(node.view.root);
+            }
+            at = node.parent;
+        }
+        corners.reverse();
+        let mut before = start;
+        let mut kept = Vec::with_capacity(corners.len());
+        for (index, &corner) in corners.iter().enumerate() {
+            let last = index + 1 == corners.len();
+            let straight =
+                |next: DVec2| (corner - before).perp_dot(next - before).abs() <= GRAZE * next.distance(before);
+            if last || corner.distance_squared(before) > SNAP * SNAP && !straight(corners[index + 1]) {
+                kept.push(corner);
+                before = corner;
+            }
+        }
+        Path { start, corners: kept, length: entry.bound }
+    }
+}
+
+/// Whether all that `inner` sees is seen by `outer`, from the same root on the same edge.
+fn covers(outer: &View, inner: &View) -> bool {
+    let along = outer.right - outer.left;
+    let length = along.length();
+    (inner.left - outer.left).dot(along) >= -SNAP * length && (inner.right - outer.right).dot(along) <= SNAP * length
+}
+
+fn rotate<T: Copy>([a, b, c]: [T; 3], by: usize) -> [T; 3] {
+    match by {
+        0 => [a, b, c],
+        1 => [b, c, a],
+        _ => [c, a, b],
+    }
+}

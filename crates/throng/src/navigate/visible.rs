@@ -1,0 +1,101 @@
+//! Whether a straight walk stays on the mesh.
+
+use super::locate::depth;
+use super::mesh::NavMesh;
+use super::triangulate::NONE;
+use glam::DVec2;
+
+/// How far a walk may leave the mesh and still count as on it, metres.
+const SLACK: f64 = 1e-6;
+
+impl NavMesh {
+    /// Whether the straight segment from `a` to `b` stays on the mesh, give or take 1e-6 m. Grazing corners and
+    /// running along walls is allowed.
+    pub fn visible(&self, a: DVec2, b: DVec2) -> bool {
+        self.walk(a, b).unwrap_or_else(|| self.visible_by_cover(a, b))
+    }
+
+    /// Walks from triangle to triangle; `None` when the segment comes so near to a vertex that its side is in doubt.
+    fn walk(&self, a: DVec2, b: DVec2) -> Option<bool> {
+        let along = (b - a).try_normalize()?;
+        let side = |point: DVec2| along.perp_dot(point - a);
+        let mut triangle = self.locate(a)?;
+        let mut entered = NONE;
+        for _ in 0..=self.triangles.len() {
+            let corners = self.corners(triangle);
+            if depth(&corners, b) >= 0.0 {
+                return Some(true);
+            }
+            let sides = corners.map(side);
+            if sides.iter().any(|side| side.abs() < SLACK) {
+                return None;
+            }
+            // It leaves by the edge that begins on its right and ends on its left.
+            let edge = (0..3).find(|&edge| sides[edge] < 0.0 && sides[(edge + 1) % 3] > 0.0)?;
+            let next = self.neighbours[triangle as usize][edge];
+            if next == NONE {
+                // Just short of the end the wall may still be within the slack.
+                return if depth(&corners, b) >= -SLACK { None } else { Some(false) };
+            }
+            if next == entered {
+                return None;
+            }
+            entered = triangle;
+            triangle = next;
+        }
+        None
+    }
+
+    /// Whether the triangles that the segment touches, from neighbour to neighbour, cover it.
+    fn visible_by_cover(&self, a: DVec2, b: DVec2) -> bool {
+        let length = a.distance(b);
+        let mut open = Vec::new();
+        self.touching(a, SLACK, &mut open);
+        if length <= SLACK {
+            return !open.is_empty();
+        }
+        let along = (b - a) / length;
+        let mut seen = open.clone();
+        let mut parts = Vec::new();
+        while let Some(triangle) = open.pop() {
+            let Some(part) = self.overlap(triangle, a, along, length) else { continue };
+            parts.push(part);
+            for next in self.neighbours[triangle as usize] {
+                if next != NONE && !seen.contains(&next) {
+                    seen.push(next);
+                    open.push(next);
+                }
+            }
+        }
+        parts.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let mut covered = 0.0_f64;
+        for (from, to) in parts {
+            if from > covered + SLACK {
+                return false;
+            }
+            covered = covered.max(to);
+        }
+        covered >= length - SLACK
+    }
+
+    /// The part of a segment that is in a triangle grown by the slack, as distances from `a`.
+    fn overlap(&self, triangle: u32, a: DVec2, along: DVec2, length: f64) -> Option<(f64, f64)> {
+        let corners = self.corners(triangle);
+        let reach = corners.map(|corner| along.dot(corner - a));
+        // The lines through the edges of a thin triangle meet far outside it: not beyond its corners.
+        let mut from = (reach[0].min(reach[1]).min(reach[2]) - SLACK).max(0.0);
+        let mut to = (reach[0].max(reach[1]).max(reach[2]) + SLACK).min(length);
+        for edge in 0..3 {
+            let line = (corners[(edge + 1) % 3] - corners[edge]).normalize();
+            let (inside, growth) = (line.perp_dot(a - corners[edge]) + SLACK, line.perp_dot(along));
+            if growth > 0.0 {
+                from = from.max(-inside / growth);
+            } else if growth < 0.0 {
+                to = to.min(-inside / growth);
+            } else if inside < 0.0 {
+                return None;
+            }
+        }
+        (from <= to).then_some((from, to))
+    }
+}
