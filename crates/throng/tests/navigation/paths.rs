@@ -2,7 +2,8 @@
 
 use crate::mesh::shoelace;
 use crate::oracle::{Dice, Scene, VisibilityGraph, clearance, leaves_by};
-use glam::{DVec2, Vec2};
+use glam::DVec2;
+use polyanya::Coords;
 use throng::navigate::{NavMesh, Path, Search, Unreachable};
 
 fn legs(path: &Path) -> Vec<[DVec2; 2]> {
@@ -105,17 +106,19 @@ fn paths_agree_with_the_crate_polyanya() {
         if outers.len() != 1 {
             continue;
         }
-        let single =
-            |ring: &[DVec2]| ring.iter().map(|at| at.as_vec2()).map(|at| Vec2::new(at.x, at.y)).collect::<Vec<_>>();
-        let mut theirs = polyanya::Triangulation::from_outer_edges(&single(outers[0]));
+        // Their vectors come from another version of the same crate.
+        let single = |at: &DVec2| [at.x as f32, at.y as f32];
+        let outer: Vec<_> = outers[0].iter().map(|at| single(at).into()).collect();
+        let mut theirs = polyanya::Triangulation::from_outer_edges(&outer);
         for hole in mesh.outline().iter().filter(|ring| shoelace(std::slice::from_ref(ring)) < 0.0) {
-            theirs.add_obstacle(single(hole));
+            theirs.add_obstacle(hole.iter().map(|at| single(at).into()).collect::<Vec<_>>());
         }
         let theirs = theirs.as_navmesh();
+        let place = |at: DVec2| Coords::on_mesh(single(&at).into());
         let mut dice = Dice(seed + 2000);
         for _ in 0..20 {
             let (from, to) = (scene.free_point(&mesh, &mut dice), scene.free_point(&mesh, &mut dice));
-            let Some(their) = theirs.path(from.as_vec2(), to.as_vec2()) else { continue };
+            let Some(their) = theirs.path(place(from), place(to)) else { continue };
             let ours = mesh.path(&mut search, from, to).unwrap().length;
             assert!((ours - f64::from(their.length)).abs() < 2e-4 * ours.max(1.0), "{ours} {}", their.length);
             compared += 1;
