@@ -43,7 +43,7 @@ pub(super) fn erode(shapes: &Shapes, radius: f64) -> Shapes {
 pub(super) fn grow(shapes: &Shapes, radius: f64) -> Shapes {
     let brush = Brush::new(radius);
     let grown: Vec<_> = shapes.iter().flatten().map(|contour| brush.ring(contour)).collect();
-    Overlay::with_contours(&grown, &[]).overlay(OverlayRule::Subject, FillRule::Positive)
+    Overlay::from_subj(&grown).overlay(OverlayRule::Subject, FillRule::Positive)
 }
 
 /// The corners of an area of any form as shapes.
@@ -146,7 +146,7 @@ fn unite(lattice: &Lattice, walkable: &[Walkable]) -> Result<Shapes, NavError> {
         for (hole, corners) in ground.holes.iter().enumerate() {
             holes.extend(fill(&ring(lattice, corners, Ring::Hole { area, hole }, 3)?).into_iter().flatten());
         }
-        union.add_shapes(&if holes.is_empty() { outer } else { subtract(&outer, &holes) }, ShapeType::Subject);
+        union.add_source(&if holes.is_empty() { outer } else { subtract(&outer, &holes) }, ShapeType::Subject);
     }
     Ok(union.overlay(OverlayRule::Subject, FillRule::Positive))
 }
@@ -163,14 +163,14 @@ fn strips(shapes: &Shapes, radius: f64, solid: &mut Vec<Vec<LatticePoint>>) {
 
 /// `shapes` without what `solid` goes round.
 fn subtract(shapes: &Shapes, solid: &[Vec<LatticePoint>]) -> Shapes {
-    let mut difference = Overlay::with_shapes(shapes, &[]);
-    difference.add_contours(solid, ShapeType::Clip);
+    let mut difference = Overlay::from_subj(shapes);
+    difference.add_source(solid, ShapeType::Clip);
     difference.overlay(OverlayRule::Difference, FillRule::Positive)
 }
 
 /// The inside of a ring, either way round, also where it touches itself.
 fn fill(ring: &[LatticePoint]) -> Shapes {
-    Overlay::with_contour(ring, &[]).overlay(OverlayRule::Subject, FillRule::NonZero)
+    Overlay::from_subj(ring).overlay(OverlayRule::Subject, FillRule::NonZero)
 }
 
 /// The corners of a ring on the lattice, each once, checked for crossings.

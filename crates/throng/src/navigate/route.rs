@@ -11,6 +11,9 @@ const LOOK: f64 = 0.1;
 /// Near a corner it looks at every step: so near that the next corner is likely to come into view, metres.
 const NEAR: f64 = 0.25;
 
+/// How many of the corners dropped last it may go back to: a rounded corner of a wall is some of them.
+const BACK: usize = 8;
+
 /// What an agent should head for.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Heading {
@@ -26,13 +29,13 @@ pub enum Heading {
 ///
 /// It looks only now and then, when the agent has moved or is near a corner: two rays on the mesh. A corner is dropped
 /// as soon as the one after it is in view. When the next corner has gone out of view (the agent was pushed round a
-/// corner) and the one dropped before is in view, the agent goes back to that; else the route is lost.
+/// corner) and one of those dropped before is in view, the agent goes back to that; else the route is lost.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Route {
-    /// Corners ahead, the next one last.
-    ahead: Vec<DVec2>,
-    /// The corner that was dropped last.
-    passed: Option<DVec2>,
+    /// All corners of the path, its end last.
+    corners: Vec<DVec2>,
+    /// Index of the next one.
+    next: u32,
     /// Where the agent looked last.
     looked: Option<DVec2>,
     lost: bool,
@@ -41,58 +44,54 @@ pub struct Route {
 impl Route {
     /// The route along a path.
     pub fn new(path: &Path) -> Self {
-        Self { ahead: path.corners.iter().rev().copied().collect(), passed: None, looked: None, lost: false }
+        Self { corners: path.corners.clone(), next: 0, looked: None, lost: false }
     }
 
     /// What to head for from `position`. Call it every step; once it says [`Heading::Lost`] it says so until it is
     /// replaced.
     pub fn advance(&mut self, mesh: &NavMesh, position: DVec2) -> Heading {
-        let Some(&next) = self.ahead.last() else { return Heading::Lost };
-        let near = self.ahead.len() > 1 && position.distance_squared(next) < NEAR * NEAR;
+        let Some(&aim) = self.corners.get(self.next as usize) else { return Heading::Lost };
+        let near = !self.is_last() && position.distance_squared(aim) < NEAR * NEAR;
         let moved = self.looked.is_none_or(|last| last.distance_squared(position) >= LOOK * LOOK);
         if !self.lost && (near || moved) {
             self.looked = Some(position);
             self.look(mesh, mesh.nearest(position));
         }
-        match self.ahead.last() {
-            Some(&next) if !self.lost => {
-                if self.ahead.len() > 1 {
-                    Heading::Corner(next)
-                } else {
-                    Heading::End(next)
-                }
-            }
-            _ => Heading::Lost,
+        match self.corners[self.next as usize] {
+            _ if self.lost => Heading::Lost,
+            aim if self.is_last() => Heading::End(aim),
+            aim => Heading::Corner(aim),
         }
     }
 
+    fn is_last(&self) -> bool {
+        self.next as usize + 1 == self.corners.len()
+    }
+
     fn look(&mut self, mesh: &NavMesh, eye: DVec2) {
-        let mut in_view = false;
-        while let [.., after, next] = self.ahead[..] {
-            if !mesh.visible(eye, after) {
-                break;
-            }
-            self.passed = Some(next);
-            self.ahead.pop();
-            in_view = true;
+        let next = self.next as usize;
+        let sees = |corner: usize| mesh.visible(eye, self.corners[corner]);
+        let mut furthest = next;
+        while furthest + 1 < self.corners.len() && sees(furthest + 1) {
+            furthest += 1;
         }
-        if in_view || self.ahead.last().is_none_or(|&next| mesh.visible(eye, next)) {
-            return;
-        }
-        match self.passed.take() {
-            Some(corner) if mesh.visible(eye, corner) => self.ahead.push(corner),
-            _ => self.lost = true,
+        if furthest > next || sees(next) {
+            self.next = furthest as u32;
+        } else if let Some(back) = (next.saturating_sub(BACK)..next).rev().find(|&corner| sees(corner)) {
+            self.next = back as u32;
+        } else {
+            self.lost = true;
         }
     }
 
     /// The points still ahead, the next one first.
     pub fn corners(&self) -> impl ExactSizeIterator<Item = DVec2> + '_ {
-        self.ahead.iter().rev().copied()
+        self.corners[self.next as usize..].iter().copied()
     }
 
     /// The end of the path.
     pub fn end(&self) -> Option<DVec2> {
-        self.ahead.first().copied()
+        self.corners.last().copied()
     }
 
     /// Length of the way still ahead from `position`, metres.

@@ -3,6 +3,7 @@
 use super::error::NavError;
 use super::lattice::{LatticePoint, steps};
 use super::outline::Shapes;
+use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 /// "No triangle" and "no vertex".
@@ -27,17 +28,14 @@ pub(super) fn triangulate(shapes: &Shapes) -> Result<Triangles, NavError> {
     let handle = |point: &LatticePoint| points.binary_search_by_key(&(point.x, point.y), |p| (p.x, p.y)).unwrap_or(0);
     let places = points.iter().map(|&point| Point2::new(steps(point).x, steps(point).y)).collect();
     let mut cdt: ConstrainedDelaunayTriangulation<Point2<f64>> =
-        ConstrainedDelaunayTriangulation::bulk_load_cdt_stable(places, vec![])
+        ConstrainedDelaunayTriangulation::bulk_load_cdt(places, Vec::new())
             .map_err(|error| failed(error.to_string()))?;
 
     let mut boundary = Vec::new();
     for contour in shapes.iter().flatten() {
         for (at, point) in contour.iter().enumerate() {
             let (from, to) = (handle(point), handle(&contour[(at + 1) % contour.len()]));
-            let (from, to) = (
-                spade::handles::FixedVertexHandle::from_index(from),
-                spade::handles::FixedVertexHandle::from_index(to),
-            );
+            let (from, to) = (FixedVertexHandle::from_index(from), FixedVertexHandle::from_index(to));
             let edges = cdt.try_add_constraint(from, to);
             if edges.is_empty() && from != to {
                 return Err(failed(format!("the boundary crosses itself near vertex {}", from.index())));

@@ -1,0 +1,90 @@
+//! Real floor plans.
+
+use crate::mesh::shoelace;
+use crate::oracle::{Dice, clearance};
+use glam::DVec2;
+use std::path::PathBuf;
+use throng::Walkable;
+use throng::navigate::{NavMesh, Search};
+use wkt::Wkt;
+
+/// The plans, or nothing where the data are not at hand.
+fn plans() -> Vec<(String, Vec<Walkable>)> {
+    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data/geometry"));
+    let Ok(entries) = std::fs::read_dir(&folder) else {
+        eprintln!("skipped: there are no floor plans in {}", folder.display());
+        return Vec::new();
+    };
+    let mut files: Vec<_> = entries.filter_map(|entry| entry.ok().map(|entry| entry.path())).collect();
+    files.retain(|file| file.extension().is_some_and(|ending| ending == "wkt"));
+    files.sort();
+    let mut plans = Vec::new();
+    for file in files {
+        let parsed: Wkt<f64> = std::fs::read_to_string(&file).unwrap().parse().unwrap();
+        let mut areas = Vec::new();
+        collect(&parsed, &mut areas);
+        plans.push((file.file_stem().unwrap().to_string_lossy().into_owned(), areas));
+    }
+    plans
+}
+
+fn collect(geometry: &Wkt<f64>, areas: &mut Vec<Walkable>) {
+    match geometry {
+        Wkt::Polygon(polygon) => {
+            let mut rings = polygon
+                .rings()
+                .iter()
+                .map(|ring| ring.coords().iter().map(|at| DVec2::new(at.x, at.y)).collect::<Vec<_>>());
+            if let Some(outer) = rings.next() {
+                areas.push(Walkable { outer, holes: rings.collect() });
+            }
+        }
+        Wkt::GeometryCollection(parts) => parts.geometries().iter().for_each(|part| collect(part, areas)),
+        Wkt::MultiPolygon(parts) => {
+            parts.polygons().iter().for_each(|part| collect(&Wkt::Polygon(part.clone()), areas));
+        }
+        _ => {}
+    }
+}
+
+#[test]
+fn all_floor_plans_mesh_and_their_paths_keep_clear_of_walls() {
+    let plans = plans();
+    let mut search = Search::new();
+    for (name, areas) in &plans {
+        for radius in [0.1, 0.2, 0.25, 0.3, 0.4] {
+            let mesh = match NavMesh::build(areas, &[], radius, (DVec2::ZERO, DVec2::ZERO)) {
+                Ok(mesh) => mesh,
+                Err(error) => {
+                    assert!(name == "narrow_passage" && radius == 0.4, "{name}, {radius}: {error}");
+                    continue;
+                }
+            };
+            let (triangles, outline) = (mesh.area_size(), shoelace(mesh.outline()));
+            assert!((triangles - outline).abs() < 1e-8 * outline, "{name}: {triangles} {outline}");
+            if areas.len() == 1 {
+                for &vertex in mesh.vertices() {
+                    assert!(clearance(areas, &[], vertex) >= radius - 1e-6, "{name} {radius} {vertex}");
+                }
+            }
+            let mut dice = Dice(11);
+            for _ in 0..30 {
+                let pick = |dice: &mut Dice| mesh.vertices()[(dice.unit() * mesh.vertices().len() as f64) as usize];
+                let (from, to) = (pick(&mut dice), pick(&mut dice));
+                let there = mesh.path(&mut search, from, to);
+                assert_eq!(there.is_ok(), mesh.island(from) == mesh.island(to), "{name} {radius} {from} {to}");
+                let Ok(there) = there else { continue };
+                let back = mesh.path(&mut search, to, from).unwrap();
+                assert!((there.length - back.length).abs() <= 1e-7 * there.length.max(1.0), "{name} {from} {to}");
+                let mut before = from;
+                for &corner in &there.corners {
+                    assert!(mesh.visible(before, corner), "{name} {radius}: {before} {corner}");
+                    before = corner;
+                }
+            }
+        }
+    }
+    if !plans.is_empty() {
+        assert_eq!(plans.len(), 11);
+    }
+}
