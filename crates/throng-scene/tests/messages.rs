@@ -254,9 +254,9 @@ a.toml:6:14: the goal, (0, 1.05), is 0.05 m from obstacle `pillar`: a body of ra
     };
     let (kind, text) = message(&exit(5.0));
     assert_eq!(kind, Kind::GoalInWall);
-    assert!(text.starts_with("a.toml:7:11: the exit lies so near the walls that a body of radius 0.2 cannot"), "{text}");
+    assert!(text.starts_with("a.toml:7:23: the exit lies so near the walls that a body of radius 0.2 cannot"), "{text}");
     let (_, text) = message(&exit(7.0));
-    assert!(text.starts_with("a.toml:7:11: the exit lies in a wall or off the walkable ground"), "{text}");
+    assert!(text.starts_with("a.toml:7:23: the exit lies in a wall or off the walkable ground"), "{text}");
 }
 
 #[test]
@@ -305,7 +305,7 @@ a.toml:3:1: 1000000000 agents are more than the limit of 20000000 (MAX_AGENTS)
 fn agents_that_do_not_fit_are_counted() {
     let (kind, text) = message(&group("count = 100\nplace.disc = { radius = 1.0 }"));
     assert_eq!(kind, Kind::NoRoom);
-    assert!(text.starts_with("a.toml:6:7: group `walkers`: only ") && text.contains(" of 100 agents fit"), "{text}");
+    assert!(text.starts_with("a.toml:6:14: group `walkers`: only ") && text.contains(" of 100 agents fit"), "{text}");
 }
 
 #[test]

@@ -63,10 +63,19 @@ impl Document {
 
     /// Reads the document as a `T`.
     pub fn read<T: for<'de> Deserialize<'de>>(&self) -> Result<T, Error> {
-        T::deserialize(Deserializer::from(self.tree()?)).map_err(|error| {
+        let tree = self.tree()?;
+        let surplus = not_a_pair(tree.get_ref());
+        let read = T::deserialize(Deserializer::from(tree)).map_err(|error| {
             let out = serde_message::explain(error.message());
             self.place(out, error.span().unwrap_or(0..0))
-        })
+        })?;
+        match surplus {
+            None => Ok(read),
+            Some((span, length)) => {
+                let message = format!("this has the wrong number of entries: {length}, but should be two numbers, [x, y]");
+                Err(self.place(Error::new(Kind::WrongType, message), span))
+            }
+        }
     }
 
     /// Turns a problem with a value into an error with the value's place.
@@ -114,5 +123,37 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
             _ => (None, None),
         };
     }
+    // The table of a dotted key (`place.ring = ..`) stands nowhere itself: its only value does.
+    while let (Some(Step::Key(_)), Some(items)) = (path.steps.last(), table) {
+        let mut values = items.values();
+        match (values.next(), values.next()) {
+            (Some(only), None) if !(span.start..=span.end).contains(&only.span().start) => {
+                span = only.span();
+                table = only.get_ref().as_table();
+            }
+            _ => break,
+        }
+    }
     span
+}
+
+/// Lists of numbers that may have any length; all others are pairs.
+const NUMBER_LISTS: [&str; 2] = ["layers", "avoids"];
+
+/// The place of a list of numbers that is not a pair: the deserialiser would drop all after the second.
+fn not_a_pair(table: &DeTable) -> Option<(Range<usize>, usize)> {
+    fn inside(value: &Spanned<DeValue>) -> Option<(Range<usize>, usize)> {
+        match value.get_ref() {
+            DeValue::Table(table) => not_a_pair(table),
+            DeValue::Array(items) => {
+                let number = |item: &Spanned<DeValue>| item.get_ref().is_float() || item.get_ref().is_integer();
+                if items.len() > 2 && items.iter().all(number) {
+                    return Some((value.span(), items.len()));
+                }
+                items.iter().find_map(inside)
+            }
+            _ => None,
+        }
+    }
+    table.iter().filter(|(key, _)| !NUMBER_LISTS.contains(&key.get_ref().as_ref())).find_map(|(_, value)| inside(value))
 }
