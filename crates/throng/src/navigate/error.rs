@@ -104,7 +104,7 @@ pub enum NavError {
 }
 
 /// Why there is no path.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unreachable {
     /// The start is not on the mesh, nor near enough to be set on it.
