@@ -109,10 +109,8 @@ fn distances_are_those_of_a_kd_tree() {
     let mut found = Vec::new();
     for from in points.iter().step_by(13).map(|&p| p + Vec2::new(0.013, -0.007)) {
         grid.nearest(from, 12, 100.0, |_| true, &mut found);
-        let expected = tree
-            .query(&[from.x, from.y])
-            .nearest_n::<SquaredEuclidean<f32>>(NonZero::new(12).unwrap())
-            .execute();
+        let expected =
+            tree.query(&[from.x, from.y]).nearest_n::<SquaredEuclidean<f32>>(NonZero::new(12).unwrap()).execute();
         assert_eq!(found.len(), expected.len());
         for (near, expected) in found.iter().zip(expected) {
             assert!((near.distance_squared - expected.distance).abs() <= 1e-5 * expected.distance.max(1e-3));

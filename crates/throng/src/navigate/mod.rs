@@ -25,6 +25,7 @@ pub use goal::{Goal, Journey, Stop};
 pub use mesh::NavMesh;
 pub use meshes::Meshes;
 pub(crate) use meshes::nearest_on_ring;
+pub(crate) use outline::union;
 pub use polyanya::{Path, Search};
 pub use route::{Heading, Route};
 pub use travel::Travel;

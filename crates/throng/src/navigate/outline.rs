@@ -137,6 +137,21 @@ fn solids(lattice: &Lattice, obstacles: &[Obstacle], radius: f64) -> Result<Vec<
     Ok(solid)
 }
 
+/// The union of walkable areas, as disjoint ones. A single area stays as it is; others are rounded to the lattice.
+pub(crate) fn union(areas: Vec<Walkable>) -> Result<Vec<Walkable>, NavError> {
+    if areas.len() < 2 {
+        return Ok(areas);
+    }
+    let (low, high) = extent(&areas, &[], 1.0, (DVec2::ZERO, DVec2::ZERO))?;
+    let lattice = Lattice::near((low + high) * 0.5);
+    let metres = |contour: Vec<LatticePoint>| contour.into_iter().map(|point| lattice.metres(point)).collect();
+    let walkable = |shape: Vec<Vec<LatticePoint>>| {
+        let mut contours = shape.into_iter().map(metres);
+        Walkable { outer: contours.next().unwrap_or_default(), holes: contours.collect() }
+    };
+    Ok(unite(&lattice, &areas)?.into_iter().map(walkable).collect())
+}
+
 /// The union of walkable areas.
 fn unite(lattice: &Lattice, walkable: &[Walkable]) -> Result<Shapes, NavError> {
     let mut union = Overlay::new(64);

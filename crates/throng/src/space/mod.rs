@@ -1,11 +1,9 @@
 //! Geometry: what is solid, what can be walked on, and where the nearest wall is.
 
-mod area;
 mod place;
 mod shape;
 mod walls;
 
-pub use area::disjoint;
 pub use place::{Place, check_polygon, is_inside};
 pub use shape::{Obstacle, Walkable};
 pub use walls::{Disc, Edge, NearWalls, Walls, nearest_on_segment};

@@ -2,8 +2,8 @@
 
 use super::{Settings, Slots, StepMemory, SubSteps, World};
 use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId};
-use crate::navigate::{Goal, Journey, Meshes};
-use crate::space::{Obstacle, Place, Walkable, Walls, check_polygon, disjoint};
+use crate::navigate::{Goal, Journey, Meshes, union};
+use crate::space::{Obstacle, Place, Walkable, Walls, check_polygon};
 use crate::summary::Tally;
 use crate::{Error, world::schedule::Schedule};
 use glam::DVec2;
@@ -134,7 +134,8 @@ impl World {
                 check_polygon(&format!("hole {} of walkable area {}", hole + 1, index + 1), corners)?;
             }
         }
-        self.place.areas = disjoint(areas);
+        self.place.areas =
+            union(areas).map_err(|error| Error::Shape { what: "the walkable areas".into(), why: error.to_string() })?;
         self.place_changed();
         Ok(())
     }

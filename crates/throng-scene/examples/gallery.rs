@@ -1,0 +1,42 @@
+//! Runs scenes of the gallery (all, or those named) and prints their figures.
+#![allow(clippy::print_stdout)]
+use throng_scene::gallery;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let wanted: Vec<String> = std::env::args().skip(1).collect();
+    for name in gallery::names() {
+        if !wanted.is_empty() && !wanted.iter().any(|w| w == name) {
+            continue;
+        }
+        let scene = gallery::scene(name)?;
+        let (mut world, _) = scene.build()?;
+        let limit = scene.time.limit;
+        let start = std::time::Instant::now();
+        while !world.finished() && world.time() < limit {
+            world.step();
+        }
+        let wall = start.elapsed().as_secs_f64();
+        let s = world.summary();
+        println!(
+            "{name}: {}/{} in {:.1} s (limit {limit}, within {:?}), sep {:.5} walls {:.5} overlaps {} guard {:.2}% turn {:.1} time x{:.2} path x{:.2} stuck {} | {:.2} s wall, {:.0} ns",
+            s.arrived,
+            s.agents,
+            s.time,
+            scene.expect.within,
+            s.least_separation,
+            s.least_wall_separation,
+            s.overlaps,
+            s.guard_share * 100.0,
+            s.heading_change_deg_per_s,
+            s.time_ratio,
+            s.path_ratio,
+            s.stuck,
+            wall,
+            wall * 1e9 / s.agent_steps as f64
+        );
+        for (n, why) in world.stranded().iter().take(2) {
+            println!("   stranded {n}: {why}");
+        }
+    }
+    Ok(())
+}
