@@ -4,6 +4,7 @@
 //! [`NavMesh::path`] finds shortest ways on them, and a [`Route`] keeps an agent on its way from step to step.
 
 mod area;
+mod bridges;
 mod error;
 mod goal;
 mod inflate;

@@ -40,12 +40,13 @@ pub struct Search {
     open: BinaryHeap<Entry>,
     /// Marks entries of the tables below as of this query.
     query: u32,
-    /// Per vertex: the query, and the shortest way to it as a root.
+    /// Per vertex: the query, and the length of the shortest path to it that is known.
     roots: Vec<(u32, f64)>,
     /// Per edge of a triangle: the query, and the latest node entering there.
     edges: Vec<(u32, u32)>,
     start_triangles: Vec<u32>,
-    pub(super) goal_triangles: Vec<u32>,
+    /// Triangles of a goal point, and their places among the bridges.
+    goal: (Vec<u32>, Vec<u32>),
     scratch: [Vec<DVec2>; 2],
     expanded: u32,
 }
@@ -113,10 +114,13 @@ impl NavMesh {
         if distance > self.radius + 0.01 {
             return Err(Unreachable::GoalInWall { at: to, distance });
         }
-        let mut triangles = std::mem::take(&mut search.goal_triangles);
+        let (mut triangles, mut places) = std::mem::take(&mut search.goal);
         self.touching(goal, TOUCH, &mut triangles);
-        let found = search.run(self, start, &Target::Point { at: goal, triangles: &triangles });
-        search.goal_triangles = triangles;
+        places.clear();
+        places.extend(triangles.iter().map(|&triangle| self.bridges.place(triangle)));
+        places.sort_unstable();
+        let found = search.run(self, start, &Target::Point { at: goal, triangles: &triangles, places: &places });
+        search.goal = (triangles, places);
         found
     }
 
@@ -203,7 +207,7 @@ impl Search {
                 return Ok(self.path(start, entry));
             }
             let node = self.nodes[entry.index as usize];
-            if node.root == NONE || node.length <= self.roots[node.root as usize].1 + GRAZE {
+            if !self.is_longer(mesh, node.triangle, node.edge as usize, node.root, node.length, &node.view) {
                 self.expanded += 1;
                 self.expand(mesh, target, entry.index, &node);
             }
@@ -221,7 +225,7 @@ impl Search {
             return;
         }
         let edge = node.edge as usize;
-        let [ia, ib, _] = rotate(mesh.triangles[triangle as usize], edge);
+        let [ia, ib, ic] = rotate(mesh.triangles[triangle as usize], edge);
         let [a, b, c] = rotate(mesh.corners(triangle), edge);
         let (right_edge, left_edge) = ((triangle, (edge + 1) % 3), (triangle, (edge + 2) % 3));
         let view = node.view;
@@ -239,6 +243,7 @@ impl Search {
             let to = view.hit(view.right, a, c);
             self.push(mesh, target, index, same, left_edge, View { left: from, right: to, ..view });
         } else {
+            self.reached(ic, node.length + view.root.distance(c));
             let from = if at_left { a } else { view.hit(view.left, a, c) };
             self.push(mesh, target, index, same, left_edge, View { left: from, right: c, ..view });
             let to = if at_right { b } else { view.hit(view.right, c, b) };
@@ -270,23 +275,18 @@ impl Search {
         view: View,
     ) {
         let next = mesh.neighbours[triangle as usize][edge];
-        if next == NONE || view.left.distance_squared(view.right) < SNAP * SNAP {
+        if next == NONE || !mesh.bridges.leads_to(target.places(), triangle, edge, next) {
+            return;
+        }
+        if view.left.distance_squared(view.right) < SNAP * SNAP {
             return;
         }
         let back = mesh.edge_to(next, triangle);
-        let dead_end = (1..3).all(|turn| mesh.neighbours[next as usize][(back + turn) % 3] == NONE);
-        if dead_end && !target.is_in(next) {
-            return;
-        }
         if root != NONE {
-            let best = &mut self.roots[root as usize];
-            if best.0 != self.query {
-                *best = (self.query, length);
-            } else if length > best.1 + GRAZE {
-                return;
-            } else {
-                best.1 = best.1.min(length);
-            }
+            self.reached(root, length);
+        }
+        if self.is_longer(mesh, next, back, root, length, &view) {
+            return;
         }
         let slot = &mut self.edges[next as usize * 3 + back];
         if slot.0 != self.query {
@@ -305,6 +305,33 @@ impl Search {
         slot.1 = index;
         self.nodes.push(node);
         self.enter(length + target.bound(&view), index, false);
+    }
+
+    /// Notes that there is a path of this length to a vertex.
+    fn reached(&mut self, vertex: u32, length: f64) {
+        let best = &mut self.roots[vertex as usize];
+        if best.0 != self.query || length < best.1 {
+            *best = (self.query, length);
+        }
+    }
+
+    /// Length of the shortest path to a vertex that is known.
+    fn best(&self, vertex: u32) -> f64 {
+        let best = self.roots[vertex as usize];
+        if best.0 == self.query { best.1 } else { f64::INFINITY }
+    }
+
+    /// Whether every path through an interval is longer than another that is known: to its root, or by way of an end
+    /// of its edge. By way of an end, the advantage is least at the far end of the interval.
+    fn is_longer(&self, mesh: &NavMesh, triangle: u32, edge: usize, root: u32, length: f64, view: &View) -> bool {
+        let corners = mesh.triangles[triangle as usize];
+        let (a, b) = (corners[edge], corners[(edge + 1) % 3]);
+        let by = |vertex: u32, far: DVec2| {
+            vertex != root
+                && self.best(vertex) + mesh.vertices[vertex as usize].distance(far) + GRAZE
+                    < length + view.root.distance(far)
+        };
+        root != NONE && length > self.best(root) + GRAZE || by(a, view.right) || by(b, view.left)
     }
 
     fn finish(&mut self, parent: u32, length: f64, way: Way) {

@@ -70,7 +70,8 @@ impl Route {
 
     fn look(&mut self, mesh: &NavMesh, eye: DVec2) {
         let next = self.next as usize;
-        let sees = |corner: usize| mesh.visible(eye, self.corners[corner]);
+        let here = mesh.locate(eye);
+        let sees = |corner: usize| mesh.visible_from(here, eye, self.corners[corner]);
         let mut furthest = next;
         while furthest + 1 < self.corners.len() && sees(furthest + 1) {
             furthest += 1;
