@@ -1,7 +1,7 @@
 //! An agent on its way: the corners of its path that are still ahead, kept up to date at little cost.
 
 use super::mesh::NavMesh;
-use super::polyanya::Path;
+use super::path::Path;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
