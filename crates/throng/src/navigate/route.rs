@@ -87,7 +87,7 @@ impl Route {
 
     /// The points still ahead, the next one first.
     pub fn corners(&self) -> impl ExactSizeIterator<Item = DVec2> + '_ {
-        self.corners[self.next as usize..].iter().copied()
+        self.corners.get(self.next as usize..).unwrap_or_default().iter().copied()
     }
 
     /// The end of the path.
