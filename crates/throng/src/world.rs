@@ -23,14 +23,14 @@ pub enum SubSteps {
     /// smallest radius, an eighth when somebody is within a body's width of somebody else.
     #[default]
     Auto,
-    /// Always into this many. [Limit: >= 1]
+    /// Always into this many. Limit: >= 1.
     Fixed(u32),
 }
 
 /// What a world is made with.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
-    /// Seconds a step covers. [Limit: > 0, at most 10]
+    /// Seconds a step covers. Limit: > 0, at most 10.
     pub step: f64,
     /// How a step is divided into sub-steps.
     pub sub_steps: SubSteps,

@@ -10,12 +10,12 @@ pub struct Group {
     pub name: String,
     /// How the preferred velocity becomes a safe one.
     pub model: Arc<dyn LocalModel>,
-    /// How far an agent looks for others, metres between centres. [Limit: > 0]
+    /// How far an agent looks for others, metres between centres. Limit: > 0.
     pub neighbour_distance: f32,
-    /// How many of the nearest it takes into account. [Limit: >= 1]
+    /// How many of the nearest it takes into account. Limit: >= 1.
     pub neighbours: usize,
     /// Keep-right: the preferred velocity is turned clockwise by this angle, radians; negative keeps left. It is
-    /// what resolves symmetric meetings (MODELS 1.10). [Limit: -0.5 to 0.5]
+    /// what resolves symmetric meetings (MODELS 1.10). Limit: -0.5 to 0.5.
     pub keep_right: f32,
     /// Whether an agent whom others block steps aside for a moment (MODELS 1.10).
     pub detour: bool,

@@ -29,15 +29,15 @@ pub struct Agent {
     pub group: GroupId,
     /// Where it goes.
     pub journey: JourneyId,
-    /// Radius of the body. [Limit: > 0]
+    /// Radius of the body. Limit: > 0.
     pub radius: f32,
-    /// Speed it walks at when nothing hinders it. [Limit: >= 0]
+    /// Speed it walks at when nothing hinders it. Limit: >= 0.
     pub preferred_speed: f32,
-    /// Speed it never exceeds. [Limit: >= preferred_speed]
+    /// Speed it never exceeds. Limit: >= preferred_speed.
     pub max_speed: f32,
-    /// Greatest change of velocity a second; infinite for none. [Limit: > 0]
+    /// Greatest change of velocity a second; infinite for none. Limit: > 0.
     pub max_acceleration: f32,
-    /// Greatest change of heading a second; infinite for none. [Limit: > 0]
+    /// Greatest change of heading a second; infinite for none. Limit: > 0.
     pub max_turn_rate: f32,
     /// Right of way: of two agents the one with the lower priority does more of the avoiding. Equal shares by
     /// default; a difference of 1 leaves all of it to the other.

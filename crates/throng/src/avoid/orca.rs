@@ -20,9 +20,9 @@ use glam::Vec2;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orca {
     /// Seconds ahead for which a velocity must be safe from other agents. Longer reacts earlier, and leaves fewer
-    /// velocities in a crowd. [Limit: > 0; 1 to 3 for pedestrians]
+    /// velocities in a crowd. Limit: > 0; 1 to 3 for pedestrians.
     pub time_horizon: f32,
-    /// Seconds ahead for which a velocity must be safe from walls. [Limit: > 0; 0.5 to 1 for pedestrians]
+    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0; 0.5 to 1 for pedestrians.
     pub time_horizon_obstacles: f32,
 }
 

@@ -25,6 +25,8 @@ pub struct Area {
     pieces: Vec<Piece>,
     points: Vec<DVec2>,
     islands: Vec<u32>,
+    /// Places of its triangles among the bridges, sorted.
+    places: Vec<u32>,
     gap: f64,
 }
 
@@ -151,8 +153,10 @@ impl Area {
             }
             self.points.extend(polygon);
             self.pieces.push(Piece { triangle, from, to: self.points.len() as u32 });
+            self.places.push(mesh.bridges.place(triangle));
             self.islands.push(mesh.islands[triangle as usize]);
         }
+        self.places.sort_unstable();
         self.islands.sort_unstable();
         self.islands.dedup();
     }
@@ -176,17 +180,19 @@ pub(super) enum Target<'a> {
         at: DVec2,
         /// Sorted.
         triangles: &'a [u32],
+        /// Their places among the bridges, sorted.
+        places: &'a [u32],
     },
     /// The nearest point of an area.
     Area(&'a Area),
 }
 
 impl Target<'_> {
-    /// Whether some of it is in a triangle.
-    pub fn is_in(&self, triangle: u32) -> bool {
+    /// Places of its triangles among the bridges, sorted.
+    pub fn places(&self) -> &[u32] {
         match self {
-            Self::Point { triangles, .. } => triangles.contains(&triangle),
-            Self::Area(area) => !area.in_triangle(triangle).is_empty(),
+            Self::Point { places, .. } => places,
+            Self::Area(area) => &area.places,
         }
     }
 
@@ -221,7 +227,7 @@ impl Target<'_> {
     pub fn straight(&self, triangle: u32, from: DVec2) -> Option<Way> {
         let way = |end: DVec2| Way { length: end.distance(from), via: None, end };
         match self {
-            Self::Point { at, triangles } => triangles.contains(&triangle).then(|| way(*at)),
+            Self::Point { at, triangles, .. } => triangles.contains(&triangle).then(|| way(*at)),
             Self::Area(area) => area.pieces[area.in_triangle(triangle)]
                 .iter()
                 .map(|&piece| way(closest_convex(area.polygon(piece), from)))
@@ -232,7 +238,7 @@ impl Target<'_> {
     /// The shortest way through an interval to the part of the target in the triangle behind it.
     pub fn way(&self, triangle: u32, view: &View, scratch: &mut [Vec<DVec2>; 2]) -> Option<Way> {
         match self {
-            Self::Point { at, triangles } => triangles.contains(&triangle).then(|| view.way(*at)),
+            Self::Point { at, triangles, .. } => triangles.contains(&triangle).then(|| view.way(*at)),
             Self::Area(area) => area.pieces[area.in_triangle(triangle)]
                 .iter()
                 .filter_map(|&piece| view.way_to(area.polygon(piece), scratch))

@@ -12,7 +12,7 @@ pub enum Goal {
     Point {
         /// The point.
         at: DVec2,
-        /// Distance that counts as there. [Limit: > 0]
+        /// Distance that counts as there. Limit: > 0.
         tolerance: f32,
     },
     /// An area, the corners of a simple polygon. An agent is there when its centre is inside.
@@ -32,7 +32,7 @@ pub enum Goal {
 pub struct Stop {
     /// Where.
     pub goal: GoalId,
-    /// Seconds to wait there before going on. [Limit: >= 0]
+    /// Seconds to wait there before going on. Limit: >= 0.
     pub wait: f32,
 }
 

@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 
 /// How far a corner of a polygonal arc may lie outside the true arc, metres. Gaps that are wider than two radii by
 /// more than twice this stay open.
-const OVERSHOOT: f64 = 0.002;
+const OVERSHOOT: f64 = 0.004;
 
 /// Added to every radius, in steps: rounding to the lattice and the snapping in boolean operations move lines by a
 /// few steps at most.

@@ -19,13 +19,13 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// A grid with about two cells a triangle.
+    /// A grid with about sixteen cells a triangle: plans have many small triangles close together.
     pub fn new(vertices: &[DVec2], triangles: &[[u32; 3]]) -> Self {
         let reach = DVec2::splat(1e-6);
         let low = vertices.iter().copied().fold(DVec2::INFINITY, DVec2::min) - reach;
         let high = vertices.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max) + reach;
         let size = high - low;
-        let wanted = 2.0 * triangles.len() as f64 + 1.0;
+        let wanted = 16.0 * triangles.len() as f64 + 1.0;
         // The second bound keeps a long thin plan from having more cells than it wants.
         let cell = (size.x * size.y / wanted).sqrt().max(size.max_element() / wanted);
         let (columns, rows) = ((size.x / cell) as usize + 1, (size.y / cell) as usize + 1);
@@ -83,6 +83,12 @@ impl Grid {
         &self.items[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
 
+    /// The triangles of the cell of a point: among them all that are within 1e-6 m of it.
+    fn around(&self, at: DVec2) -> &[u32] {
+        let (column, row) = self.place(at);
+        self.cell(row * self.columns + column)
+    }
+
     /// Triangles whose cells touch a box, in order, each once.
     pub fn in_box(&self, from: DVec2, to: DVec2, out: &mut Vec<u32>) {
         out.clear();
@@ -95,35 +101,25 @@ impl Grid {
 impl NavMesh {
     /// The triangle that a point is in, or within 1e-7 m of. On an edge, any of those that share it.
     pub fn locate(&self, point: DVec2) -> Option<u32> {
-        let mut near = None;
-        let (column, row) = self.grid.place(point);
-        for &triangle in self.grid.cell(row * self.grid.columns + column) {
-            let corners = self.corners(triangle);
-            if depth(&corners, point) >= 0.0 {
-                return Some(triangle);
-            }
-            if near.is_none() && closest(&corners, point).distance_squared(point) <= TOUCH * TOUCH {
-                near = Some(triangle);
-            }
-        }
-        near
+        let near = self.grid.around(point);
+        near.iter().copied().find(|&triangle| holds(&self.corners(triangle), point)).or_else(|| {
+            let touches =
+                |corners: &[DVec2; 3]| closest_convex(corners, point).distance_squared(point) <= TOUCH * TOUCH;
+            near.iter().copied().find(|&triangle| touches(&self.corners(triangle)))
+        })
     }
 
     /// All triangles within `reach` (at most 1e-6 m) of a point, in order.
     pub(super) fn touching(&self, point: DVec2, reach: f64, out: &mut Vec<u32>) {
         out.clear();
-        let (column, row) = self.grid.place(point);
-        for &triangle in self.grid.cell(row * self.grid.columns + column) {
-            let corners = self.corners(triangle);
-            if depth(&corners, point) >= 0.0 || closest(&corners, point).distance_squared(point) <= reach * reach {
-                out.push(triangle);
-            }
-        }
+        out.extend(self.grid.around(point).iter().copied().filter(|&triangle| {
+            closest_convex(&self.corners(triangle), point).distance_squared(point) <= reach * reach
+        }));
     }
 
     /// The point of the mesh that is nearest to `point`: itself where it is on the mesh.
     pub fn nearest(&self, point: DVec2) -> DVec2 {
-        if self.locate(point).is_some_and(|triangle| depth(&self.corners(triangle), point) >= 0.0) {
+        if self.grid.around(point).iter().any(|&triangle| holds(&self.corners(triangle), point)) {
             return point;
         }
         let grid = &self.grid;
@@ -144,7 +140,7 @@ impl NavMesh {
                 while x <= right as isize {
                     if x >= 0 && (x as usize) < grid.columns {
                         for &triangle in grid.cell(y * grid.columns + x as usize) {
-                            let candidate = closest(&self.corners(triangle), point);
+                            let candidate = closest_convex(&self.corners(triangle), point);
                             let distance = candidate.distance_squared(point);
                             if distance < best {
                                 (best, nearest) = (distance, candidate);
@@ -159,16 +155,10 @@ impl NavMesh {
     }
 }
 
-/// Distance of a point from the nearest line through an edge: positive inside.
-pub(super) fn depth(corners: &[DVec2; 3], point: DVec2) -> f64 {
-    let side = |a: DVec2, b: DVec2| (b - a).perp_dot(point - a) / (b - a).length();
-    let [a, b, c] = *corners;
-    side(a, b).min(side(b, c)).min(side(c, a))
-}
-
-/// The point of a triangle nearest to `point`.
-pub(super) fn closest(corners: &[DVec2; 3], point: DVec2) -> DVec2 {
-    closest_convex(corners, point)
+/// Whether a triangle holds a point, its edges included.
+pub(super) fn holds([a, b, c]: &[DVec2; 3], point: DVec2) -> bool {
+    let side = |a: DVec2, b: DVec2| (b - a).perp_dot(point - a) >= 0.0;
+    side(*a, *b) && side(*b, *c) && side(*c, *a)
 }
 
 /// The point of a convex counter-clockwise polygon nearest to `point`.

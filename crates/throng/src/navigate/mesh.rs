@@ -1,5 +1,6 @@
 //! The navigation mesh: triangles of the ground that the centre of a disc may be in.
 
+use super::bridges::Bridges;
 use super::error::NavError;
 use super::lattice::{Lattice, turn};
 use super::locate::Grid;
@@ -15,8 +16,8 @@ use glam::DVec2;
 ///
 /// # Precision
 /// The ground is computed on a lattice of 2^-24 m (60 nm), whatever its size, at most 1000 km wide. Walls are grown
-/// by the radius and half a micrometre; arcs round their corners are polygons outside the true arc by at most 2 mm.
-/// A gap wider than two radii and 4 mm is open, a gap narrower than two radii closed.
+/// by the radius and half a micrometre; arcs round their corners are polygons outside the true arc by at most 4 mm.
+/// A gap wider than two radii and 9 mm is open, a gap narrower than two radii closed.
 #[derive(Clone, Debug)]
 pub struct NavMesh {
     pub(super) radius: f64,
@@ -29,6 +30,7 @@ pub struct NavMesh {
     pub(super) islands: Vec<u32>,
     pub(super) island_count: u32,
     pub(super) grid: Grid,
+    pub(super) bridges: Bridges,
     outline: Vec<Vec<DVec2>>,
 }
 
@@ -72,6 +74,7 @@ impl NavMesh {
             radius,
             lattice,
             bends: bends(parts),
+            bridges: Bridges::new(&parts.neighbours),
             triangles: parts.corners.clone(),
             neighbours: parts.neighbours.clone(),
             vertices,

@@ -4,6 +4,7 @@
 //! [`NavMesh::path`] finds shortest ways on them, and a [`Route`] keeps an agent on its way from step to step.
 
 mod area;
+mod bridges;
 mod error;
 mod goal;
 mod inflate;
@@ -13,6 +14,7 @@ mod locate;
 mod mesh;
 mod meshes;
 mod outline;
+mod path;
 mod polyanya;
 mod route;
 mod travel;
@@ -26,7 +28,8 @@ pub use mesh::NavMesh;
 pub use meshes::Meshes;
 pub(crate) use meshes::nearest_on_ring;
 pub(crate) use outline::union;
-pub use polyanya::{Path, Search};
+pub use path::Path;
+pub use polyanya::Search;
 pub use route::{Heading, Route};
 pub use travel::Travel;
 pub(crate) use travel::{Dice, turned_right};

@@ -6,30 +6,19 @@
 //! wall the path may bend into what is out of view, with that corner as a new root. A* on intervals, with the exact
 //! distance through the interval as its bound, gives the exact shortest path.
 
-use super::area::{Area, Target};
+use super::area::Target;
 use super::error::Unreachable;
 use super::interval::{SNAP, View, Way};
 use super::locate::TOUCH;
 use super::mesh::NavMesh;
+use super::path::Path;
 use super::triangulate::NONE;
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// A corner this near to the edge of a view counts as on it, metres.
 const GRAZE: f64 = 1e-9;
-
-/// A shortest path.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Path {
-    /// Where it begins: the point of the mesh nearest to the start that was asked for.
-    pub start: DVec2,
-    /// The points where it bends, in order, then its end. Without `start`.
-    pub corners: Vec<DVec2>,
-    /// Its length from `start`, metres.
-    pub length: f64,
-}
 
 /// Scratch memory of path queries: reuse it, so that they allocate nothing but their results. Results do not depend
 /// on what it was used for before, nor on the mesh.
@@ -40,12 +29,13 @@ pub struct Search {
     open: BinaryHeap<Entry>,
     /// Marks entries of the tables below as of this query.
     query: u32,
-    /// Per vertex: the query, and the shortest way to it as a root.
+    /// Per vertex: the query, and the length of the shortest path to it that is known.
     roots: Vec<(u32, f64)>,
     /// Per edge of a triangle: the query, and the latest node entering there.
     edges: Vec<(u32, u32)>,
     start_triangles: Vec<u32>,
-    pub(super) goal_triangles: Vec<u32>,
+    /// Triangles of a goal point, and their places among the bridges.
+    pub(super) goal: (Vec<u32>, Vec<u32>),
     scratch: [Vec<DVec2>; 2],
     expanded: u32,
 }
@@ -97,54 +87,6 @@ impl PartialEq for Entry {
 }
 impl Eq for Entry {}
 
-impl NavMesh {
-    /// The shortest path between two points. A start off the mesh is moved to the nearest point of it, within two
-    /// radii and 1 m; a goal within a radius and 1 cm, so that the path to a goal close to a wall ends before the wall.
-    ///
-    /// # Errors
-    /// Why there is none.
-    pub fn path(&self, search: &mut Search, from: DVec2, to: DVec2) -> Result<Path, Unreachable> {
-        let start = self.start_point(from)?;
-        if !to.is_finite() {
-            return Err(Unreachable::NotFinite);
-        }
-        let goal = self.nearest(to);
-        let distance = goal.distance(to);
-        if distance > self.radius + 0.01 {
-            return Err(Unreachable::GoalInWall { at: to, distance });
-        }
-        let mut triangles = std::mem::take(&mut search.goal_triangles);
-        self.touching(goal, TOUCH, &mut triangles);
-        let found = search.run(self, start, &Target::Point { at: goal, triangles: &triangles });
-        search.goal_triangles = triangles;
-        found
-    }
-
-    /// The shortest path to the nearest point of an area, nearest along the path.
-    ///
-    /// # Errors
-    /// Why there is none.
-    pub fn path_to(&self, search: &mut Search, from: DVec2, area: &Area) -> Result<Path, Unreachable> {
-        let start = self.start_point(from)?;
-        if area.is_empty() {
-            return Err(Unreachable::GoalInWall { at: area.corner(), distance: f64::INFINITY });
-        }
-        search.run(self, start, &Target::Area(area))
-    }
-
-    fn start_point(&self, from: DVec2) -> Result<DVec2, Unreachable> {
-        if !from.is_finite() {
-            return Err(Unreachable::NotFinite);
-        }
-        let start = self.nearest(from);
-        let distance = start.distance(from);
-        if distance > 2.0 * self.radius + 1.0 {
-            return Err(Unreachable::StartInWall { at: from, distance });
-        }
-        Ok(start)
-    }
-}
-
 impl Search {
     /// New scratch memory.
     pub fn new() -> Self {
@@ -172,7 +114,8 @@ impl Search {
         self.query += 1;
     }
 
-    fn run(&mut self, mesh: &NavMesh, start: DVec2, target: &Target<'_>) -> Result<Path, Unreachable> {
+    /// The shortest path from a point of the mesh to the target.
+    pub(super) fn run(&mut self, mesh: &NavMesh, start: DVec2, target: &Target<'_>) -> Result<Path, Unreachable> {
         self.reset(mesh);
         let mut around = std::mem::take(&mut self.start_triangles);
         mesh.touching(start, TOUCH, &mut around);
@@ -203,7 +146,7 @@ impl Search {
                 return Ok(self.path(start, entry));
             }
             let node = self.nodes[entry.index as usize];
-            if node.root == NONE || node.length <= self.roots[node.root as usize].1 + GRAZE {
+            if !self.is_longer(mesh, node.triangle, node.edge as usize, node.root, node.length, &node.view) {
                 self.expanded += 1;
                 self.expand(mesh, target, entry.index, &node);
             }
@@ -221,7 +164,7 @@ impl Search {
             return;
         }
         let edge = node.edge as usize;
-        let [ia, ib, _] = rotate(mesh.triangles[triangle as usize], edge);
+        let [ia, ib, ic] = rotate(mesh.triangles[triangle as usize], edge);
         let [a, b, c] = rotate(mesh.corners(triangle), edge);
         let (right_edge, left_edge) = ((triangle, (edge + 1) % 3), (triangle, (edge + 2) % 3));
         let view = node.view;
@@ -239,6 +182,7 @@ impl Search {
             let to = view.hit(view.right, a, c);
             self.push(mesh, target, index, same, left_edge, View { left: from, right: to, ..view });
         } else {
+            self.reached(ic, node.length + view.root.distance(c));
             let from = if at_left { a } else { view.hit(view.left, a, c) };
             self.push(mesh, target, index, same, left_edge, View { left: from, right: c, ..view });
             let to = if at_right { b } else { view.hit(view.right, c, b) };
@@ -270,23 +214,18 @@ impl Search {
         view: View,
     ) {
         let next = mesh.neighbours[triangle as usize][edge];
-        if next == NONE || view.left.distance_squared(view.right) < SNAP * SNAP {
+        if next == NONE || !mesh.bridges.leads_to(target.places(), triangle, edge, next) {
+            return;
+        }
+        if view.left.distance_squared(view.right) < SNAP * SNAP {
             return;
         }
         let back = mesh.edge_to(next, triangle);
-        let dead_end = (1..3).all(|turn| mesh.neighbours[next as usize][(back + turn) % 3] == NONE);
-        if dead_end && !target.is_in(next) {
-            return;
-        }
         if root != NONE {
-            let best = &mut self.roots[root as usize];
-            if best.0 != self.query {
-                *best = (self.query, length);
-            } else if length > best.1 + GRAZE {
-                return;
-            } else {
-                best.1 = best.1.min(length);
-            }
+            self.reached(root, length);
+        }
+        if self.is_longer(mesh, next, back, root, length, &view) {
+            return;
         }
         let slot = &mut self.edges[next as usize * 3 + back];
         if slot.0 != self.query {
@@ -305,6 +244,33 @@ impl Search {
         slot.1 = index;
         self.nodes.push(node);
         self.enter(length + target.bound(&view), index, false);
+    }
+
+    /// Notes that there is a path of this length to a vertex.
+    fn reached(&mut self, vertex: u32, length: f64) {
+        let best = &mut self.roots[vertex as usize];
+        if best.0 != self.query || length < best.1 {
+            *best = (self.query, length);
+        }
+    }
+
+    /// Length of the shortest path to a vertex that is known.
+    fn best(&self, vertex: u32) -> f64 {
+        let best = self.roots[vertex as usize];
+        if best.0 == self.query { best.1 } else { f64::INFINITY }
+    }
+
+    /// Whether every path through an interval is longer than another that is known: to its root, or by way of an end
+    /// of its edge. By way of an end, the advantage is least at the far end of the interval.
+    fn is_longer(&self, mesh: &NavMesh, triangle: u32, edge: usize, root: u32, length: f64, view: &View) -> bool {
+        let corners = mesh.triangles[triangle as usize];
+        let (a, b) = (corners[edge], corners[(edge + 1) % 3]);
+        let by = |vertex: u32, far: DVec2| {
+            vertex != root
+                && self.best(vertex) + mesh.vertices[vertex as usize].distance(far) + GRAZE
+                    < length + view.root.distance(far)
+        };
+        root != NONE && length > self.best(root) + GRAZE || by(a, view.right) || by(b, view.left)
     }
 
     fn finish(&mut self, parent: u32, length: f64, way: Way) {

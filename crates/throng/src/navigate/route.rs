@@ -1,7 +1,7 @@
 //! An agent on its way: the corners of its path that are still ahead, kept up to date at little cost.
 
 use super::mesh::NavMesh;
-use super::polyanya::Path;
+use super::path::Path;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -70,7 +70,8 @@ impl Route {
 
     fn look(&mut self, mesh: &NavMesh, eye: DVec2) {
         let next = self.next as usize;
-        let sees = |corner: usize| mesh.visible(eye, self.corners[corner]);
+        let here = mesh.locate(eye);
+        let sees = |corner: usize| mesh.visible_from(here, eye, self.corners[corner]);
         let mut furthest = next;
         while furthest + 1 < self.corners.len() && sees(furthest + 1) {
             furthest += 1;
@@ -86,7 +87,7 @@ impl Route {
 
     /// The points still ahead, the next one first.
     pub fn corners(&self) -> impl ExactSizeIterator<Item = DVec2> + '_ {
-        self.corners[self.next as usize..].iter().copied()
+        self.corners.get(self.next as usize..).unwrap_or_default().iter().copied()
     }
 
     /// The end of the path.

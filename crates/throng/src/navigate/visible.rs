@@ -1,6 +1,6 @@
 //! Whether a straight walk stays on the mesh.
 
-use super::locate::depth;
+use super::locate::{closest_convex, holds};
 use super::mesh::NavMesh;
 use super::triangulate::NONE;
 use glam::DVec2;
@@ -12,18 +12,22 @@ impl NavMesh {
     /// Whether the straight segment from `a` to `b` stays on the mesh, give or take 1e-6 m. Grazing corners and
     /// running along walls is allowed.
     pub fn visible(&self, a: DVec2, b: DVec2) -> bool {
-        self.walk(a, b).unwrap_or_else(|| self.visible_by_cover(a, b))
+        self.visible_from(self.locate(a), a, b)
+    }
+
+    /// The same, where the triangle of `a` is known.
+    pub(super) fn visible_from(&self, triangle: Option<u32>, a: DVec2, b: DVec2) -> bool {
+        triangle.and_then(|triangle| self.walk(triangle, a, b)).unwrap_or_else(|| self.visible_by_cover(a, b))
     }
 
     /// Walks from triangle to triangle; `None` when the segment comes so near to a vertex that its side is in doubt.
-    fn walk(&self, a: DVec2, b: DVec2) -> Option<bool> {
+    fn walk(&self, mut triangle: u32, a: DVec2, b: DVec2) -> Option<bool> {
         let along = (b - a).try_normalize()?;
         let side = |point: DVec2| along.perp_dot(point - a);
-        let mut triangle = self.locate(a)?;
         let mut entered = NONE;
         for _ in 0..=self.triangles.len() {
             let corners = self.corners(triangle);
-            if depth(&corners, b) >= 0.0 {
+            if holds(&corners, b) {
                 return Some(true);
             }
             let sides = corners.map(side);
@@ -35,7 +39,8 @@ impl NavMesh {
             let next = self.neighbours[triangle as usize][edge];
             if next == NONE {
                 // Just short of the end the wall may still be within the slack.
-                return if depth(&corners, b) >= -SLACK { None } else { Some(false) };
+                let short = closest_convex(&corners, b).distance_squared(b) <= SLACK * SLACK;
+                return if short { None } else { Some(false) };
             }
             if next == entered {
                 return None;

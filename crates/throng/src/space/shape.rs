@@ -10,7 +10,7 @@ pub enum Obstacle {
     Circle {
         /// Its centre.
         center: DVec2,
-        /// Its radius. [Limit: > 0]
+        /// Its radius. Limit: > 0.
         radius: f64,
     },
     /// A solid simple polygon, either way round.

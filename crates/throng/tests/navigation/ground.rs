@@ -31,7 +31,7 @@ fn the_mesh_keeps_the_radius_from_walls_and_loses_hardly_more() {
             let least = clearance(&scene.walkable, &scene.obstacles, at);
             match mesh.locate(at) {
                 Some(_) => assert!(least >= radius - 1e-6, "seed {seed}: {at} has only {least}"),
-                None => assert!(least <= radius + 0.0021, "seed {seed}: {at} has {least} but is no ground"),
+                None => assert!(least <= radius + 0.0041, "seed {seed}: {at} has {least} but is no ground"),
             }
         }
     }

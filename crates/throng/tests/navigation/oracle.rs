@@ -52,7 +52,7 @@ impl Scene {
                 0 => Obstacle::Circle { center: scene.place(at), radius: dice.between(0.1, 0.8) },
                 1 => {
                     let sides = DVec2::new(dice.between(0.2, 2.5), dice.between(0.2, 2.5));
-                    let turned = if seed % 2 == 0 { 0.0 } else { dice.between(0.0, 3.0) };
+                    let turned = if seed.is_multiple_of(2) { 0.0 } else { dice.between(0.0, 3.0) };
                     Obstacle::rectangle(scene.place(at), sides, turned)
                 }
                 2 => {

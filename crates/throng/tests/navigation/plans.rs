@@ -1,7 +1,7 @@
 //! Real floor plans.
 
 use crate::mesh::shoelace;
-use crate::oracle::{Dice, clearance};
+use crate::oracle::{Dice, VisibilityGraph, clearance};
 use glam::DVec2;
 use std::path::PathBuf;
 use throng::Walkable;
@@ -86,5 +86,34 @@ fn all_floor_plans_mesh_and_their_paths_keep_clear_of_walls() {
     }
     if !plans.is_empty() {
         assert_eq!(plans.len(), 11);
+    }
+}
+
+#[test]
+fn paths_in_small_floor_plans_are_as_short_as_in_the_visibility_graph() {
+    let mut search = Search::new();
+    for (name, mut areas) in plans() {
+        let origin = areas[0].outer[0];
+        let rings = areas.iter_mut().flat_map(|area| std::iter::once(&mut area.outer).chain(&mut area.holes));
+        rings.flatten().for_each(|at| *at -= origin);
+        let mesh = NavMesh::build(&areas, &[], 0.25, (DVec2::ZERO, DVec2::ZERO)).unwrap();
+        if mesh.vertices().len() > 500 {
+            continue;
+        }
+        let graph = VisibilityGraph::new(mesh.outline());
+        let mut dice = Dice(17);
+        for _ in 0..20 {
+            let mut pick = || {
+                let corners = mesh.triangles()[(dice.unit() * mesh.triangles().len() as f64) as usize];
+                let [a, b, c] = corners.map(|vertex| mesh.vertices()[vertex as usize]);
+                a.lerp(b, dice.unit()).lerp(c, dice.unit())
+            };
+            let (from, to) = (pick(), pick());
+            let expected = graph.distance(from, to);
+            match mesh.path(&mut search, from, to) {
+                Ok(path) => assert!((path.length - expected).abs() <= 1e-7 * expected.max(1.0), "{name} {from} {to}"),
+                Err(error) => assert!(expected.is_infinite(), "{name}: {error}"),
+            }
+        }
     }
 }
