@@ -110,8 +110,8 @@ impl Default for Body {
 pub struct Speed {
     /// The speed they walk at when nothing hinders them. Limit: >= 0, at most 1000.
     pub preferred: Number,
-    /// The speed they never exceed. Without it, 1.8, or the preferred speed where that is more. [Limit: at least
-    /// `preferred`]
+    /// The speed they never exceed. Without it, 1.8, or the preferred speed where that is more. Limit: at least
+    /// `preferred`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<Number>,
 }
