@@ -1,5 +1,6 @@
 //! Where pictures go: one file for each kind of output, all of them fed picture by picture.
 
+mod ahead;
 mod folder;
 mod gif;
 mod mp4;
@@ -10,6 +11,7 @@ mod png;
 mod quantize;
 mod yuv;
 
+pub use ahead::Ahead;
 pub use folder::FolderSink;
 pub use gif::GifSink;
 pub use mp4::Mp4Sink;
