@@ -57,7 +57,7 @@ pub fn palette(index: usize) -> Color {
 
 /// The stops of the ramp for speeds, slow to fast; lightness rises all the way.
 const RAMP: [Color; 5] =
-    [Color::rgb(0x2d3a6b), Color::rgb(0x35719a), Color::rgb(0x3fa38f), Color::rgb(0x9cc75c), Color::rgb(0xf2d04b)];
+    [Color::rgb(0x2d3a6b), Color::rgb(0x35719a), Color::rgb(0x3fa38f), Color::rgb(0x8fbd59), Color::rgb(0xecb93c)];
 
 /// The colour of a quantity `t` between 0 (least) and 1 (most).
 pub fn ramp(t: f32) -> Color {

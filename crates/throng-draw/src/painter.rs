@@ -153,7 +153,8 @@ impl Painter {
             center: self.camera.pixel(body.position),
             radius,
             fill: coat.fill,
-            rim: coat.rim,
+            // The edge of a small disc would take its colour away.
+            rim: coat.fill.mix(coat.rim, (0.4 * (radius - 1.2)).clamp(0.0, 1.0)),
             rim_width: rim_width.clamp(0.6, 3.0 * self.layout.unit),
             notch,
         }

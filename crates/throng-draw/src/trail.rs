@@ -144,10 +144,10 @@ impl TrailLayer {
             // No branches: the compiler makes vectors of it.
             for ((opacity, color), middle) in opacities.iter_mut().zip(colors).zip(&self.middles[columns.clone()]) {
                 let dx = middle - a.at.x;
-                let t = (dx * unit.x + dy * unit.y).max(0.0).min(1.0);
+                let t = (dx * unit.x + dy * unit.y).clamp(0.0, 1.0);
                 let (ex, ey) = (dx - along.x * t, dy - along.y * t);
                 let half = a.half + widen * t;
-                let cover = (half + 0.5 - (ex * ex + ey * ey).sqrt()).max(0.0).min(1.0).min(2.0 * half);
+                let cover = (half + 0.5 - (ex * ex + ey * ey).sqrt()).clamp(0.0, 1.0).min(2.0 * half);
                 let new = cover * (a.opacity + fade * t);
                 let stronger = new > *opacity;
                 *opacity = if stronger { new } else { *opacity };
