@@ -283,3 +283,16 @@ fn a_picture_of_another_size_is_refused() {
     let error = film.push(&moment(0)).and_then(|()| film.finish()).unwrap_err();
     assert!(error.to_string().contains("3840 by 2160"), "{error}");
 }
+
+#[test]
+fn after_an_error_a_film_cannot_be_finished() {
+    let folder = tempfile::tempdir().unwrap();
+    let large = Style { width: 4000, height: 3000, ..style() };
+    let mut film = Film::create(folder.path().join("large.mp4"), &setting(), &large, 25.0).unwrap();
+    // The encoder works behind: its error comes out with one of the next moments.
+    let error = (0..20).find_map(|k| film.push(&moment(k)).err()).unwrap();
+    assert!(matches!(error, Error::Size { .. }), "{error}");
+    assert!(matches!(film.push(&moment(20)), Err(Error::Ended)));
+    assert!(matches!(film.finish(), Err(Error::Ended)));
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}

@@ -46,7 +46,7 @@ impl Ahead {
     /// Waits for the thread to end.
     fn join(&mut self) -> Result<Box<dyn FrameSink>, Error> {
         self.work = None;
-        let worker = self.worker.take().expect("a sink that has failed is not used again");
+        let worker = self.worker.take().ok_or(Error::Ended)?;
         worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     }
 }
