@@ -26,7 +26,7 @@ impl Color {
 
     /// The colour a part `t` of the way to `other`, 0 to 1.
     pub fn mix(self, other: Self, t: f32) -> Self {
-        let mix = |a: u8, b: u8| (f32::from(a) + (f32::from(b) - f32::from(a)) * t.clamp(0.0, 1.0)).round() as u8;
+        let mix = |a: u8, b: u8| (f32::from(a) + (f32::from(b) - f32::from(a)) * t.clamp(0.0, 1.0) + 0.5) as u8;
         Self { r: mix(self.r, other.r), g: mix(self.g, other.g), b: mix(self.b, other.b), a: mix(self.a, other.a) }
     }
 
@@ -57,7 +57,7 @@ pub fn palette(index: usize) -> Color {
 
 /// The stops of the ramp for speeds, slow to fast; lightness rises all the way.
 const RAMP: [Color; 5] =
-    [Color::rgb(0x2d3a6b), Color::rgb(0x35719a), Color::rgb(0x3fa38f), Color::rgb(0x9cc75c), Color::rgb(0xf2d04b)];
+    [Color::rgb(0x2d3a6b), Color::rgb(0x35719a), Color::rgb(0x3fa38f), Color::rgb(0x8fbd59), Color::rgb(0xecb93c)];
 
 /// The colour of a quantity `t` between 0 (least) and 1 (most).
 pub fn ramp(t: f32) -> Color {
@@ -122,9 +122,9 @@ mod tests {
     #[test]
     fn everybody_can_tell_the_first_groups_apart() {
         for (n, eye) in EYES.iter().enumerate() {
-            for i in 0..PALETTE.len() {
-                for j in 0..i {
-                    let d = difference(eye, PALETTE[i], PALETTE[j]);
+            for (i, &a) in PALETTE.iter().enumerate() {
+                for (j, &b) in PALETTE[..i].iter().enumerate() {
+                    let d = difference(eye, a, b);
                     assert!(d >= 18.0, "eye {n}: colours {j} and {i} differ by only {d:.1}");
                 }
             }

@@ -76,7 +76,7 @@ impl Disc {
                 color = color.mix(notch, over * f32::from(notch.a) / 255.0);
             }
         }
-        let cover = (cover * 256.0 * f32::from(self.fill.a) / 255.0).round() as u32;
+        let cover = (cover * 256.0 * f32::from(self.fill.a) / 255.0 + 0.5) as u32;
         blend(pixel, [color.r, color.g, color.b], cover);
     }
 }

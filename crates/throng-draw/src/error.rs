@@ -48,6 +48,9 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
+    /// An error has ended the film before.
+    #[error("nothing more can be written after an error")]
+    Ended,
     /// The program ffmpeg, which this kind of file needs, is not there.
     #[error(
         "cannot write {}: this kind of video needs the program ffmpeg, which was not found; install it, or write \

@@ -1,6 +1,6 @@
 //! From moments to a finished file: a painter and a sink in one.
 
-use crate::sink::{FrameSink, Kind, encode_png, sink};
+use crate::sink::{Ahead, FrameSink, Kind, encode_png, sink};
 use crate::{Error, Image, Painter, Style};
 use std::path::{Path, PathBuf};
 use throng_record::{Frame, Output, Setting};
@@ -69,7 +69,7 @@ impl Film {
                 let output = Output::create(&path)?;
                 Target::Still { which: Still::Last, kind, picture: None, last: None, output }
             }
-            _ => Target::Moving(sink(&path, rate)?),
+            _ => Target::Moving(Ahead::start(sink(&path, rate)?)),
         };
         Ok(Self { path, setting: setting.clone(), style: style.clone(), painter: None, target, count: 0 })
     }

@@ -11,6 +11,7 @@ use throng_record::{Body, Frame, Setting};
 pub(crate) struct Look {
     by: ColorBy,
     ground: Color,
+    /// What edges go towards: dark on light ground, light on dark.
     rim: Color,
     fastest: f32,
     /// The colour of each goal.
@@ -35,7 +36,7 @@ impl Look {
         Self {
             by: style.color_by,
             ground: style.theme.ground,
-            rim: Color::rgb(0x1c232b),
+            rim: style.theme.text,
             fastest,
             goals: goal_colors(&setting.goals),
         }
@@ -65,7 +66,7 @@ impl Look {
     /// The colours of an agent: those who have arrived step back, those who cannot reach their goal are hollow.
     pub(crate) fn coat(&self, body: &Body) -> Coat {
         let color = self.color(body);
-        let rim = color.mix(self.rim, 0.38);
+        let rim = color.mix(self.rim, 0.42);
         match body.status {
             Status::Arrived => Coat { fill: color.mix(self.ground, 0.55), rim: rim.mix(self.ground, 0.45) },
             Status::Stranded => Coat { fill: self.ground, rim: color },

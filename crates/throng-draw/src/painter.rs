@@ -5,7 +5,7 @@ use crate::legend::Layout;
 use crate::look::Look;
 use crate::mark::Mark;
 use crate::text::Type;
-use crate::trail::{Track, TrailLayer, Trails, freshness};
+use crate::trail::{End, Track, TrailLayer, Trails, freshness};
 use crate::{Camera, Error, Image, Style, WorldBox, place, raster};
 use glam::{DVec2, Vec2};
 use throng_record::{Body, Frame, Setting};
@@ -14,6 +14,8 @@ use throng_record::{Body, Frame, Setting};
 const TRAIL_OPACITY: f32 = 0.5;
 /// Half the width of a trail there, in radii of the body.
 const TRAIL_HALF_WIDTH: f32 = 0.42;
+/// Points of a trail are this far apart, pixels.
+const TRAIL_SPACING: f32 = 4.5;
 /// The least radius an agent is drawn with, pixels.
 const LEAST_RADIUS: f32 = 1.3;
 
@@ -99,7 +101,7 @@ impl Painter {
 
     /// Remembers where everybody is without painting, for trails in later pictures.
     pub fn follow(&mut self, frame: &Frame) {
-        let spacing = f64::from(2.5 * self.layout.unit) / self.camera.scale;
+        let spacing = f64::from(TRAIL_SPACING * self.layout.unit) / self.camera.scale;
         let look = &self.look;
         self.trails.follow(frame, f64::from(self.style.trails), spacing, |k| look.color(&frame.bodies[k]));
     }
@@ -151,7 +153,8 @@ impl Painter {
             center: self.camera.pixel(body.position),
             radius,
             fill: coat.fill,
-            rim: coat.rim,
+            // The edge of a small disc would take its colour away.
+            rim: coat.fill.mix(coat.rim, (0.4 * (radius - 1.2)).clamp(0.0, 1.0)),
             rim_width: rim_width.clamp(0.6, 3.0 * self.layout.unit),
             notch,
         }
@@ -166,12 +169,12 @@ pub(crate) struct Brush {
 }
 
 impl Brush {
-    /// The points of a trail with their half widths and opacities, oldest first.
-    pub(crate) fn pieces(self, track: &Track, now: f64) -> impl Iterator<Item = (Vec2, f32, f32)> {
+    /// The points of a trail, oldest first.
+    pub(crate) fn pieces(self, track: &Track, now: f64) -> impl Iterator<Item = End> {
         let half = (self.camera.length(f64::from(track.radius)) * TRAIL_HALF_WIDTH).max(0.6);
         track.points.iter().map(move |&(time, point)| {
             let fresh = freshness(now - time, self.seconds);
-            (self.camera.pixel(point), half * (0.35 + 0.65 * fresh), TRAIL_OPACITY * fresh)
+            End { at: self.camera.pixel(point), half: half * (0.35 + 0.65 * fresh), opacity: TRAIL_OPACITY * fresh }
         })
     }
 }

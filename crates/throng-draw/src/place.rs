@@ -95,9 +95,7 @@ fn goal_points(setting: &Setting, style: &Style, camera: &Camera, unit: f32, mar
         .goals
         .iter()
         .filter_map(|goal| match goal {
-            Goal::Point { at, tolerance } => {
-                Some((camera.pixel(*at), camera.length(f64::from(*tolerance)).max(4.0 * unit)))
-            }
+            Goal::Point { at, tolerance } => Some((camera.pixel(*at), camera.length(f64::from(*tolerance)))),
             _ => None,
         })
         .filter(|(center, radius)| center.is_finite() && radius.is_finite())
@@ -108,7 +106,9 @@ fn goal_points(setting: &Setting, style: &Style, camera: &Camera, unit: f32, mar
     let many = rings.len() > MANY_GOALS;
     let opacity = if many { 0.35 } else { 0.9 };
     let stroke = Stroke::plain(if many { 0.9 } else { 1.3 } * unit, style.theme.goal.alpha(opacity));
+    let least = if many { 1.8 } else { 4.0 } * unit;
     for (center, radius) in rings {
+        let radius = radius.max(least);
         marks.push(Mark::Ring { center, radius, stroke });
         if !many {
             marks.push(Mark::Disc { center, radius: 1.1 * unit, fill: style.theme.goal.alpha(opacity) });

@@ -5,9 +5,9 @@ use crate::{Color, WorldBox};
 /// How a picture should look. The default is a calm light picture of 640 by 480 pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style {
-    /// Width of the picture, pixels. Limit: 16 to 16384.
+    /// Width of the picture, pixels, 16 to 16384.
     pub width: u32,
-    /// Height of the picture, pixels. Limit: 16 to 16384.
+    /// Height of the picture, pixels, 16 to 16384.
     pub height: u32,
     /// The part of the world to show; `None`: everything the setting and the first frame hold.
     pub view: Option<WorldBox>,
@@ -49,7 +49,7 @@ pub enum ColorBy {
     Group,
     /// How fast it is, from standing to `max` m/s; `None`: to the greatest preferred speed of the first frame.
     Speed {
-        /// The speed at the end of the ramp. Limit: > 0.
+        /// The speed at the end of the ramp, greater than 0.
         max: Option<f32>,
     },
     /// Where it is going: a colour for each goal, or, where there are more than the palette holds, for the direction

@@ -44,8 +44,9 @@ impl Painter {
             let color = track.color.unwrap_or(self.style.theme.goal);
             let points: Vec<_> = self.brush().pieces(track, frame.time).collect();
             for pair in points.windows(2) {
-                let ((a, half_a, fresh_a), (b, half_b, fresh_b)) = (pair[0], pair[1]);
-                let stroke = Stroke::plain(half_a + half_b, color.alpha(0.5 * (fresh_a + fresh_b)));
+                let (a, b) = (pair[0], pair[1]);
+                let stroke = Stroke::plain(a.half + b.half, color.alpha(0.5 * (a.opacity + b.opacity)));
+                let (a, b) = (a.at, b.at);
                 write!(out, r#"<path d="M{} {}L{} {}" "#, n(a.x), n(a.y), n(b.x), n(b.y))?;
                 writeln!(out, "{}/>", self::stroke(stroke))?;
             }

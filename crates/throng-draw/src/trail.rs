@@ -76,70 +76,172 @@ pub(crate) fn freshness(age: f64, seconds: f64) -> f32 {
 /// A layer that keeps, for each pixel, the strongest trail over it: crossings and joints do not add up.
 #[derive(Clone, Debug)]
 pub(crate) struct TrailLayer {
-    width: i32,
-    height: i32,
-    /// Opacity in the top byte, then red, green, blue.
-    pixels: Vec<u32>,
+    width: usize,
+    height: usize,
+    /// 0 to 1.
+    opacity: Vec<f32>,
+    color: Vec<u32>,
+    /// The middle of each column.
+    middles: Vec<f32>,
     /// Rows that something was drawn on.
     rows: std::ops::Range<usize>,
 }
 
+/// The end of a piece of a trail.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct End {
+    /// Pixel.
+    pub at: Vec2,
+    /// Half the width there, pixels.
+    pub half: f32,
+    /// Opacity there, 0 to 1.
+    pub opacity: f32,
+}
+
 impl TrailLayer {
     pub(crate) fn new(width: u32, height: u32) -> Self {
-        let pixels = vec![0; width as usize * height as usize];
-        Self { width: width as i32, height: height as i32, pixels, rows: 0..0 }
+        let (width, height) = (width as usize, height as usize);
+        Self {
+            width,
+            height,
+            opacity: vec![0.0; width * height],
+            color: vec![0; width * height],
+            middles: (0..width).map(|x| x as f32 + 0.5).collect(),
+            rows: 0..0,
+        }
     }
 
-    /// A piece of a trail between two pixels, with half widths and opacities (0 to 1) at its ends.
-    pub(crate) fn piece(&mut self, a: (Vec2, f32, f32), b: (Vec2, f32, f32), color: Color) {
-        let along = b.0 - a.0;
+    /// Draws a piece of a trail.
+    pub(crate) fn piece(&mut self, a: End, b: End, color: Color) {
+        let along = b.at - a.at;
         let length2 = along.length_squared();
-        let reach = a.1.max(b.1) + 0.5;
-        let (low, high) = (a.0.min(b.0) - reach, a.0.max(b.0) + reach);
+        let reach = a.half.max(b.half) + 0.5;
+        let (low, high) = (a.at.min(b.at) - reach, a.at.max(b.at) + reach);
         if !(length2.is_finite() && low.is_finite()) || length2 == 0.0 {
             return;
         }
-        let y0 = ((low.y - 0.5).ceil().max(0.0)) as i32;
-        let y1 = ((high.y - 0.5).floor().min((self.height - 1) as f32)) as i32;
-        let x0 = ((low.x - 0.5).ceil().max(0.0)) as i32;
-        let x1 = ((high.x - 0.5).floor().min((self.width - 1) as f32)) as i32;
-        if y0 > y1 || x0 > x1 {
+        let span = |low: f32, high: f32, end: usize| {
+            // A cast takes what is below zero to zero.
+            ((low - 0.5).ceil() as usize)..((high + 0.5).floor().max(0.0) as usize).min(end)
+        };
+        let (rows, columns) = (span(low.y, high.y, self.height), span(low.x, high.x, self.width));
+        if rows.is_empty() || columns.is_empty() {
             return;
         }
         self.rows = if self.rows.is_empty() {
-            y0 as usize..y1 as usize + 1
+            rows.clone()
         } else {
-            self.rows.start.min(y0 as usize)..self.rows.end.max(y1 as usize + 1)
+            self.rows.start.min(rows.start)..self.rows.end.max(rows.end)
         };
-        let rgb = u32::from(color.r) << 16 | u32::from(color.g) << 8 | u32::from(color.b);
-        for y in y0..=y1 {
-            let row = (y * self.width) as usize;
-            for x in x0..=x1 {
-                let p = Vec2::new(x as f32 + 0.5, y as f32 + 0.5) - a.0;
-                let t = (p.dot(along) / length2).clamp(0.0, 1.0);
-                let half = a.1 + (b.1 - a.1) * t;
-                let cover = (half + 0.5 - p.distance(along * t)).clamp(0.0, 1.0).min(2.0 * half);
-                let opacity = (cover * (a.2 + (b.2 - a.2) * t) * 255.0) as u32;
-                let pixel = &mut self.pixels[row + x as usize];
-                if opacity > *pixel >> 24 {
-                    *pixel = opacity << 24 | rgb;
-                }
+        let rgb = u32::from_be_bytes([0, color.r, color.g, color.b]);
+        let unit = along / length2;
+        let (widen, fade) = (b.half - a.half, b.opacity - a.opacity);
+        for y in rows {
+            let dy = y as f32 + 0.5 - a.at.y;
+            let (first, last) = (y * self.width + columns.start, y * self.width + columns.end);
+            let opacities = &mut self.opacity[first..last];
+            let colors = &mut self.color[first..last];
+            // No branches: the compiler makes vectors of it.
+            for ((opacity, color), middle) in opacities.iter_mut().zip(colors).zip(&self.middles[columns.clone()]) {
+                let dx = middle - a.at.x;
+                let t = (dx * unit.x + dy * unit.y).clamp(0.0, 1.0);
+                let (ex, ey) = (dx - along.x * t, dy - along.y * t);
+                let half = a.half + widen * t;
+                let cover = (half + 0.5 - (ex * ex + ey * ey).sqrt()).clamp(0.0, 1.0).min(2.0 * half);
+                let new = cover * (a.opacity + fade * t);
+                let stronger = new > *opacity;
+                *opacity = if stronger { new } else { *opacity };
+                *color = if stronger { rgb } else { *color };
             }
         }
     }
 
     /// Lays the layer over the picture and clears it.
     pub(crate) fn lay(&mut self, image: &mut Image) {
-        let width = self.width as usize;
-        let span = self.rows.start * width..self.rows.end * width;
+        let span = self.rows.start * self.width..self.rows.end * self.width;
         let under = &mut image.data_mut()[span.start * 4..span.end * 4];
-        for (pixel, trail) in under.chunks_exact_mut(4).zip(&mut self.pixels[span]) {
-            if *trail != 0 {
-                let [opacity, r, g, b] = trail.to_be_bytes();
-                blend(pixel, [r, g, b], u32::from(opacity) + u32::from(opacity >> 7));
-                *trail = 0;
+        let trails = self.opacity[span.clone()].iter_mut().zip(&self.color[span]);
+        for (pixel, (opacity, color)) in under.chunks_exact_mut(4).zip(trails) {
+            if *opacity > 0.0 {
+                let [_, r, g, b] = color.to_be_bytes();
+                blend(pixel, [r, g, b], (*opacity * 256.0) as u32);
+                *opacity = 0.0;
             }
         }
         self.rows = 0..0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec2;
+    use throng_record::Body;
+
+    const INK: Color = Color::rgb(0);
+    const PAPER: Color = Color::rgb(0xffffff);
+
+    fn moment(time: f64, at: Option<DVec2>) -> Frame {
+        let body = |position| Body {
+            number: 3,
+            group: 0,
+            goal: None,
+            position,
+            velocity: Vec2::ZERO,
+            heading: 0.0,
+            radius: 0.2,
+            preferred_speed: 1.0,
+            status: throng::Status::Walking,
+        };
+        Frame { time, bodies: at.map(body).into_iter().collect(), arrived: 0, total: 1 }
+    }
+
+    #[test]
+    fn trails_are_forgotten_after_their_time_even_of_those_who_left() {
+        let mut trails = Trails::default();
+        for k in 0..50 {
+            let time = f64::from(k) * 0.1;
+            trails.follow(&moment(time, Some(DVec2::new(time, 0.0))), 1.5, 0.1, |_| INK);
+            let points = trails.tracks[&3].points.len();
+            assert!(points <= 18, "{points} points");
+        }
+        trails.follow(&moment(6.0, None), 1.5, 0.1, |_| INK);
+        assert_eq!(trails.tracks.len(), 1, "the trail outlives the agent");
+        trails.follow(&moment(6.5, None), 1.5, 0.1, |_| INK);
+        assert!(trails.tracks.is_empty());
+    }
+
+    #[test]
+    fn an_agent_that_is_moved_leaves_no_trail_across() {
+        let mut trails = Trails::default();
+        trails.follow(&moment(0.0, Some(DVec2::ZERO)), 1.5, 0.1, |_| INK);
+        trails.follow(&moment(0.1, Some(DVec2::new(50.0, 0.0))), 1.5, 0.1, |_| INK);
+        assert_eq!(trails.tracks[&3].points.len(), 1);
+    }
+
+    #[test]
+    fn time_that_runs_backwards_starts_anew() {
+        let mut trails = Trails::default();
+        trails.follow(&moment(5.0, Some(DVec2::ZERO)), 1.5, 0.1, |_| INK);
+        trails.follow(&moment(1.0, Some(DVec2::ONE)), 1.5, 0.1, |_| INK);
+        assert_eq!(trails.tracks[&3].points, [(1.0, DVec2::ONE)]);
+    }
+
+    #[test]
+    fn pieces_that_overlap_are_no_darker_than_one() {
+        let end = |x: f32| End { at: Vec2::new(x, 10.0), half: 3.0, opacity: 0.5 };
+        let mut layer = TrailLayer::new(40, 20);
+        let mut image = Image::new(40, 20, PAPER);
+        layer.piece(end(5.0), end(20.0), INK);
+        layer.piece(end(20.0), end(35.0), INK);
+        layer.piece(end(12.0), end(-30.0), INK);
+        layer.lay(&mut image);
+        for x in [6, 15, 19, 20, 21, 30] {
+            let shade = image.pixel(x, 9).r;
+            assert!((126..=129).contains(&shade), "{shade} at {x}");
+        }
+        let mut clean = Image::new(40, 20, PAPER);
+        layer.lay(&mut clean);
+        assert_eq!(clean, Image::new(40, 20, PAPER), "the layer is empty again");
     }
 }

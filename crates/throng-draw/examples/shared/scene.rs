@@ -12,19 +12,19 @@ pub fn crossing() -> Setting {
     let pillar = |x: f64, y: f64| Obstacle::Circle { center: DVec2::new(x, y), radius: 0.45 };
     Setting {
         title: "Two streams crossing".into(),
-        walkable: vec![Walkable { outer: corners(0.0, 0.0, 24.0, 15.0), holes: vec![corners(10.5, 11.6, 14.0, 13.2)] }],
+        walkable: vec![Walkable { outer: corners(0.0, 0.4, 24.0, 15.0), holes: vec![corners(9.0, 12.0, 12.5, 13.6)] }],
         obstacles: vec![
-            pillar(8.0, 4.2),
-            pillar(12.0, 3.0),
-            pillar(16.0, 4.2),
-            Obstacle::rectangle(DVec2::new(3.2, 12.6), DVec2::new(2.6, 1.2), 0.35),
-            Obstacle::Wall { points: vec![DVec2::new(19.0, 15.0), DVec2::new(19.0, 11.0), DVec2::new(21.0, 11.0)] },
+            pillar(7.0, 2.6),
+            pillar(12.0, 2.0),
+            pillar(17.0, 2.6),
+            Obstacle::rectangle(DVec2::new(3.4, 12.9), DVec2::new(2.6, 1.2), 0.35),
+            Obstacle::Wall { points: vec![DVec2::new(20.6, 15.0), DVec2::new(20.6, 12.4), DVec2::new(22.4, 12.4)] },
         ],
         groups: vec!["east".into(), "west".into(), "meeting".into()],
         goals: vec![
             Goal::Exit { corners: corners(22.6, 5.6, 24.0, 9.2) },
             Goal::Area { corners: corners(0.0, 5.6, 1.4, 9.2) },
-            Goal::Point { at: DVec2::new(17.0, 12.0), tolerance: 0.4 },
+            Goal::Point { at: DVec2::new(17.0, 12.8), tolerance: 0.4 },
         ],
     }
 }
@@ -39,9 +39,10 @@ pub fn moment(k: usize) -> Frame {
         let phase = f64::from(n * 37 % 54) / 54.0 * 22.0;
         let speed = 1.1 + 0.4 * f64::from(n * 13 % 7) / 7.0;
         let along = (phase + speed * time).rem_euclid(22.0) + 1.0;
-        let sway = |s: f64| 7.4 + lane * 0.72 + 0.5 * (s * 0.45 + f64::from(n)).sin() + if east { -0.2 } else { 0.2 };
+        let sway =
+            |s: f64| 7.4 + lane * 0.78 + 0.25 * (s * 0.45 + f64::from(n)).sin() + if east { -0.19 } else { 0.19 };
         let (x, slope) = if east { (along, 1.0) } else { (24.0 - along, -1.0) };
-        let velocity = Vec2::new((speed * slope) as f32, (0.225 * (along * 0.45 + f64::from(n)).cos() * speed) as f32);
+        let velocity = Vec2::new((speed * slope) as f32, (0.112 * (along * 0.45 + f64::from(n)).cos() * speed) as f32);
         bodies.push(Body {
             number: n,
             group: u32::from(!east),
@@ -58,12 +59,12 @@ pub fn moment(k: usize) -> Frame {
         let angle = f64::from(n) / 9.0 * std::f64::consts::TAU;
         let outward = DVec2::new(angle.cos(), angle.sin());
         let there = n % 3 != 0;
-        let distance = if there { 1.1 } else { (4.0 - 0.35 * time).max(1.1) };
+        let distance = if there { 1.1 } else { (4.5 - 0.35 * time).max(1.1) };
         bodies.push(Body {
             number: 100 + n,
             group: 2,
             goal: Some(2),
-            position: DVec2::new(17.0, 12.0) + outward * DVec2::new(distance, distance.min(2.2)),
+            position: DVec2::new(17.0, 12.8) + outward * DVec2::new(distance, distance.min(2.0)),
             velocity: if there { Vec2::ZERO } else { outward.as_vec2() * -0.35 },
             heading: (angle + std::f64::consts::PI) as f32,
             radius: 0.24,

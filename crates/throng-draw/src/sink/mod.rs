@@ -1,5 +1,6 @@
 //! Where pictures go: one file for each kind of output, all of them fed picture by picture.
 
+mod ahead;
 mod folder;
 mod gif;
 mod mp4;
@@ -10,6 +11,7 @@ mod png;
 mod quantize;
 mod yuv;
 
+pub use ahead::Ahead;
 pub use folder::FolderSink;
 pub use gif::GifSink;
 pub use mp4::Mp4Sink;
@@ -23,7 +25,7 @@ use std::path::{Path, PathBuf};
 /// Takes the pictures of a film one after the other.
 ///
 /// Nothing stands under the name of the result before [`finish`](Self::finish); a sink that is dropped unfinished
-/// leaves nothing behind. What a sink keeps in memory does not grow with the length of the film.
+/// leaves nothing behind. After an error a sink can only be dropped; a [`Film`](crate::Film) sees to that. What a sink keeps in memory does not grow with the length of the film.
 pub trait FrameSink: Send {
     /// Appends a picture.
     ///

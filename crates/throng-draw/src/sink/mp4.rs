@@ -15,8 +15,9 @@ use std::io::{Read, Seek, Write};
 use std::path::Path;
 use throng_record::{Output, OutputError};
 
-/// How coarse the picture may be (H.264 quantisation parameter, 0 to 51): thin type and small discs stay sharp.
-const QUALITY: QpRange = QpRange::new(16, 22);
+/// How coarse every picture is (H.264 quantisation parameter, 0 to 51): thin type and small discs stay sharp. The
+/// encoder holds to it in its buffer-based mode only; with rate control off it takes 26, whatever it is told.
+const QUALITY: QpRange = QpRange::new(22, 22);
 /// Seconds from one picture that can be decoded by itself to the next: how finely a player can seek.
 const KEY_SECONDS: f64 = 4.0;
 
@@ -27,7 +28,8 @@ const KEY_SECONDS: f64 = 4.0;
 pub struct Mp4Sink {
     output: Output,
     rate: f64,
-    encoder: Encoder,
+    /// Made with the first picture, whose size it needs.
+    encoder: Option<Encoder>,
     yuv: Yuv,
     size: SameSize,
     track: Track,
@@ -48,39 +50,18 @@ impl Mp4Sink {
         let output = Output::create(path)?;
         let folder = output.temporary_path().parent().unwrap_or(Path::new(".")).to_path_buf();
         let spool = tempfile::tempfile_in(folder).map_err(|source| output.error(source))?;
-        let config = EncoderConfig::new()
-            .skip_frames(false)
-            .max_frame_rate(FrameRate::from_hz(rate as f32))
-            // Quality is set by the quantisation alone: the bit rate is out of reach.
-            .rate_control_mode(RateControlMode::Off)
-            .bitrate(BitRate::from_bps(200_000_000))
-            .qp(QUALITY)
-            .adaptive_quantization(true)
-            .background_detection(false)
-            .scene_change_detect(false)
-            .usage_type(UsageType::CameraVideoRealTime)
-            .complexity(Complexity::Low)
-            .intra_frame_period(IntraFramePeriod::from_num_frames((rate * KEY_SECONDS).round().max(1.0) as u32))
-            .vui(VuiConfig::bt709());
-        let encoder = Encoder::with_api_config(OpenH264API::from_source(), config)
-            .map_err(|e| Error::encoder(path, "openh264", e))?;
         let ticks = (f64::from(TIMESCALE) / rate).round().max(1.0) as u32;
         Ok(Self {
             size: SameSize::new(path),
             output,
             rate,
-            encoder,
+            encoder: None,
             yuv: Yuv::default(),
             track: Track { ticks, ..Track::default() },
             spool: std::io::BufWriter::with_capacity(1 << 16, spool),
             stream: Vec::new(),
             sample: Vec::new(),
         })
-    }
-
-    /// Pictures a second.
-    pub fn rate(&self) -> f64 {
-        self.rate
     }
 
     /// Turns the encoder's stream into a sample: parameters go to the index, units get their length in front.
@@ -105,6 +86,28 @@ impl Mp4Sink {
     }
 }
 
+/// An encoder for pictures of so many pixels.
+fn encoder(pixels: usize, rate: f64) -> Result<Encoder, openh264::Error> {
+    // Quality is set by the quantisation; the bit rate only chooses the level that the stream asks of a player.
+    let bits = (pixels as f64 * rate * 0.25).clamp(2e5, 5e7) as u32;
+    let config = EncoderConfig::new()
+        .skip_frames(false)
+        .max_frame_rate(FrameRate::from_hz(rate as f32))
+        .rate_control_mode(RateControlMode::Bufferbased)
+        .qp(QUALITY)
+        .bitrate(BitRate::from_bps(bits))
+        .adaptive_quantization(false)
+        .background_detection(false)
+        .scene_change_detect(false)
+        .usage_type(UsageType::CameraVideoRealTime)
+        .complexity(Complexity::Low)
+        .intra_frame_period(IntraFramePeriod::from_num_frames((rate * KEY_SECONDS).round().max(1.0) as u32))
+        // One thread: the same pictures are the same file on any machine.
+        .num_threads(1)
+        .vui(VuiConfig::bt709());
+    Encoder::with_api_config(OpenH264API::from_source(), config)
+}
+
 impl FrameSink for Mp4Sink {
     fn push(&mut self, image: &Image) -> Result<(), Error> {
         let (width, height) = (image.width(), image.height());
@@ -115,8 +118,13 @@ impl FrameSink for Mp4Sink {
         let (w, h) = (self.yuv.width, self.yuv.height);
         (self.track.width, self.track.height) = (w as u16, h as u16);
         let planes = YUVSlices::new((&self.yuv.y, &self.yuv.u, &self.yuv.v), (w, h), (w, w / 2, w / 2));
-        let fail = |message: String| Error::encoder(self.output.path(), "openh264", message);
-        let encoded = self.encoder.encode(&planes).map_err(|e| fail(e.to_string()))?;
+        let path = self.output.path();
+        let fail = |e: openh264::Error| Error::encoder(path, "openh264", e);
+        let encoder = match &mut self.encoder {
+            Some(encoder) => encoder,
+            none => none.insert(encoder(w * h, self.rate).map_err(fail)?),
+        };
+        let encoded = encoder.encode(&planes).map_err(fail)?;
         self.stream.clear();
         encoded.write_vec(&mut self.stream);
         self.sort_units();

@@ -115,11 +115,10 @@ impl FrameSink for PipeSink {
             Some(input) => input.write_all(image.data()),
             None => Err(io::ErrorKind::BrokenPipe.into()),
         };
-        if let Err(error) = written {
-            return Err(self.failure(&mut running, &error));
-        }
+        let result = written.map_err(|error| self.failure(&mut running, &error));
+        // After an error it stays, without its input: nothing more can be written, and nothing finished.
         self.running = Some(running);
-        Ok(())
+        result
     }
 
     fn finish(mut self: Box<Self>) -> Result<(), Error> {
@@ -127,7 +126,9 @@ impl FrameSink for PipeSink {
         let Some(mut running) = self.running.take() else {
             return Err(Error::Empty { path: self.output.path().to_path_buf() });
         };
-        running.input = None;
+        if running.input.take().is_none() {
+            return Err(Error::Ended);
+        }
         let status = running.child.wait().map_err(|e| Error::encoder(self.output.path(), "ffmpeg", e))?;
         if !status.success() {
             return Err(self.failure(&mut running, &io::Error::other(status.to_string())));

@@ -1,0 +1,88 @@
+//! Measures painting and encoding: `cargo run --release --example speed -- [AGENTS]`.
+
+use glam::{DVec2, Vec2};
+use std::time::Instant;
+use throng::Status;
+use throng_draw::{Painter, Style, sink::sink};
+use throng_record::{Body, Frame, Setting};
+
+fn moment(agents: u32, k: u32) -> Frame {
+    let time = f64::from(k) * 0.04;
+    let side = (f64::from(agents) * 2.0).sqrt();
+    let bodies = (0..agents)
+        .map(|n| {
+            // A disc of people who walk in circles, all at 1.3 m/s.
+            let distance = side * 0.5 * (f64::from(n + 1) / f64::from(agents)).sqrt();
+            let angle = f64::from(n) * 2.399963 + 1.3 / distance * time;
+            Body {
+                number: n,
+                group: n % 4,
+                goal: None,
+                position: DVec2::new(angle.cos(), angle.sin()) * distance,
+                velocity: Vec2::ONE,
+                heading: angle as f32 + 1.57,
+                radius: 0.25,
+                preferred_speed: 1.3,
+                status: Status::Walking,
+            }
+        })
+        .collect();
+    Frame { time, bodies, arrived: 0, total: agents as usize }
+}
+
+/// Seconds this thread has worked, where the system says (Linux); on a busy machine they tell more than the clock.
+fn worked() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    Some(text.split(' ').next()?.parse::<f64>().ok()? * 1e-9)
+}
+
+/// Says how long each of `count` pictures took.
+fn report(what: &str, count: usize, start: (Instant, Option<f64>)) {
+    let each = |seconds: f64| seconds * 1e3 / count as f64;
+    let clock = start.0.elapsed().as_secs_f64();
+    eprint!("{what}: {:.2} ms a picture, {:.0} a second", each(clock), count as f64 / clock);
+    match (start.1, worked()) {
+        (Some(from), Some(to)) => eprintln!("; at work {:.2} ms", each(to - from)),
+        _ => eprintln!(),
+    }
+}
+
+fn now() -> (Instant, Option<f64>) {
+    (Instant::now(), worked())
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let agents = std::env::args().nth(1).map_or(Ok(100), |a| a.parse())?;
+    let setting = Setting { title: "Speed".into(), ..Setting::default() };
+    let frames: Vec<_> = (0..200).map(|k| moment(agents, k)).collect();
+    let folder = tempfile::tempdir()?;
+    for trails in [0.0, 1.5] {
+        let mut painter = Painter::new(&setting, &Style { trails, ..Style::default() }, &frames[0])?;
+        let start = now();
+        for frame in &frames {
+            painter.paint(frame);
+        }
+        report(&format!("paint {agents} agents, trails of {trails} s"), frames.len(), start);
+    }
+    let mut painter = Painter::new(&setting, &Style::default(), &frames[0])?;
+    let images: Vec<_> = frames.iter().map(|frame| painter.paint(frame).clone()).collect();
+    for name in ["film.mp4", "film.gif", "film/"] {
+        let path = folder.path().join(name);
+        let start = now();
+        let mut sink = sink(&path, 25.0)?;
+        for image in &images {
+            sink.push(image)?;
+        }
+        sink.finish()?;
+        let size = std::fs::metadata(&path)?.len();
+        report(&format!("write {name}, {size} bytes"), images.len(), start);
+    }
+    let start = now();
+    let mut film = throng_draw::Film::create(folder.path().join("whole.mp4"), &setting, &Style::default(), 25.0)?;
+    for frame in &frames {
+        film.push(frame)?;
+    }
+    film.finish()?;
+    report("film.mp4, painted and written", frames.len(), start);
+    Ok(())
+}

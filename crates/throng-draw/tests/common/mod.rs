@@ -1,0 +1,41 @@
+//! A small recording that the tests share: two groups walk past each other on open ground.
+
+use glam::{DVec2, Vec2};
+use throng::{Goal, Obstacle, Status};
+use throng_draw::{Style, WorldBox};
+use throng_record::{Body, Frame, Setting};
+
+pub fn setting() -> Setting {
+    Setting {
+        title: "Cats & <dogs>".into(),
+        obstacles: vec![Obstacle::Circle { center: DVec2::new(0.0, 4.0), radius: 1.0 }],
+        groups: vec!["cats".into(), "dogs".into()],
+        goals: vec![Goal::Point { at: DVec2::new(4.0, -4.0), tolerance: 0.5 }],
+        ..Setting::default()
+    }
+}
+
+/// A picture of 160 by 120 pixels, 10 pixels a metre, the origin in its middle.
+pub fn style() -> Style {
+    let half = DVec2::new(8.0, 6.0) - 1.05;
+    let view = Some(WorldBox { min: -half, max: half });
+    Style { width: 160, height: 120, view, trails: 0.0, legend: false, ..Style::default() }
+}
+
+pub fn moment(k: usize) -> Frame {
+    let time = k as f64 * 0.04;
+    let body = |number: u32, group: u32, position: DVec2, velocity: Vec2| Body {
+        number,
+        group,
+        goal: Some(0),
+        position,
+        velocity,
+        heading: velocity.y.atan2(velocity.x),
+        radius: 0.5,
+        preferred_speed: 1.0,
+        status: Status::Walking,
+    };
+    let bodies =
+        vec![body(0, 0, DVec2::new(-5.0 + time, 1.0), Vec2::X), body(1, 1, DVec2::new(5.0 - time, -1.0), Vec2::NEG_X)];
+    Frame { time, bodies, arrived: 0, total: 2 }
+}

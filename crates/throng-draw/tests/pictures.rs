@@ -1,0 +1,201 @@
+//! What pictures show.
+
+mod common;
+
+use common::{moment, setting, style};
+use glam::{DVec2, Vec2};
+use throng::Status;
+use throng_draw::{Color, ColorBy, Error, Image, Painter, Style, Theme, palette, ramp};
+use throng_record::{Frame, Setting};
+
+fn paint(setting: &Setting, style: &Style, frame: &Frame) -> (Painter, Image) {
+    let mut painter = Painter::new(setting, style, frame).unwrap();
+    let image = painter.paint(frame).clone();
+    (painter, image)
+}
+
+/// The colour a point of the world has in the picture.
+fn at(painter: &Painter, image: &Image, point: DVec2) -> Color {
+    let pixel = painter.camera().pixel(point);
+    image.pixel(pixel.x as u32, pixel.y as u32)
+}
+
+#[test]
+fn an_agent_has_the_colour_of_its_group_at_its_centre() {
+    let frame = moment(0);
+    let (painter, image) = paint(&setting(), &style(), &frame);
+    for body in &frame.bodies {
+        assert_eq!(at(&painter, &image, body.position), palette(body.group as usize));
+    }
+}
+
+#[test]
+fn an_agent_has_the_colour_of_its_speed_or_goal_where_the_style_says_so() {
+    let frame = moment(0);
+    let by = |color_by| Style { color_by, ..style() };
+    let (painter, image) = paint(&setting(), &by(ColorBy::Speed { max: Some(2.0) }), &frame);
+    assert_eq!(at(&painter, &image, frame.bodies[0].position), ramp(0.5));
+    let (painter, image) = paint(&setting(), &by(ColorBy::Goal), &frame);
+    assert_eq!(at(&painter, &image, frame.bodies[1].position), palette(0));
+}
+
+#[test]
+fn the_notch_is_in_front() {
+    let frame = moment(0);
+    let (painter, image) = paint(&setting(), &style(), &frame);
+    let body = &frame.bodies[0];
+    let notch = at(&painter, &image, body.position + DVec2::new(0.3, 0.0));
+    assert!(notch.r > palette(0).r + 80, "{notch:?}");
+    assert_eq!(at(&painter, &image, body.position - DVec2::new(0.2, 0.0)), palette(0));
+    let (painter, image) = paint(&setting(), &Style { headings: false, ..style() }, &frame);
+    assert_eq!(at(&painter, &image, body.position + DVec2::new(0.2, 0.0)), palette(0));
+}
+
+#[test]
+fn ground_obstacles_and_outside_have_their_tones() {
+    let theme = Theme::light();
+    let (painter, image) = paint(&setting(), &style(), &moment(0));
+    assert_eq!(at(&painter, &image, DVec2::new(0.0, 4.0)), theme.obstacle);
+    assert_eq!(at(&painter, &image, DVec2::new(-5.0, -5.0)), theme.ground, "without walkable areas all is ground");
+    let corner = |x, y| DVec2::new(x, y);
+    let room = throng::Walkable {
+        outer: vec![corner(-6.0, -3.0), corner(6.0, -3.0), corner(6.0, 3.0), corner(-6.0, 3.0)],
+        holes: vec![vec![corner(-1.0, -2.0), corner(1.0, -2.0), corner(1.0, 2.0), corner(-1.0, 2.0)]],
+    };
+    let setting = Setting { walkable: vec![room], ..Setting::default() };
+    let (painter, image) = paint(&setting, &style(), &moment(0));
+    assert_eq!(at(&painter, &image, DVec2::new(-5.0, -5.0)), theme.outside);
+    assert_eq!(at(&painter, &image, DVec2::new(-4.0, -2.0)), theme.ground);
+    assert_eq!(at(&painter, &image, DVec2::new(0.0, 0.0)), theme.obstacle, "a hole is solid");
+}
+
+#[test]
+fn who_has_arrived_is_paler() {
+    let mut frame = moment(0);
+    frame.bodies[0].status = Status::Arrived;
+    let (painter, image) = paint(&setting(), &style(), &frame);
+    let (there, walking) = (at(&painter, &image, frame.bodies[0].position), palette(0));
+    assert!(there.r > walking.r + 40 && there.g > walking.g + 40, "{there:?}");
+}
+
+#[test]
+fn a_trail_lies_behind_and_fades() {
+    let style = Style { trails: 2.0, ..style() };
+    let mut painter = Painter::new(&setting(), &style, &moment(0)).unwrap();
+    for k in 0..100 {
+        painter.follow(&moment(k));
+    }
+    let frame = moment(100);
+    let image = painter.paint(&frame).clone();
+    let body = frame.bodies[0].position;
+    let red = |behind: f64| at(&painter, &image, body - DVec2::new(behind, 0.0)).r;
+    let ground = style.theme.ground.r;
+    assert!(red(0.7) < red(1.2) && red(1.2) < red(1.6), "{} {} {}", red(0.7), red(1.2), red(1.6));
+    assert_eq!(red(2.6), ground, "what is older than two seconds is gone");
+    assert_eq!(at(&painter, &image, body + DVec2::new(0.8, 0.0)).r, ground, "nothing lies ahead");
+}
+
+#[test]
+fn the_same_moments_make_the_same_picture_however_often_they_are_painted() {
+    let style = Style { trails: 1.0, legend: true, ..Style::default() };
+    let mut followed = Painter::new(&setting(), &style, &moment(0)).unwrap();
+    let mut painted = Painter::new(&setting(), &style, &moment(0)).unwrap();
+    for k in 0..30 {
+        followed.follow(&moment(k));
+        painted.paint(&moment(k));
+    }
+    assert_eq!(followed.paint(&moment(30)), painted.paint(&moment(30)));
+    assert_eq!(followed.paint(&moment(30)), painted.paint(&moment(30)), "a moment painted again");
+}
+
+#[test]
+fn everything_is_in_the_picture_of_the_automatic_view() {
+    let mut frame = moment(0);
+    frame.bodies[1].position = DVec2::new(300.0, -200.0);
+    let painter = Painter::new(&setting(), &Style::default(), &frame).unwrap();
+    for point in [frame.bodies[0].position, frame.bodies[1].position, DVec2::new(0.0, 5.0)] {
+        let pixel = painter.camera().pixel(point);
+        assert!(pixel.cmpge(Vec2::ZERO).all() && pixel.cmple(Vec2::new(640.0, 480.0)).all(), "{point} at {pixel}");
+    }
+}
+
+#[test]
+fn the_legend_leaves_ink_only_where_it_is_asked_for() {
+    let blank = |legend| {
+        let style = Style { legend, goals: false, ..Style::default() };
+        let (_, image) = paint(&Setting { title: "Title".into(), ..Setting::default() }, &style, &Frame::default());
+        image.data().chunks_exact(4).filter(|p| p[0] < 0x90).count()
+    };
+    assert_eq!(blank(false), 0);
+    assert!(blank(true) > 100);
+}
+
+#[test]
+fn broken_numbers_and_empty_places_do_no_harm() {
+    let mut frame = moment(0);
+    frame.bodies[0].position = DVec2::NAN;
+    frame.bodies[1].radius = f32::INFINITY;
+    frame.bodies[1].group = u32::MAX;
+    let nowhere = vec![DVec2::ZERO; 3];
+    let setting = Setting {
+        walkable: vec![throng::Walkable { outer: nowhere.clone(), holes: vec![Vec::new()] }],
+        obstacles: vec![
+            throng::Obstacle::Wall { points: Vec::new() },
+            throng::Obstacle::Polygon { corners: nowhere },
+            throng::Obstacle::Circle { center: DVec2::ZERO, radius: -1.0 },
+        ],
+        goals: vec![throng::Goal::Area { corners: Vec::new() }],
+        ..setting()
+    };
+    let style = Style { view: None, legend: true, trails: 1.0, ..style() };
+    let (mut painter, _) = paint(&setting, &style, &frame);
+    painter.svg(&frame);
+    paint(&Setting::default(), &Style::default(), &Frame::default());
+}
+
+#[test]
+fn a_picture_that_cannot_be_is_refused() {
+    for (width, height) in [(0, 480), (640, 5), (100_000, 100)] {
+        let style = Style { width, height, ..Style::default() };
+        let error = Painter::new(&setting(), &style, &moment(0)).unwrap_err();
+        assert!(matches!(error, Error::Size { .. }), "{error}");
+    }
+}
+
+/// Checks that tags close in order and that attributes and text are clean; returns the number of elements.
+fn elements(svg: &str) -> usize {
+    let (mut open, mut count) = (Vec::new(), 0);
+    for piece in svg.split('<').skip(1) {
+        let (tag, text) = piece.split_once('>').expect("a tag ends");
+        assert!(tag.matches('"').count() % 2 == 0, "quotes come in pairs: {tag}");
+        for (at, _) in text.match_indices('&') {
+            assert!(["&amp;", "&lt;", "&gt;"].iter().any(|e| text[at..].starts_with(e)), "{text}");
+        }
+        if tag.starts_with('?') || tag.ends_with('/') {
+            count += 1;
+        } else if let Some(name) = tag.strip_prefix('/') {
+            assert_eq!(open.pop(), Some(name));
+        } else {
+            open.push(tag.split_whitespace().next().unwrap());
+            count += 1;
+        }
+    }
+    assert!(open.is_empty(), "left open: {open:?}");
+    count
+}
+
+#[test]
+fn an_svg_is_well_formed_and_holds_everybody() {
+    let style = Style { trails: 1.0, legend: true, ..style() };
+    let mut painter = Painter::new(&setting(), &style, &moment(0)).unwrap();
+    for k in 0..20 {
+        painter.follow(&moment(k));
+    }
+    let svg = painter.svg(&moment(20));
+    assert!(elements(&svg) > 15);
+    assert!(svg.contains("Cats &amp; &lt;dogs&gt;"), "the title is escaped");
+    for group in [0, 1] {
+        assert!(svg.contains(&palette(group).hex()), "group {group} has its colour");
+    }
+    assert!(!svg.contains("NaN") && !svg.contains("inf"));
+}
