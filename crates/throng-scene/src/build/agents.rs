@@ -1,0 +1,71 @@
+//! The bodies and speeds of each agent.
+
+use crate::random::{Purpose, Random};
+use crate::scene::{Group, Number, Orca, Scene};
+use throng::Agent;
+
+/// Draws what differs from agent to agent.
+pub(super) struct Draw<'a> {
+    pub scene: &'a Scene,
+    pub group: usize,
+}
+
+impl Draw<'_> {
+    fn group(&self) -> &Group {
+        &self.scene.groups[self.group]
+    }
+
+    fn number(&self, k: usize, purpose: Purpose, number: &Number) -> f64 {
+        match number {
+            Number::Constant(x) => *x,
+            number => Random::new(self.scene.seed, self.group as u64, k as u64, purpose).draw(number),
+        }
+    }
+
+    /// The radius of the k-th agent.
+    pub fn radius(&self, k: usize) -> f64 {
+        self.number(k, Purpose::Radius, &self.group().body.radius)
+    }
+
+    /// The k-th agent, without its place, radius, ids and number.
+    pub fn agent(&self, k: usize) -> Agent {
+        let group = self.group();
+        let standard = Agent::default();
+        let preferred = self.number(k, Purpose::PreferredSpeed, &group.speed.preferred) as f32;
+        let max = match &group.speed.max {
+            Some(max) => self.number(k, Purpose::MaxSpeed, max) as f32,
+            None => standard.max_speed.max(preferred),
+        };
+        let optional = |purpose, number: &Option<Number>| number.map(|number| self.number(k, purpose, &number) as f32);
+        let bits = |layers: &[u8]| layers.iter().fold(0u32, |bits, layer| bits | 1 << u32::from(*layer).min(31));
+        Agent {
+            heading: optional(Purpose::Heading, &group.heading).map(f32::to_radians),
+            preferred_speed: preferred.min(max),
+            max_speed: max,
+            max_acceleration: optional(Purpose::Acceleration, &group.acceleration).unwrap_or(standard.max_acceleration),
+            max_turn_rate: optional(Purpose::TurnRate, &group.turn_rate)
+                .map_or(standard.max_turn_rate, f32::to_radians),
+            priority: group.priority as f32,
+            layers: bits(&group.layers),
+            avoids: group.avoids.as_ref().map_or(u32::MAX, |layers| bits(layers)),
+            ..standard
+        }
+    }
+}
+
+/// What the agents of a group share.
+pub(super) fn shared(group: &Group, name: String) -> throng::Group {
+    let crate::scene::Avoid::Orca(Orca { time_horizon, time_horizon_obstacles, neighbours, neighbour_distance }) =
+        group.avoid;
+    throng::Group {
+        name,
+        model: std::sync::Arc::new(throng::avoid::Orca {
+            time_horizon: time_horizon as f32,
+            time_horizon_obstacles: time_horizon_obstacles as f32,
+        }),
+        neighbour_distance: neighbour_distance as f32,
+        neighbours: neighbours as usize,
+        keep_right: group.keep_right.to_radians() as f32,
+        detour: group.detour,
+    }
+}

@@ -1,0 +1,302 @@
+//! Where each agent goes: goals shared by a group, goals of each agent's own, journeys made of them.
+
+use super::ground::{has_room, obstacle_name, short, show};
+use super::plan::PlannedJourney;
+use crate::error::Kind;
+use crate::file::{Path, Problem};
+use crate::geometry::{DVec2, Solid, Touch, contains, distance_to_segment, outline_of_region};
+use crate::random::{Purpose, Random};
+use crate::scene::{Goal, Number, Region, Scene, Stop};
+use std::collections::HashMap;
+
+/// A goal of a scene, made ready for its group: what is shared is a goal of the plan already.
+enum Target {
+    Shared(usize),
+    Point(Each),
+    Stops(Vec<(Target, Option<Number>)>, bool),
+    Nearest(Vec<Target>),
+    /// With the sums of the weights so far.
+    Choice(Vec<(Target, f64)>),
+}
+
+/// A point for each agent.
+struct Each {
+    path: Path,
+    tolerance: f64,
+    rule: Rule,
+}
+
+enum Rule {
+    Listed(Vec<DVec2>),
+    Opposite(DVec2),
+    Shift(DVec2),
+}
+
+/// Collects goals and journeys.
+pub(super) struct Goals<'a> {
+    pub scene: &'a Scene,
+    pub solid: &'a Solid,
+    pub goals: Vec<throng::Goal>,
+    pub journeys: Vec<PlannedJourney>,
+    known: HashMap<(Vec<(usize, u32)>, bool), usize>,
+}
+
+/// One agent, as far as its goals are concerned.
+struct Walker {
+    k: usize,
+    start: DVec2,
+    radius: f64,
+    choice: Random,
+    wait: Random,
+}
+
+impl<'a> Goals<'a> {
+    pub fn new(scene: &'a Scene, solid: &'a Solid) -> Self {
+        Self { scene, solid, goals: vec![], journeys: vec![], known: HashMap::new() }
+    }
+
+    /// The journeys of a group's agents (`None`: stay). `middle` is that of the group's place.
+    pub fn journeys_of(
+        &mut self,
+        i: usize,
+        starts: &[DVec2],
+        radii: &[f64],
+        middle: DVec2,
+    ) -> Result<Vec<Option<usize>>, Problem> {
+        let group = &self.scene.groups[i];
+        let Some(goal) = &group.goal else { return Ok(vec![None; starts.len()]) };
+        let path = Path::of("group").index(i).key("goal");
+        let largest = radii.iter().fold(0.0_f64, |most, r| most.max(*r));
+        let target = self.prepare(goal, &path, largest, middle, starts.len())?;
+        let mut out = Vec::with_capacity(starts.len());
+        for (k, (start, radius)) in starts.iter().zip(radii).enumerate() {
+            let random = |purpose| Random::new(self.scene.seed, i as u64, k as u64, purpose);
+            let mut walker = Walker {
+                k,
+                start: *start,
+                radius: *radius,
+                choice: random(Purpose::Choice),
+                wait: random(Purpose::StopWait),
+            };
+            let first = group.wait.map_or(0.0, |wait| random(Purpose::Wait).draw(&wait));
+            let mut stops = vec![];
+            if first > 0.0 {
+                let tolerance = (*radius).max(0.1) as f32;
+                stops.push((self.add(throng::Goal::Point { at: *start, tolerance }), first as f32));
+            }
+            let repeat = self.resolve(&target, &mut walker, 0.0, &mut stops)?;
+            out.push(Some(self.journey(stops, repeat)));
+        }
+        Ok(out)
+    }
+
+    fn add(&mut self, goal: throng::Goal) -> usize {
+        self.goals.push(goal);
+        self.goals.len() - 1
+    }
+
+    fn journey(&mut self, stops: Vec<(usize, f32)>, repeat: bool) -> usize {
+        let key = (stops.iter().map(|(goal, wait)| (*goal, wait.to_bits())).collect(), repeat);
+        let journeys = &mut self.journeys;
+        *self.known.entry(key).or_insert_with(|| {
+            journeys.push(PlannedJourney { stops, repeat });
+            journeys.len() - 1
+        })
+    }
+
+    fn prepare(&mut self, goal: &Goal, path: &Path, radius: f64, middle: DVec2, n: usize) -> Result<Target, Problem> {
+        Ok(match goal {
+            Goal::Point(point) => {
+                let at = DVec2::from_array(point.at);
+                self.check_point(&path.key("point"), at, point.tolerance, radius, "the goal")?;
+                Target::Shared(self.add(throng::Goal::Point { at, tolerance: point.tolerance as f32 }))
+            }
+            Goal::Area(region) => {
+                let corners = self.check_region(&path.key("area"), region, radius, "the goal's area")?;
+                Target::Shared(self.add(throng::Goal::Area { corners }))
+            }
+            Goal::Exit(region) => {
+                let corners = self.check_region(&path.key("exit"), region, radius, "the exit")?;
+                Target::Shared(self.add(throng::Goal::Exit { corners }))
+            }
+            Goal::Points(points) => {
+                if points.at.len() != n {
+                    let message = format!("goal.points lists {} points for {n} agents", points.at.len());
+                    return Err(Problem::new(&path.key("points"), Kind::Conflict, message).hint("give one for each agent"));
+                }
+                let listed = points.at.iter().map(|p| DVec2::from_array(*p)).collect();
+                Target::Point(Each {
+                    path: path.key("points"),
+                    tolerance: points.tolerance,
+                    rule: Rule::Listed(listed),
+                })
+            }
+            Goal::Opposite(opposite) => Target::Point(Each {
+                path: path.key("opposite"),
+                tolerance: opposite.tolerance,
+                rule: Rule::Opposite(opposite.center.map_or(middle, DVec2::from_array)),
+            }),
+            Goal::Shift(shift) => Target::Point(Each {
+                path: path.key("shift"),
+                tolerance: shift.tolerance,
+                rule: Rule::Shift(DVec2::from_array(shift.by)),
+            }),
+            Goal::Journey(stops) => self.prepare_stops(stops, &path.key("journey"), false, radius, middle, n)?,
+            Goal::Cycle(stops) => self.prepare_stops(stops, &path.key("cycle"), true, radius, middle, n)?,
+            Goal::Nearest(goals) => {
+                let path = path.key("nearest");
+                let each = |(i, goal)| self.prepare(goal, &path.index(i), radius, middle, n);
+                Target::Nearest(goals.iter().enumerate().map(each).collect::<Result<_, _>>()?)
+            }
+            Goal::Choice(goals) => {
+                let path = path.key("choice");
+                let mut sum = 0.0;
+                let mut targets = vec![];
+                for (i, weighted) in goals.iter().enumerate() {
+                    sum += weighted.weight;
+                    targets.push((self.prepare(&weighted.goal, &path.index(i).key("goal"), radius, middle, n)?, sum));
+                }
+                Target::Choice(targets)
+            }
+        })
+    }
+
+    fn prepare_stops(
+        &mut self,
+        stops: &[Stop],
+        path: &Path,
+        repeat: bool,
+        radius: f64,
+        middle: DVec2,
+        n: usize,
+    ) -> Result<Target, Problem> {
+        let one = |(i, stop): (usize, &Stop)| {
+            Ok((self.prepare(&stop.goal, &path.index(i).key("goal"), radius, middle, n)?, stop.wait))
+        };
+        Ok(Target::Stops(stops.iter().enumerate().map(one).collect::<Result<_, Problem>>()?, repeat))
+    }
+
+    /// Adds the stops of one agent; says whether they repeat.
+    fn resolve(
+        &mut self,
+        target: &Target,
+        walker: &mut Walker,
+        wait: f32,
+        stops: &mut Vec<(usize, f32)>,
+    ) -> Result<bool, Problem> {
+        match target {
+            Target::Shared(goal) => stops.push((*goal, wait)),
+            Target::Point(each) => {
+                let at = each.at(walker);
+                let what = format!("the goal of agent {}", walker.k);
+                self.check_point(&each.path, at, each.tolerance, walker.radius, &what)?;
+                stops.push((self.add(throng::Goal::Point { at, tolerance: each.tolerance as f32 }), wait));
+            }
+            Target::Stops(list, repeat) => {
+                for (target, wait) in list {
+                    let wait = wait.map_or(0.0, |wait| walker.wait.draw(&wait)) as f32;
+                    self.resolve(target, walker, wait, stops)?;
+                }
+                return Ok(*repeat);
+            }
+            Target::Nearest(targets) => {
+                let distance = |target: &&Target| self.distance(target, walker);
+                let nearest = targets.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+                if let Some(target) = nearest {
+                    return self.resolve(target, walker, wait, stops);
+                }
+            }
+            Target::Choice(targets) => {
+                let drawn = walker.choice.unit() * targets.last().map_or(0.0, |(_, sum)| *sum);
+                if let Some((target, _)) = targets.iter().find(|(_, sum)| drawn < *sum).or(targets.last()) {
+                    return self.resolve(target, walker, wait, stops);
+                }
+            }
+        }
+        Ok(false)
+    }
+
+    /// From an agent's start to a target, as the crow flies.
+    fn distance(&self, target: &Target, walker: &Walker) -> f64 {
+        match target {
+            Target::Shared(goal) => match &self.goals[*goal] {
+                throng::Goal::Point { at, .. } => at.distance(walker.start),
+                throng::Goal::Area { corners } | throng::Goal::Exit { corners } => {
+                    if contains(corners, walker.start) {
+                        return 0.0;
+                    }
+                    let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+                    ends.fold(f64::INFINITY, |least, (a, b)| least.min(distance_to_segment(walker.start, *a, *b)))
+                }
+            },
+            Target::Point(each) => each.at(walker).distance(walker.start),
+            Target::Stops(list, _) => list.first().map_or(f64::INFINITY, |(first, _)| self.distance(first, walker)),
+            Target::Nearest(targets) => {
+                targets.iter().map(|target| self.distance(target, walker)).fold(f64::INFINITY, f64::min)
+            }
+            Target::Choice(targets) => {
+                targets.iter().map(|(target, _)| self.distance(target, walker)).fold(f64::INFINITY, f64::min)
+            }
+        }
+    }
+
+    /// A body must be able to stand within the tolerance of a point.
+    fn check_point(&self, path: &Path, at: DVec2, tolerance: f64, radius: f64, what: &str) -> Result<(), Problem> {
+        let wall = |touch: Touch| match touch {
+            Touch::OffGround => "off the walkable ground".to_owned(),
+            Touch::Edge(_) => "a wall".to_owned(),
+            Touch::Inside(o) | Touch::Obstacle(o, _) => obstacle_name(&self.scene.obstacles[o].name, o),
+        };
+        if let Some(touch) = self.solid.touch(at, 0.0) {
+            let message = match touch {
+                Touch::OffGround => format!("{what}, {}, is off the walkable ground", show(at)),
+                touch => format!("{what}, {}, is inside {}", show(at), wall(touch)),
+            };
+            return Err(Problem::new(path, Kind::GoalInWall, message).hint("move the goal to where somebody can stand"));
+        }
+        let needed = radius - tolerance;
+        if needed > 0.0 {
+            if let Some(touch @ (Touch::Edge(distance) | Touch::Obstacle(_, distance))) =
+                self.solid.touch(at, needed * (1.0 - 1e-6))
+            {
+                let message = format!(
+                    "{what}, {}, is {} m from {}: a body of radius {} cannot come within {} m of it",
+                    show(at),
+                    short(distance),
+                    wall(touch),
+                    short(radius),
+                    short(tolerance)
+                );
+                return Err(Problem::new(path, Kind::GoalInWall, message)
+                    .hint("move the goal away from the wall, or give it a larger tolerance"));
+            }
+        }
+        Ok(())
+    }
+
+    /// A body must fit somewhere in a region. Gives its corners.
+    fn check_region(&self, path: &Path, region: &Region, radius: f64, what: &str) -> Result<Vec<DVec2>, Problem> {
+        let corners = outline_of_region(region);
+        if has_room(self.solid, &corners, radius * (1.0 - 1e-6)) {
+            return Ok(corners);
+        }
+        let problem = |message: String| Problem::new(path, Kind::GoalInWall, message);
+        Err(if has_room(self.solid, &corners, 0.0) {
+            let message = format!("{what} lies so near the walls that a body of radius {} cannot enter it", short(radius));
+            problem(message).hint("it counts as entered when the body's centre is inside: make it reach further in")
+        } else {
+            problem(format!("{what} lies in a wall or off the walkable ground"))
+                .hint("move it, or make it reach onto the ground")
+        })
+    }
+}
+
+impl Each {
+    fn at(&self, walker: &Walker) -> DVec2 {
+        match &self.rule {
+            Rule::Listed(points) => points[walker.k],
+            Rule::Opposite(center) => 2.0 * *center - walker.start,
+            Rule::Shift(by) => walker.start + *by,
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! Ground and obstacles: from what a scene says to what the world takes.
+
+use super::check::{check_points, check_rectangle};
+use crate::error::{Error, Kind};
+use crate::file::{Path, Problem};
+use crate::geometry::{DVec2, Solid, bounds, contains, crossing, points, rectangle, signed_area};
+use crate::import::wkt;
+use crate::scene::{Area, As, Obstacle, Point, Scene, Shape, Walkable};
+
+/// What went wrong: a value of the scene, or a file it names.
+pub(super) enum Wrong {
+    Problem(Problem),
+    Error(Error),
+}
+
+impl From<Problem> for Wrong {
+    fn from(problem: Problem) -> Self {
+        Self::Problem(problem)
+    }
+}
+
+/// The areas people can walk on; none: everywhere.
+pub(super) fn areas(scene: &Scene) -> Result<Vec<throng::Walkable>, Wrong> {
+    let path = Path::of("walkable");
+    let one = |path: &Path, area: &Area| -> Result<throng::Walkable, Problem> {
+        check_points(&path.key("outer"), &area.outer)?;
+        check_polygon(&path.key("outer"), &area.outer, "the ground")?;
+        for (i, hole) in area.holes.iter().enumerate() {
+            let path = path.key("holes").index(i);
+            check_points(&path, hole)?;
+            check_polygon(&path, hole, "the hole")?;
+        }
+        let holes = area.holes.iter().map(|hole| points(hole)).collect();
+        Ok(throng::Walkable { outer: points(&area.outer), holes })
+    };
+    match &scene.walkable {
+        None => Ok(vec![]),
+        Some(Walkable::Rectangle(r)) => {
+            check_rectangle(&path.key("rectangle"), r)?;
+            Ok(vec![throng::Walkable { outer: rectangle(r), holes: vec![] }])
+        }
+        Some(Walkable::Polygon(area)) => Ok(vec![one(&path.key("polygon"), area)?]),
+        Some(Walkable::Polygons(areas)) => {
+            let path = path.key("polygons");
+            let areas: Result<Vec<_>, _> =
+                areas.iter().enumerate().map(|(i, area)| one(&path.index(i), area)).collect();
+            Ok(areas?)
+        }
+        Some(Walkable::File(name)) => {
+            let path = path.key("file");
+            let file = scene.origin.folder.join(name);
+            let text = crate::file::read_text(&file).map_err(|error| {
+                let mut problem = Problem::new(&path, error.kind, error.message);
+                problem.hint = error.hint;
+                problem
+            })?;
+            let shown = file.display().to_string();
+            let areas = wkt::areas(&text).map_err(|error| Wrong::Error(error.file(shown.clone())))?;
+            let areas: Result<Vec<_>, _> = areas.iter().map(|area| one(&path, area)).collect();
+            Ok(areas.map_err(|mut problem| {
+                problem.path = path;
+                problem.message = format!("{shown}: {}", problem.message);
+                problem
+            })?)
+        }
+    }
+}
+
+/// A polygon has three corners and an area, and does not cross itself.
+pub(super) fn check_polygon(path: &Path, corners: &[Point], what: &str) -> Result<(), Problem> {
+    let corners = points(corners);
+    if corners.len() < 3 {
+        let message = format!("{what} has {} corners", corners.len());
+        return Err(Problem::new(path, Kind::Geometry, message).hint("a polygon has at least three corners"));
+    }
+    if let Some((at, first, second)) = crossing(&corners) {
+        let n = corners.len();
+        let edge = |i: usize| format!("{} to {}", show(corners[i]), show(corners[(i + 1) % n]));
+        let message =
+            format!("{what} crosses itself at {}: the edge from {} and that from {}", show(at), edge(first), edge(second));
+        return Err(Problem::new(path, Kind::Geometry, message)
+            .hint("list the corners in order round the outline, as one would walk it"));
+    }
+    if signed_area(&corners).abs() < 1e-9 {
+        return Err(Problem::new(path, Kind::Geometry, format!("{what} has no area: its corners lie on one line")));
+    }
+    Ok(())
+}
+
+/// The solid things of a scene.
+pub(super) fn obstacles(scene: &Scene) -> Result<Vec<throng::Obstacle>, Problem> {
+    let one = |(i, obstacle): (usize, &Obstacle)| {
+        let path = Path::of("obstacle").index(i).key("shape");
+        if let Shape::Polygon(corners) = &obstacle.shape {
+            check_polygon(&path.key("polygon"), corners, &obstacle_name(&obstacle.name, i))?;
+        }
+        Ok(match obstacle.solid_as {
+            As::Shape => solid_shape(&obstacle.shape),
+            As::Circle => bounding_circle(&obstacle.shape),
+        })
+    };
+    scene.obstacles.iter().enumerate().map(one).collect()
+}
+
+fn solid_shape(shape: &Shape) -> throng::Obstacle {
+    match shape {
+        Shape::Circle(circle) => {
+            throng::Obstacle::Circle { center: DVec2::from_array(circle.center), radius: circle.radius }
+        }
+        Shape::Rectangle(r) => throng::Obstacle::Polygon { corners: rectangle(r) },
+        Shape::Polygon(corners) => throng::Obstacle::Polygon { corners: points(corners) },
+        Shape::Wall(corners) => {
+            throng::Obstacle::Wall { points: corners.iter().map(|p| DVec2::from_array(*p)).collect() }
+        }
+    }
+}
+
+/// The circle round the bounding box.
+fn bounding_circle(shape: &Shape) -> throng::Obstacle {
+    let (low, high) = match shape {
+        Shape::Circle(_) => return solid_shape(shape),
+        Shape::Rectangle(r) => {
+            let (center, half) = (DVec2::from_array(r.center), DVec2::from_array(r.size) * 0.5);
+            (center - half, center + half)
+        }
+        Shape::Polygon(corners) | Shape::Wall(corners) => match bounds(points(corners)) {
+            Some([low, high]) => (low, high),
+            None => return solid_shape(shape),
+        },
+    };
+    throng::Obstacle::Circle { center: (low + high) * 0.5, radius: low.distance(high) * 0.5 }
+}
+
+/// An obstacle's name in messages.
+pub(super) fn obstacle_name(name: &str, position: usize) -> String {
+    if name.is_empty() { format!("obstacle {}", position + 1) } else { format!("obstacle `{name}`") }
+}
+
+/// Whether a body fits somewhere in a polygon: looks on a grid, and between the middle and each corner.
+pub(crate) fn has_room(solid: &Solid, corners: &[DVec2], radius: f64) -> bool {
+    const GRID: u32 = 48;
+    let Some([low, high]) = bounds(corners.iter().copied()) else { return false };
+    let fits = |p: DVec2| contains(corners, p) && solid.fits(p, radius);
+    let middle = corners.iter().sum::<DVec2>() / corners.len() as f64;
+    let n = corners.len();
+    let rays = (0..n).flat_map(|i| {
+        let edge = corners[i].lerp(corners[(i + 1) % n], 0.5);
+        [0.02, 0.25, 0.5, 0.75, 0.98].into_iter().flat_map(move |t| [middle.lerp(corners[i], t), middle.lerp(edge, t)])
+    });
+    let cell = |i: u32| (f64::from(i) + 0.5) / f64::from(GRID);
+    let grid = (0..GRID)
+        .flat_map(|i| (0..GRID).map(move |j| (i, j)))
+        .map(|(i, j)| low + (high - low) * DVec2::new(cell(i), cell(j)));
+    std::iter::once(middle).chain(rays).chain(grid).any(fits)
+}
+
+/// A point in messages: at most three decimals.
+pub(super) fn show(p: DVec2) -> String {
+    format!("({}, {})", short(p.x), short(p.y))
+}
+
+/// A number in messages: at most three decimals.
+pub(super) fn short(x: f64) -> String {
+    let text = format!("{x:.3}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.into() }
+}

@@ -1,0 +1,106 @@
+//! Limits of numbers, said with their names.
+
+use crate::error::Kind;
+use crate::file::{Path, Problem};
+use crate::scene::{Number, Point};
+
+/// Greatest coordinate, metres: three times round the Earth, and still exact to 2e-8 m in f64.
+pub(super) const FARTHEST: f64 = 1e8;
+
+/// What a number may be.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Limit {
+    Finite,
+    Positive,
+    NotNegative,
+    /// From the first to the second, both included.
+    Between(f64, f64),
+    /// More than 0, and at most this.
+    UpTo(f64),
+}
+
+impl Limit {
+    fn holds(self, x: f64) -> bool {
+        x.is_finite()
+            && match self {
+                Self::Finite => x.abs() <= FARTHEST,
+                Self::Positive => x > 0.0,
+                Self::NotNegative => x >= 0.0,
+                Self::Between(low, high) => (low..=high).contains(&x),
+                Self::UpTo(high) => x > 0.0 && x <= high,
+            }
+    }
+
+    fn words(self) -> String {
+        match self {
+            Self::Finite => "a finite number of at most 100,000,000 in size".into(),
+            Self::Positive => "more than 0".into(),
+            Self::NotNegative => "0 or more".into(),
+            Self::Between(low, high) => format!("from {low} to {high}"),
+            Self::UpTo(high) => format!("more than 0 and at most {high}"),
+        }
+    }
+}
+
+/// Checks one number. `path` leads to it.
+pub(super) fn check(path: &Path, x: f64, limit: Limit) -> Result<(), Problem> {
+    if limit.holds(x) {
+        return Ok(());
+    }
+    let message = format!("{} is {x}, but must be {}", name(path), limit.words());
+    Err(Problem::new(path, Kind::OutOfRange, message))
+}
+
+/// Checks a number that may be there.
+pub(super) fn check_some(path: &Path, x: Option<f64>, limit: Limit) -> Result<(), Problem> {
+    x.map_or(Ok(()), |x| check(path, x, limit))
+}
+
+/// Checks both coordinates of a point.
+pub(super) fn check_point(path: &Path, point: &Point) -> Result<(), Problem> {
+    point.iter().enumerate().try_for_each(|(i, x)| check(&path.index(i), *x, Limit::Finite))
+}
+
+/// Checks a number that may be a distribution: everything it can give must be within the limit.
+pub(super) fn check_number(path: &Path, number: &Number, limit: Limit) -> Result<(), Problem> {
+    match number {
+        Number::Constant(x) => check(path, *x, limit),
+        Number::Uniform([low, high]) => {
+            let path = path.key("uniform");
+            check(&path.index(0), *low, limit)?;
+            check(&path.index(1), *high, limit)?;
+            if low > high {
+                let message = format!("{} goes from {low} down to {high}", name(&path));
+                return Err(Problem::new(&path, Kind::OutOfRange, message).hint("give the lower bound first"));
+            }
+            Ok(())
+        }
+        Number::Normal(normal) => {
+            let path = path.key("normal");
+            check(&path.key("mean"), normal.mean, Limit::Finite)?;
+            check(&path.key("deviation"), normal.deviation, Limit::NotNegative)?;
+            check_some(&path.key("min"), normal.min, limit)?;
+            check_some(&path.key("max"), normal.max, limit)?;
+            let [low, high] = normal.bounds();
+            if low > high {
+                let message = format!("{} has a least value of {low} above its greatest of {high}", name(&path));
+                return Err(Problem::new(&path, Kind::OutOfRange, message));
+            }
+            if limit.holds(low) && limit.holds(high) {
+                return Ok(());
+            }
+            let message = format!("{} can give {low} to {high}, but must be {}", name(&path), limit.words());
+            Err(Problem::new(&path, Kind::OutOfRange, message)
+                .hint("without `min` and `max` it reaches three deviations to each side: set them"))
+        }
+    }
+}
+
+/// A value's name in messages: its path from the group, obstacle or table on.
+pub(super) fn name(path: &Path) -> String {
+    let text = path.to_string();
+    match text.split_once("].") {
+        Some((head, rest)) if head.starts_with("group[") || head.starts_with("obstacle[") => rest.to_owned(),
+        _ => text,
+    }
+}

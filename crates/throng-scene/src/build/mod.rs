@@ -1,0 +1,17 @@
+//! From what a scene says to a world: check, lay out, add.
+
+mod agents;
+mod check;
+mod count;
+mod goals;
+mod ground;
+mod limits;
+mod place;
+mod plan;
+mod world;
+
+pub use count::MAX_AGENTS;
+pub use plan::{Plan, PlannedAgent, PlannedJourney};
+pub use world::{Built, BuiltGroup};
+
+pub(crate) use ground::has_room;

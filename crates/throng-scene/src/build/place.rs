@@ -1,0 +1,261 @@
+//! Where each agent starts.
+
+use super::ground::{obstacle_name, short, show};
+use crate::error::Kind;
+use crate::file::{Path, Problem};
+use crate::geometry::{DVec2, Solid, Spacing, Touch, bounds, contains, points, rectangle};
+use crate::random::{Purpose, Random};
+use crate::scene::{Grid, Group, Place, Rectangle, Scene};
+
+/// Draws before a spot is given up: finds the last percent of free ground with near certainty.
+const TRIES: usize = 4000;
+
+/// What placing needs to know.
+pub(super) struct Ground<'a> {
+    pub scene: &'a Scene,
+    pub solid: &'a Solid,
+    pub areas: &'a [throng::Walkable],
+    /// Bodies: for every group, the radius of every agent.
+    pub radii: &'a [Vec<f64>],
+    /// Whether a group enters through sources.
+    pub enters: &'a [bool],
+}
+
+impl Ground<'_> {
+    /// The starts of all agents, by group. Given spots are taken first, drawn ones fill what is left.
+    pub fn place(&self) -> Result<Vec<Vec<DVec2>>, Problem> {
+        let groups = &self.scene.groups;
+        let largest = self.radii.iter().flatten().fold(0.0_f64, |most, r| most.max(*r));
+        let gap = groups.iter().fold(0.0_f64, |most, group| most.max(gap(&group.place)));
+        let mut spacing = Spacing::new(2.0 * largest + gap);
+        let mut starts = vec![vec![]; groups.len()];
+        let (given, drawn): (Vec<_>, Vec<_>) = (0..groups.len()).partition(|i| is_given(&groups[*i].place));
+        for i in given {
+            starts[i] = self.given(i, &mut spacing)?;
+        }
+        for i in drawn {
+            starts[i] = self.drawn(i, &mut spacing)?;
+        }
+        Ok(starts)
+    }
+
+    /// At spots that the scene names.
+    fn given(&self, i: usize, spacing: &mut Spacing) -> Result<Vec<DVec2>, Problem> {
+        let group = &self.scene.groups[i];
+        let path = Path::of("group").index(i).key("place");
+        let n = self.radii[i].len();
+        let spots: Vec<DVec2> = (0..n).map(|k| spot(&group.place, k, n)).collect();
+        for (k, (spot, radius)) in spots.iter().zip(&self.radii[i]).enumerate() {
+            if let Some(touch) = self.solid.touch(*spot, radius * (1.0 - 1e-6)) {
+                return Err(self.in_wall(&path, i, k, *spot, *radius, touch));
+            }
+            if self.enters[i] {
+                continue;
+            }
+            if let Some((other, distance)) = spacing.too_near(*spot, *radius, 0.0) {
+                let (a, b) = (self.agent_name(other as usize), self.agent_name(self.number(i, k)));
+                let needed = radius + self.radius_of(other as usize);
+                let message = if distance == 0.0 {
+                    format!("{a} and {b} start at one place, {}", show(*spot))
+                } else {
+                    format!(
+                        "{a} and {b} overlap: their centres are {} m apart, their bodies need {} m",
+                        short(distance),
+                        short(needed)
+                    )
+                };
+                return Err(Problem::new(&path, Kind::Overlap, message)
+                    .hint("move them apart, make the place larger, or use a smaller body.radius"));
+            }
+            spacing.add(*spot, *radius, self.number(i, k) as u32);
+        }
+        Ok(spots)
+    }
+
+    /// At spots that are drawn.
+    fn drawn(&self, i: usize, spacing: &mut Spacing) -> Result<Vec<DVec2>, Problem> {
+        let group = &self.scene.groups[i];
+        let path = Path::of("group").index(i).key("place");
+        let shape = Drawn::new(&group.place, self.areas, &path)?;
+        let gap = gap(&group.place);
+        let mut spots = Vec::with_capacity(self.radii[i].len());
+        for (k, radius) in self.radii[i].iter().enumerate() {
+            let mut random = Random::new(self.scene.seed, i as u64, k as u64, Purpose::Place);
+            let found = (0..TRIES).map(|_| shape.draw(&mut random)).find(|p| {
+                shape.contains(*p)
+                    && (self.enters[i] || spacing.too_near(*p, *radius, gap).is_none())
+                    && self.solid.fits(*p, *radius)
+            });
+            let Some(p) = found else {
+                let named = Group::name_at(&group.name, i);
+                let message = format!("group `{named}`: only {k} of {} agents fit into its place", self.radii[i].len());
+                return Err(Problem::new(&path, Kind::NoRoom, message)
+                    .hint("make the place larger, or use fewer agents, a smaller body.radius or a smaller gap"));
+            };
+            if !self.enters[i] {
+                spacing.add(p, *radius, self.number(i, k) as u32);
+            }
+            spots.push(p);
+        }
+        Ok(spots)
+    }
+
+    fn in_wall(&self, path: &Path, i: usize, k: usize, p: DVec2, radius: f64, touch: Touch) -> Problem {
+        let who = self.agent_name(self.number(i, k));
+        let obstacle = |o: usize| obstacle_name(&self.scene.obstacles[o].name, o);
+        let at = show(p);
+        let (message, hint) = match touch {
+            Touch::OffGround => {
+                (format!("{who} starts off the walkable ground, at {at}"), "move it onto the ground".to_owned())
+            }
+            Touch::Inside(o) => {
+                (format!("{who} starts inside {}, at {at}", obstacle(o)), "move it, or the obstacle".to_owned())
+            }
+            Touch::Edge(distance) => (
+                format!("{who} starts in a wall: {at} is {} m from it, the body's radius is {}", short(distance), short(radius)),
+                format!("move it {} m away from the wall", short(radius - distance + 5e-4)),
+            ),
+            Touch::Obstacle(o, distance) => (
+                format!(
+                    "{who} starts in {}: {at} is {} m from it, the body's radius is {}",
+                    obstacle(o),
+                    short(distance),
+                    short(radius)
+                ),
+                format!("move it {} m away from the obstacle", short(radius - distance + 5e-4)),
+            ),
+        };
+        Problem::new(path, Kind::InWall, message).hint(hint)
+    }
+
+    /// The number of an agent in the whole scene.
+    fn number(&self, group: usize, k: usize) -> usize {
+        self.radii[..group].iter().map(Vec::len).sum::<usize>() + k
+    }
+
+    /// The group and the position in it of an agent's number.
+    fn whose(&self, number: usize) -> (usize, usize) {
+        let mut rest = number;
+        for (i, radii) in self.radii.iter().enumerate() {
+            if rest < radii.len() {
+                return (i, rest);
+            }
+            rest -= radii.len();
+        }
+        (0, rest)
+    }
+
+    fn radius_of(&self, number: usize) -> f64 {
+        let (i, k) = self.whose(number);
+        self.radii[i][k]
+    }
+
+    fn agent_name(&self, number: usize) -> String {
+        let (i, k) = self.whose(number);
+        format!("agent {k} of group `{}`", Group::name_at(&self.scene.groups[i].name, i))
+    }
+}
+
+fn is_given(place: &Place) -> bool {
+    matches!(place, Place::Point(_) | Place::Points(_) | Place::Line(_) | Place::Ring(_) | Place::Grid(_))
+}
+
+fn gap(place: &Place) -> f64 {
+    match place {
+        Place::Disc(place) => place.gap,
+        Place::Rectangle(place) => place.gap,
+        Place::Polygon(place) => place.gap,
+        Place::Walkable(place) => place.gap,
+        _ => 0.0,
+    }
+}
+
+/// The middle of a place.
+pub(super) fn middle(place: &Place, starts: &[DVec2]) -> DVec2 {
+    match place {
+        Place::Ring(ring) => DVec2::from_array(ring.center),
+        Place::Grid(grid) => DVec2::from_array(grid.center),
+        Place::Disc(disc) => DVec2::from_array(disc.center),
+        Place::Rectangle(r) => DVec2::from_array(r.center),
+        Place::Line(line) => DVec2::from_array(line.from).lerp(DVec2::from_array(line.to), 0.5),
+        _ => bounds(starts.iter().copied()).map_or(DVec2::ZERO, |[low, high]| (low + high) * 0.5),
+    }
+}
+
+/// The k-th of n spots. More agents than spots (with sources) take them in turn.
+fn spot(place: &Place, k: usize, n: usize) -> DVec2 {
+    match place {
+        Place::Point(point) => DVec2::from_array(*point),
+        Place::Points(points) => points.get(k % points.len().max(1)).map_or(DVec2::ZERO, |p| DVec2::from_array(*p)),
+        Place::Line(line) => {
+            let t = if n > 1 { k as f64 / (n - 1) as f64 } else { 0.5 };
+            DVec2::from_array(line.from).lerp(DVec2::from_array(line.to), t)
+        }
+        Place::Ring(ring) => {
+            let angle = ring.start.to_radians() + std::f64::consts::TAU * k as f64 / n as f64;
+            let (sin, cos) = libm::sincos(angle);
+            DVec2::from_array(ring.center) + ring.radius * DVec2::new(cos, sin)
+        }
+        Place::Grid(grid) => grid_spot(grid, k as u64 % (grid.columns * grid.rows).max(1)),
+        _ => DVec2::ZERO,
+    }
+}
+
+fn grid_spot(grid: &Grid, k: u64) -> DVec2 {
+    let along = |k: u64, n: u64| (k as f64 - (n - 1) as f64 * 0.5) * grid.spacing;
+    let (x, y) = (along(k % grid.columns, grid.columns), along(k / grid.columns, grid.rows));
+    let (sin, cos) = libm::sincos(grid.rotation.to_radians());
+    DVec2::from_array(grid.center) + DVec2::new(cos * x - sin * y, sin * x + cos * y)
+}
+
+/// A shape to draw spots in.
+enum Drawn {
+    Disc(DVec2, f64),
+    /// A corner and the two sides from it.
+    Parallelogram(DVec2, DVec2, DVec2),
+    Polygon(Vec<DVec2>, [DVec2; 2]),
+    Box([DVec2; 2]),
+}
+
+impl Drawn {
+    fn new(place: &Place, areas: &[throng::Walkable], path: &Path) -> Result<Self, Problem> {
+        Ok(match place {
+            Place::Disc(disc) => Self::Disc(DVec2::from_array(disc.center), disc.radius),
+            Place::Rectangle(r) => {
+                let c = rectangle(&Rectangle { center: r.center, size: r.size, rotation: r.rotation });
+                Self::Parallelogram(c[0], c[1] - c[0], c[3] - c[0])
+            }
+            Place::Polygon(polygon) => {
+                let corners = points(&polygon.corners);
+                let box_ = bounds(corners.iter().copied()).unwrap_or_default();
+                Self::Polygon(corners, box_)
+            }
+            _ => {
+                let Some(box_) = bounds(areas.iter().flat_map(|area| area.outer.iter().copied())) else {
+                    return Err(Problem::new(path, Kind::MissingKey, "place.walkable needs walkable ground")
+                        .hint("add a `walkable` to the scene, or use place.rectangle"));
+                };
+                Self::Box(box_)
+            }
+        })
+    }
+
+    fn draw(&self, random: &mut Random) -> DVec2 {
+        let (a, b) = (random.unit(), random.unit());
+        match self {
+            Self::Disc(center, radius) => {
+                let (sin, cos) = libm::sincos(std::f64::consts::TAU * a);
+                *center + radius * libm::sqrt(b) * DVec2::new(cos, sin)
+            }
+            Self::Parallelogram(corner, u, v) => *corner + a * *u + b * *v,
+            Self::Polygon(_, [low, high]) | Self::Box([low, high]) => *low + (*high - *low) * DVec2::new(a, b),
+        }
+    }
+
+    fn contains(&self, p: DVec2) -> bool {
+        match self {
+            Self::Polygon(corners, _) => contains(corners, p),
+            _ => true,
+        }
+    }
+}

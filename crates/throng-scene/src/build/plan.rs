@@ -1,0 +1,152 @@
+//! A plan: everything a scene puts into a world, before there is a world.
+
+use super::agents::{Draw, shared};
+use super::count::counts;
+use super::goals::Goals;
+use super::ground::{self, Wrong};
+use super::place::{Ground, middle};
+use super::check::check_scene;
+use crate::error::Error;
+use crate::file::Problem;
+use crate::geometry::{DVec2, Solid, bounds};
+use crate::scene::{Group, Scene};
+
+/// Everything a scene puts into a world: what [`Scene::build`] adds, in this order.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// What the world is made with.
+    pub settings: throng::Settings,
+    /// Ground that can be walked on; none: everywhere.
+    pub walkable: Vec<throng::Walkable>,
+    /// What is solid, in the scene's order.
+    pub obstacles: Vec<throng::Obstacle>,
+    /// The groups, in the scene's order.
+    pub groups: Vec<throng::Group>,
+    /// All goals.
+    pub goals: Vec<throng::Goal>,
+    /// All journeys.
+    pub journeys: Vec<PlannedJourney>,
+    /// All agents, group by group; their position is their number.
+    pub agents: Vec<PlannedAgent>,
+    /// Lower left and upper right corner of all of it, metres.
+    pub bounds: [DVec2; 2],
+}
+
+/// A journey of a [`Plan`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlannedJourney {
+    /// The stops: position in [`Plan::goals`], and seconds to wait there.
+    pub stops: Vec<(usize, f32)>,
+    /// After the last stop begin again.
+    pub repeat: bool,
+}
+
+/// An agent of a [`Plan`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlannedAgent {
+    /// The agent; its group and journey are filled in when the world is built.
+    pub agent: throng::Agent,
+    /// Position in [`Plan::groups`].
+    pub group: usize,
+    /// Position in [`Plan::journeys`]; `None`: it stays.
+    pub journey: Option<usize>,
+    /// When it enters, seconds; `None`: it is there from the start.
+    pub enters: Option<f64>,
+}
+
+impl Scene {
+    /// Checks the scene and lays it out: who stands where, who goes where.
+    ///
+    /// # Errors
+    /// With file, line, column and a hint: a number out of its limits, a polygon that crosses itself, agents that
+    /// overlap each other or a wall, agents that do not fit, goals in walls, no or too many agents.
+    pub fn plan(&self) -> Result<Plan, Error> {
+        self.lay_out().map_err(|wrong| match wrong {
+            Wrong::Problem(problem) => self.explain(problem),
+            Wrong::Error(error) => error,
+        })
+    }
+
+    /// Gives a problem its place in the file.
+    pub(crate) fn explain(&self, problem: Problem) -> Error {
+        match &self.origin.document {
+            Some(document) => document.explain(problem),
+            None => {
+                let mut error = Error::new(problem.kind, problem.message);
+                error.hint = problem.hint;
+                error
+            }
+        }
+    }
+
+    fn lay_out(&self) -> Result<Plan, Wrong> {
+        check_scene(self)?;
+        let counts = counts(self)?;
+        let walkable = ground::areas(self)?;
+        let obstacles = ground::obstacles(self)?;
+        let draws: Vec<Draw> = (0..self.groups.len()).map(|group| Draw { scene: self, group }).collect();
+        let radii: Vec<Vec<f64>> = draws
+            .iter()
+            .zip(&counts)
+            .map(|(draw, count)| (0..count.agents).map(|k| draw.radius(k)).collect())
+            .collect();
+        let largest = radii.iter().flatten().fold(0.0_f64, |most, radius| most.max(*radius));
+        let solid = Solid::new(&walkable, &obstacles, largest);
+        let enters: Vec<bool> = counts.iter().map(|count| count.enters.is_some()).collect();
+        let ground = Ground { scene: self, solid: &solid, areas: &walkable, radii: &radii, enters: &enters };
+        let starts = ground.place()?;
+
+        let mut goals = Goals::new(self, &solid);
+        let mut agents = Vec::with_capacity(radii.iter().map(Vec::len).sum());
+        for (i, count) in counts.iter().enumerate() {
+            let middle = middle(&self.groups[i].place, &starts[i]);
+            let journeys = goals.journeys_of(i, &starts[i], &radii[i], middle)?;
+            for (k, journey) in journeys.into_iter().enumerate() {
+                let agent = throng::Agent {
+                    position: starts[i][k],
+                    radius: radii[i][k] as f32,
+                    number: Some(agents.len() as u32),
+                    ..draws[i].agent(k)
+                };
+                let enters = count.enters.as_ref().map(|times| times[k]);
+                agents.push(PlannedAgent { agent, group: i, journey, enters });
+            }
+        }
+        let Goals { goals, journeys, .. } = goals;
+        let bounds = all_bounds(&walkable, &obstacles, &goals, &agents);
+        let settings = throng::Settings {
+            step: self.time.step,
+            sub_steps: self.time.sub_steps.into(),
+            seed: self.seed,
+            // Whole metres: simple coordinates stay simple in f32.
+            origin: ((bounds[0] + bounds[1]) * 0.5).round(),
+        };
+        let named = |(i, group): (usize, &Group)| shared(group, Group::name_at(&group.name, i));
+        let groups = self.groups.iter().enumerate().map(named).collect();
+        Ok(Plan { settings, walkable, obstacles, groups, goals, journeys, agents, bounds })
+    }
+}
+
+/// Lower left and upper right corner of everything.
+fn all_bounds(
+    walkable: &[throng::Walkable],
+    obstacles: &[throng::Obstacle],
+    goals: &[throng::Goal],
+    agents: &[PlannedAgent],
+) -> [DVec2; 2] {
+    let ground = walkable.iter().flat_map(|area| area.outer.iter().copied());
+    let solid = obstacles.iter().flat_map(|obstacle| match obstacle {
+        throng::Obstacle::Circle { center, radius } => vec![*center - *radius, *center + *radius],
+        throng::Obstacle::Polygon { corners } => corners.clone(),
+        throng::Obstacle::Wall { points } => points.clone(),
+    });
+    let goals = goals.iter().flat_map(|goal| match goal {
+        throng::Goal::Point { at, .. } => vec![*at],
+        throng::Goal::Area { corners } | throng::Goal::Exit { corners } => corners.clone(),
+    });
+    let bodies = agents.iter().flat_map(|planned| {
+        let radius = f64::from(planned.agent.radius);
+        [planned.agent.position - radius, planned.agent.position + radius]
+    });
+    bounds(ground.chain(solid).chain(goals).chain(bodies)).unwrap_or_default()
+}

@@ -1,0 +1,107 @@
+//! From a plan to a world.
+
+use super::plan::Plan;
+use crate::error::{Error, Kind};
+use crate::file::{Path, Problem};
+use crate::geometry::DVec2;
+use crate::scene::{Colour, Group, Scene};
+use std::ops::Range;
+use throng::{GoalId, GroupId, Journey, JourneyId, Stop, World};
+
+/// What was built: which id belongs to what, for those who draw or measure it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Built {
+    /// The scene's groups, in its order.
+    pub groups: Vec<BuiltGroup>,
+    /// How many agents there are and will be.
+    pub agents: usize,
+    /// How many of them enter later.
+    pub entering: usize,
+    /// Every goal and its id.
+    pub goals: Vec<(GoalId, throng::Goal)>,
+    /// The walkable ground; none: everywhere.
+    pub walkable: Vec<throng::Walkable>,
+    /// The obstacles, in the scene's order.
+    pub obstacles: Vec<throng::Obstacle>,
+    /// Lower left and upper right corner of all of it, metres.
+    pub bounds: [DVec2; 2],
+}
+
+/// A group that was built.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BuiltGroup {
+    /// Its name.
+    pub name: String,
+    /// Its id.
+    pub id: GroupId,
+    /// Its agents' numbers ([`throng::Agent::number`]).
+    pub numbers: Range<u32>,
+    /// Its colour, where the scene gives one.
+    pub colour: Option<Colour>,
+}
+
+impl Scene {
+    /// Makes the world this scene describes. The same scene makes the same world on every machine.
+    ///
+    /// # Errors
+    /// Those of [`Scene::plan`], and what the world itself refuses.
+    pub fn build(&self) -> Result<(World, Built), Error> {
+        let plan = self.plan()?;
+        let mut world = World::new(plan.settings.clone()).map_err(|error| self.refused("time", None, &error))?;
+        if !plan.walkable.is_empty() {
+            world.set_walkable(plan.walkable.clone()).map_err(|error| self.refused("walkable", None, &error))?;
+        }
+        for (i, obstacle) in plan.obstacles.iter().enumerate() {
+            world.add_obstacle(obstacle.clone()).map_err(|error| self.refused("obstacle", Some(i), &error))?;
+        }
+        let groups: Vec<GroupId> = self.each(&plan.groups, |group| world.add_group(group.clone()))?;
+        let goals: Vec<GoalId> = self.each(&plan.goals, |goal| world.add_goal(goal.clone()))?;
+        let journeys: Vec<JourneyId> = self.each(&plan.journeys, |journey| {
+            let stops = journey.stops.iter().map(|(goal, wait)| Stop { goal: goals[*goal], wait: *wait });
+            world.add_journey(Journey { stops: stops.collect(), repeat: journey.repeat })
+        })?;
+        let built = self.built(&plan, &groups, &goals);
+        for planned in plan.agents {
+            let mut agent = planned.agent;
+            agent.group = groups[planned.group];
+            agent.journey = planned.journey.map_or(JourneyId::STAY, |journey| journeys[journey]);
+            let added = match planned.enters {
+                Some(time) => world.schedule_agent(time, agent),
+                None => world.add_agent(agent).map(|_| ()),
+            };
+            added.map_err(|error| self.refused("group", Some(planned.group), &error))?;
+        }
+        Ok((world, built))
+    }
+
+    fn built(&self, plan: &Plan, ids: &[GroupId], goals: &[GoalId]) -> Built {
+        let mut first = 0;
+        let mut groups = vec![];
+        for (i, (group, id)) in self.groups.iter().zip(ids).enumerate() {
+            let count = plan.agents[first as usize..].iter().take_while(|agent| agent.group == i).count() as u32;
+            let name = Group::name_at(&group.name, i);
+            groups.push(BuiltGroup { name, id: *id, numbers: first..first + count, colour: group.colour });
+            first += count;
+        }
+        Built {
+            groups,
+            agents: plan.agents.len(),
+            entering: plan.agents.iter().filter(|agent| agent.enters.is_some()).count(),
+            goals: goals.iter().copied().zip(plan.goals.iter().cloned()).collect(),
+            walkable: plan.walkable.clone(),
+            obstacles: plan.obstacles.clone(),
+            bounds: plan.bounds,
+        }
+    }
+
+    /// Adds each of a list to the world.
+    fn each<T, I>(&self, list: &[T], mut add: impl FnMut(&T) -> Result<I, throng::Error>) -> Result<Vec<I>, Error> {
+        list.iter().map(|item| add(item).map_err(|error| self.refused("group", None, &error))).collect()
+    }
+
+    /// What the world refused, with the place of what it was made from.
+    fn refused(&self, key: &str, index: Option<usize>, error: &throng::Error) -> Error {
+        let path = index.map_or_else(|| Path::of(key), |index| Path::of(key).index(index));
+        self.explain(Problem::new(&path, Kind::World, error.to_string()))
+    }
+}

@@ -1,0 +1,12 @@
+//! Scene files: TOML in and out, and where in a file a value came from.
+
+mod document;
+mod path;
+mod read;
+mod serde_message;
+mod set;
+
+pub use document::Origin;
+pub(crate) use path::{Path, Problem};
+pub(crate) use read::{missing, read_text};
+pub(crate) use serde_message::nearest;

@@ -1,0 +1,70 @@
+//! Paths to values, and problems at them.
+
+use crate::error::Kind;
+use std::fmt;
+
+/// The way to a value of a scene: `group`, `0`, `body`, `radius`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Path {
+    pub steps: Vec<Step>,
+}
+
+/// One step of a path.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Step {
+    Key(String),
+    Index(usize),
+}
+
+impl Path {
+    pub fn of(key: &str) -> Self {
+        Self::default().key(key)
+    }
+
+    /// Further down, by key; dots separate keys.
+    pub fn key(&self, keys: &str) -> Self {
+        let mut path = self.clone();
+        path.steps.extend(keys.split('.').map(|key| Step::Key(key.to_owned())));
+        path
+    }
+
+    /// Further down, by position in a list.
+    pub fn index(&self, index: usize) -> Self {
+        let mut path = self.clone();
+        path.steps.push(Step::Index(index));
+        path
+    }
+}
+
+impl fmt::Display for Path {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        for (i, step) in self.steps.iter().enumerate() {
+            match step {
+                Step::Key(key) if i == 0 => write!(f, "{key}")?,
+                Step::Key(key) => write!(f, ".{key}")?,
+                Step::Index(index) => write!(f, "[{index}]")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Something wrong with the value at a path.
+#[derive(Clone, Debug)]
+pub(crate) struct Problem {
+    pub path: Path,
+    pub kind: Kind,
+    pub message: String,
+    pub hint: Option<String>,
+}
+
+impl Problem {
+    pub fn new(path: &Path, kind: Kind, message: impl Into<String>) -> Self {
+        Self { path: path.clone(), kind, message: message.into(), hint: None }
+    }
+
+    pub fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.hint = Some(hint.into());
+        self
+    }
+}

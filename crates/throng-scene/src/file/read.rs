@@ -1,0 +1,91 @@
+//! Reading and writing scene files.
+
+use super::document::Document;
+use crate::error::{Error, Kind};
+use crate::scene::Scene;
+use std::io::ErrorKind;
+use std::path::Path;
+use std::str::FromStr;
+use std::sync::Arc;
+
+impl Scene {
+    /// Reads a scene file.
+    ///
+    /// # Errors
+    /// With file, line, column and a hint: the file cannot be read, is not TOML, or has keys or values that scenes
+    /// do not have. What the values mean together is checked by [`Scene::plan`] and [`Scene::build`].
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let path = path.as_ref();
+        let text = read_text(path)?;
+        let mut scene = Self::parse(&path.display().to_string(), text)?;
+        scene.origin.folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        Ok(scene)
+    }
+
+    /// Reads the text of a scene file; `name` is the name errors give it.
+    ///
+    /// # Errors
+    /// Like [`Scene::load`].
+    pub fn parse(name: &str, text: impl Into<String>) -> Result<Self, Error> {
+        let document = Document::new(Some(name.to_owned()), text.into());
+        let mut scene: Self = document.read()?;
+        scene.origin.document = Some(Arc::new(document));
+        Ok(scene)
+    }
+
+    /// The scene as the text of a scene file. Reading it gives the same scene.
+    ///
+    /// # Errors
+    /// A seed too large for TOML.
+    pub fn to_toml(&self) -> Result<String, Error> {
+        toml::to_string(self).map_err(|error| {
+            Error::new(Kind::OutOfRange, format!("this scene cannot be written as TOML: {error}"))
+                .hint("a TOML file holds whole numbers up to 9223372036854775807")
+        })
+    }
+}
+
+impl FromStr for Scene {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self, Error> {
+        Self::parse("scene", text)
+    }
+}
+
+/// The text of a file, or why not.
+pub(crate) fn read_text(path: &Path) -> Result<String, Error> {
+    let bytes = std::fs::read(path).map_err(|error| missing(path, &error))?;
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").map(<[u8]>::to_vec).unwrap_or(bytes);
+    String::from_utf8(bytes).map_err(|_| {
+        Error::new(Kind::Syntax, format!("{} is not a text file", path.display()))
+            .hint("scene files and floor plans are UTF-8 text")
+    })
+}
+
+/// Why a file cannot be read, and what is there instead.
+pub(crate) fn missing(path: &Path, error: &std::io::Error) -> Error {
+    let shown = path.display();
+    if error.kind() != ErrorKind::NotFound {
+        return Error::new(Kind::File, format!("{shown} cannot be read: {error}"));
+    }
+    let out = Error::new(Kind::File, format!("there is no file {shown}"));
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if !folder.is_dir() {
+        return out.hint(format!("there is no folder {} either", folder.display()));
+    }
+    let extension = path.extension();
+    let mut names: Vec<String> = std::fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .filter(|entry| Path::new(&entry.file_name()).extension() == extension)
+        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    let wrong = path.file_name().unwrap_or_default().to_string_lossy();
+    match super::serde_message::nearest(&wrong, &names) {
+        Some(near) => out.hint(format!("did you mean {}?", folder.join(near).display())),
+        None => out.hint("check the name, and the folder it is looked for in"),
+    }
+}

@@ -1,0 +1,201 @@
+//! Changing single values of a scene, as the program's `--set group.walkers.body.radius=0.3` does.
+
+use super::document::Document;
+use super::serde_message::{self, keys_of};
+use crate::error::{Error, Kind};
+use crate::scene::{Group, Obstacle, Scene};
+use std::borrow::Cow;
+use std::sync::Arc;
+use toml::Spanned;
+use toml::de::{DeArray, DeTable, DeValue};
+
+/// Keys whose table names one choice: setting another choice replaces it.
+const CHOICES: [&str; 10] =
+    ["walkable", "shape", "place", "goal", "avoid", "radius", "preferred", "max", "area", "exit"];
+
+/// One changed value.
+#[derive(Clone, Debug)]
+pub(crate) struct Override {
+    /// The path as it was written.
+    pub written: String,
+    /// The text of the value, TOML.
+    pub value: String,
+}
+
+impl Scene {
+    /// Changes one value. `path` is the way to it, `value` its TOML text (quotes round a text may be left out):
+    ///
+    /// | path | changes |
+    /// |---|---|
+    /// | `time.step` | a value of the scene |
+    /// | `body.radius` | that value of every group |
+    /// | `group.walkers.body.radius` | that value of one group, by name or by number from 0 |
+    /// | `obstacle.pillar.shape.circle.radius` | that value of one obstacle |
+    ///
+    /// # Errors
+    /// There is no such key, group or obstacle, or the value is not of its type. Whether the value is within its
+    /// limits is checked when the scene is built.
+    pub fn set(&mut self, path: &str, value: &str) -> Result<(), Error> {
+        let document = match &self.origin.document {
+            Some(document) if document.read::<Self>().as_ref() == Ok(self) => Document::clone(document),
+            _ => Document::new(None, self.to_toml()?),
+        };
+        let document = document.with(Override { written: path.trim().to_owned(), value: quoted(value.trim()) });
+        let mut changed: Self = document.read()?;
+        changed.origin.folder.clone_from(&self.origin.folder);
+        changed.origin.document = Some(Arc::new(document));
+        *self = changed;
+        Ok(())
+    }
+}
+
+/// The text as a TOML value: as it is, or else in quotes.
+fn quoted(value: &str) -> String {
+    if DeValue::parse(value).is_ok() { value.to_owned() } else { toml::Value::String(value.to_owned()).to_string() }
+}
+
+/// Changes a tree. Places in the value are counted from byte `start` on.
+pub(super) fn apply<'i>(tree: &mut DeTable<'i>, change: &'i Override, start: usize) -> Result<(), Error> {
+    let mut path: Vec<&str> = change.written.split('.').map(str::trim).collect();
+    let here = |error: Error| error.file(format!("--set {}={}", change.written, change.value));
+    if path.iter().any(|key| key.is_empty()) {
+        let error = Error::new(Kind::UnknownKey, format!("`{}` is not a path to a value", change.written));
+        return Err(here(error.hint("write the keys with dots between them, as in avoid.orca.time_horizon=3")));
+    }
+    match path[0] {
+        "groups" => path[0] = "group",
+        "obstacles" => path[0] = "obstacle",
+        _ => {}
+    }
+    let value = DeValue::parse(&change.value).map_err(|error| {
+        here(Error::new(Kind::Syntax, format!("{} is not a TOML value: {}", change.value, error.message())))
+    })?;
+    let value = shifted(value, start);
+    let scene_keys = keys_of::<Scene>();
+    let group_keys = keys_of::<Group>();
+    match path[..] {
+        ["group" | "obstacle"] => Err(here(
+            Error::new(Kind::UnknownKey, format!("`{}` is a list", path[0]))
+                .hint("name one of them and a key: group.walkers.body.radius"),
+        )),
+        [list @ ("group" | "obstacle"), which, ref rest @ ..] => {
+            let keys = if list == "group" { group_keys } else { keys_of::<Obstacle>() };
+            let entry = find(tree, list, which).map_err(here)?;
+            match rest {
+                [] => Err(here(
+                    Error::new(Kind::UnknownKey, format!("`{}` names all of a {list}", change.written))
+                        .hint(format!("add one of its keys: {}", keys.join(", "))),
+                )),
+                [first, ..] if !keys.contains(&(*first).to_owned()) => {
+                    Err(here(serde_message::unknown_key(first, &keys)))
+                }
+                rest => insert(entry, rest, value).map_err(here),
+            }
+        }
+        [first, ..] if scene_keys.iter().any(|key| key == first) => insert(tree, &path, value).map_err(here),
+        [first, ..] if group_keys.iter().any(|key| key == first) => {
+            for entry in entries(tree, "group") {
+                insert(entry, &path, value.clone()).map_err(here)?;
+            }
+            Ok(())
+        }
+        [first, ..] => {
+            let all: Vec<String> = scene_keys.into_iter().chain(group_keys).collect();
+            Err(here(serde_message::unknown_key(first, &all)))
+        }
+        [] => Ok(()),
+    }
+}
+
+/// The tables of a list.
+fn entries<'t, 'i>(tree: &'t mut DeTable<'i>, list: &str) -> Vec<&'t mut DeTable<'i>> {
+    let Some(DeValue::Array(items)) = tree.get_mut(list).map(Spanned::get_mut) else { return vec![] };
+    let tables = items.iter_mut().filter_map(|item| match item.get_mut() {
+        DeValue::Table(table) => Some(table),
+        _ => None,
+    });
+    tables.collect()
+}
+
+/// One table of a list, by name or number.
+fn find<'t, 'i>(tree: &'t mut DeTable<'i>, list: &str, which: &str) -> Result<&'t mut DeTable<'i>, Error> {
+    let mut all = entries(tree, list);
+    let names: Vec<String> = all
+        .iter()
+        .enumerate()
+        .map(|(i, entry)| match entry.get("name").and_then(|name| name.get_ref().as_str()) {
+            Some(name) if !name.is_empty() => name.to_owned(),
+            _ if list == "group" => Group::name_at("", i),
+            _ => i.to_string(),
+        })
+        .collect();
+    let found = names.iter().position(|name| name == which);
+    match found.or_else(|| which.parse().ok().filter(|i| *i < all.len())) {
+        Some(i) => Ok(all.swap_remove(i)),
+        None if names.is_empty() => Err(Error::new(Kind::UnknownKey, format!("the scene has no {list}"))),
+        None => Err(Error::new(Kind::UnknownKey, format!("there is no {list} `{which}`"))
+            .hint(format!("there is: {}", names.join(", ")))),
+    }
+}
+
+/// Puts a value at a path, making the tables on the way.
+fn insert<'i>(table: &mut DeTable<'i>, path: &[&'i str], value: Spanned<DeValue<'i>>) -> Result<(), Error> {
+    let Some((first, rest)) = path.split_first() else { return Ok(()) };
+    let span = value.span();
+    if rest.is_empty() {
+        table.insert(Spanned::new(span, Cow::Borrowed(*first)), value);
+        return Ok(());
+    }
+    if !table.contains_key(*first) {
+        table.insert(Spanned::new(span.clone(), Cow::Borrowed(*first)), empty(&span));
+    }
+    let Some(child) = table.get_mut(*first) else { return Ok(()) };
+    if let DeValue::Array(items) = child.get_mut() {
+        let length = items.len();
+        let index = rest[0].parse::<usize>().ok().filter(|i| *i < length);
+        let (Some(index), [_, deeper @ ..]) = (index, rest) else { return Ok(()) };
+        let Some(item) = items.get_mut(index) else { return Ok(()) };
+        match (item.get_mut(), deeper) {
+            (_, []) => *item = value,
+            (DeValue::Table(table), deeper) => return insert(table, deeper, value),
+            _ => {}
+        }
+        return Ok(());
+    }
+    let other_choice = |table: &DeTable| CHOICES.contains(first) && !table.contains_key(rest[0]);
+    let fits = matches!(child.get_ref(), DeValue::Table(table) if !other_choice(table));
+    if !fits {
+        *child = empty(&span);
+    }
+    match child.get_mut() {
+        DeValue::Table(table) => insert(table, rest, value),
+        _ => Ok(()),
+    }
+}
+
+fn empty<'i>(span: &std::ops::Range<usize>) -> Spanned<DeValue<'i>> {
+    Spanned::new(span.clone(), DeValue::Table(DeTable::new()))
+}
+
+/// The same value, its places moved by `shift` bytes.
+fn shifted(value: Spanned<DeValue<'_>>, shift: usize) -> Spanned<DeValue<'_>> {
+    let span = value.span().start + shift..value.span().end + shift;
+    let value = match value.into_inner() {
+        DeValue::Table(items) => DeValue::Table(
+            items
+                .into_iter()
+                .map(|(key, value)| {
+                    let span = key.span().start + shift..key.span().end + shift;
+                    (Spanned::new(span, key.into_inner()), shifted(value, shift))
+                })
+                .collect(),
+        ),
+        DeValue::Array(items) => {
+            let mut out = DeArray::new();
+            items.into_iter().for_each(|item| out.push(shifted(item, shift)));
+            DeValue::Array(out)
+        }
+        other => other,
+    };
+    Spanned::new(span, value)
+}

@@ -1,0 +1,227 @@
+//! From the editor's JSON to a scene.
+
+use super::super::Imported;
+use super::distribution::{Distribution, number_of};
+use crate::build::has_room;
+use crate::error::{Error, Kind};
+use crate::geometry::{DVec2, Solid, grown, points};
+use crate::scene::{
+    Area, Arrived, Expect, Goal, Group, Number, Place, Point, PolygonPlace, Region, Scene, Stop, Time, Until, Walkable,
+    Weighted,
+};
+use serde_json::{Map, Value};
+
+pub(super) fn convert(config: &Value, mut areas: Vec<Area>) -> Result<Imported, Error> {
+    let mut notes = vec![];
+    let settings = &config["config"]["simulation_settings"];
+    let parameters = &settings["simulationParams"];
+    let model = parameters["model_type"].as_str().or(config["model_type"].as_str()).unwrap_or("unnamed");
+    notes.push(format!("the model {model} and its parameters are left out: agents avoid each other by ORCA"));
+
+    let mut distributions = vec![];
+    for (id, value) in table(&config["distributions"]) {
+        distributions.push((Distribution::read(id, value, &mut notes), corners_of(id, value)?));
+    }
+    let walkable = areas.iter().map(|area| throng::Walkable {
+        outer: points(&area.outer),
+        holes: area.holes.iter().map(|hole| points(hole)).collect(),
+    });
+    let largest = distributions.iter().map(|(d, _)| d.radius.bounds()[1]).fold(0.1, f64::max);
+    let solid = Solid::new(&walkable.collect::<Vec<_>>(), &[], largest);
+    let mut routes = Routes::read(config, &solid, largest, &mut notes)?;
+
+    let mut groups = vec![];
+    for (distribution, corners) in distributions {
+        let goal = routes.goal(config, &distribution.id, &mut notes);
+        if distribution.count == 0 {
+            notes.push(format!("distribution {} has no agents and is left out", distribution.id));
+            continue;
+        }
+        groups.push(Group {
+            name: distribution.id,
+            count: Some(distribution.count),
+            place: Place::Polygon(PolygonPlace { corners, gap: 0.0 }),
+            goal,
+            source: distribution.source.into_iter().collect(),
+            wait: distribution.wait,
+            body: crate::scene::Body { radius: distribution.radius },
+            speed: crate::scene::Speed { preferred: distribution.speed, max: None },
+            ..Group::default()
+        });
+    }
+    left_out(config, &mut notes);
+    let limit = parameters["max_simulation_time"].as_f64().filter(|limit| *limit > 0.0).unwrap_or(300.0);
+    let seed = settings["baseSeed"].as_u64().or(config["seed"].as_u64()).unwrap_or(1);
+    let expected = &config["_expectations"];
+    let everybody = expected["all_agents_evacuated"].as_bool() == Some(true);
+    let scene = Scene {
+        description: config["_description"].as_str().unwrap_or_default().to_owned(),
+        seed: seed.min(i64::MAX as u64),
+        time: Time { until: Until::Arrived, limit, ..Time::default() },
+        walkable: Some(if areas.len() == 1 { Walkable::Polygon(areas.remove(0)) } else { Walkable::Polygons(areas) }),
+        groups,
+        expect: Expect {
+            arrived: everybody.then_some(Arrived::All),
+            within: expected["evacuation_time_range"][1].as_f64().filter(|_| everybody),
+            ..Expect::default()
+        },
+        ..Scene::default()
+    };
+    Ok(Imported { scene, notes })
+}
+
+/// What a scene cannot say.
+fn left_out(config: &Value, notes: &mut Vec<String>) {
+    for (id, zone) in table(&config["zones"]) {
+        let factor = zone["speed_factor"].as_f64().unwrap_or(1.0);
+        if factor != 1.0 {
+            notes.push(format!("zone {id} changes the speed by a factor of {factor}: left out"));
+        }
+    }
+    for kind in ["exits", "checkpoints"] {
+        for (id, value) in table(&config[kind]) {
+            if value["enable_throughput_throttling"].as_bool() == Some(true) {
+                notes.push(format!("{id} lets only {} people a second pass: left out", value["max_throughput"]));
+            }
+            let factor = value["speed_factor"].as_f64().unwrap_or(1.0);
+            if factor != 1.0 {
+                notes.push(format!("{id} changes the speed by a factor of {factor}: left out"));
+            }
+        }
+    }
+    if config["transitions"].as_array().is_some_and(|list| !list.is_empty()) {
+        notes.push("`transitions` are left out: journeys follow their lists of stages".into());
+    }
+}
+
+/// Where people go: exits, checkpoints, and the sequences of them.
+struct Routes {
+    exits: Vec<(String, Goal)>,
+    checkpoints: Vec<(String, Goal, Option<Number>)>,
+    /// Id and stages.
+    journeys: Vec<(String, Vec<String>)>,
+}
+
+impl Routes {
+    fn read(config: &Value, solid: &Solid, radius: f64, notes: &mut Vec<String>) -> Result<Self, Error> {
+        let mut roomy = |id: &str, value: &Value| -> Result<Region, Error> {
+            let corners = points(&corners_of(id, value)?);
+            let enough = has_room(solid, &corners, radius);
+            let larger = if enough { corners.clone() } else { grown(&corners, radius * 1.1) };
+            if !enough {
+                let how = if has_room(solid, &larger, radius) { "it is made larger" } else { "nobody can enter it" };
+                notes.push(format!("{id} leaves no room for the centre of a body of radius {radius}: {how}"));
+            }
+            Ok(Region::Polygon(larger.iter().map(DVec2::to_array).collect()))
+        };
+        let mut exits = vec![];
+        for (id, value) in table(&config["exits"]) {
+            exits.push((id.clone(), Goal::Exit(roomy(id, value)?)));
+        }
+        let mut checkpoints = vec![];
+        for (id, value) in table(&config["checkpoints"]) {
+            let region = roomy(id, value)?;
+            checkpoints.push((id.clone(), Goal::Area(region), value.clone()));
+        }
+        let checkpoints = checkpoints
+            .into_iter()
+            .map(|(id, goal, value)| {
+                let wait = number_of(&value, "waiting_time", 0.0, 0.0, &id, notes);
+                (id, goal, Some(wait).filter(|wait| wait.bounds()[1] > 0.0))
+            })
+            .collect();
+        let strings = |list: &Value| -> Vec<String> {
+            list.as_array().into_iter().flatten().filter_map(|s| s.as_str().map(str::to_owned)).collect()
+        };
+        let journeys = ["journeys_v2", "journeys"]
+            .into_iter()
+            .flat_map(|key| config[key].as_array().into_iter().flatten())
+            .map(|journey| {
+                let stages = if journey["sequence"].is_array() { &journey["sequence"] } else { &journey["stages"] };
+                (journey["id"].as_str().unwrap_or_default().to_owned(), strings(stages))
+            })
+            .collect();
+        Ok(Self { exits, checkpoints, journeys })
+    }
+
+    /// Where the people of a distribution go.
+    fn goal(&mut self, config: &Value, distribution: &str, notes: &mut Vec<String>) -> Option<Goal> {
+        let weights = config["distributions"][distribution]["journey_weights"].as_array();
+        let weighted = weights.into_iter().flatten().filter_map(|entry| {
+            let id = entry["journey_id"].as_str()?;
+            let stages = self.journeys.iter().find(|(known, _)| known == id).map(|(_, stages)| stages);
+            if stages.is_none() {
+                notes.push(format!("{distribution} names the journey {id}, which there is not"));
+            }
+            Some((stages?.clone(), entry["weight"].as_f64().unwrap_or(1.0)))
+        });
+        let mut sequences: Vec<(Vec<String>, f64)> = weighted.filter(|(_, weight)| *weight > 0.0).collect();
+        if sequences.is_empty() {
+            // Older scenarios: a journey begins with its distribution.
+            let mine = self.journeys.iter().filter(|(_, stages)| stages.first().is_some_and(|id| id == distribution));
+            sequences = mine.map(|(_, stages)| (stages[1..].to_vec(), 1.0)).collect();
+        }
+        let mut goals: Vec<Weighted> = sequences
+            .into_iter()
+            .filter_map(|(stages, weight)| Some(Weighted { goal: self.sequence(&stages, notes)?, weight }))
+            .collect();
+        if goals.len() > 1 {
+            return Some(Goal::Choice(goals));
+        }
+        goals.pop().map(|only| only.goal).or_else(|| self.nearest(distribution, notes))
+    }
+
+    /// Without a journey people leave by the nearest exit.
+    fn nearest(&self, distribution: &str, notes: &mut Vec<String>) -> Option<Goal> {
+        match self.exits.len() {
+            0 => {
+                notes.push(format!("{distribution} has nowhere to go: its people stay"));
+                None
+            }
+            1 => Some(self.exits[0].1.clone()),
+            _ => {
+                notes.push(format!("{distribution} has no journey: everybody leaves by the exit nearest by air"));
+                Some(Goal::Nearest(self.exits.iter().map(|(_, goal)| goal.clone()).collect()))
+            }
+        }
+    }
+
+    fn sequence(&self, stages: &[String], notes: &mut Vec<String>) -> Option<Goal> {
+        let mut stops: Vec<Stop> = vec![];
+        for id in stages {
+            if let Some((_, goal)) = self.exits.iter().find(|(known, _)| known == id) {
+                stops.push(goal.clone().into());
+            } else if let Some((_, goal, wait)) = self.checkpoints.iter().find(|(known, ..)| known == id) {
+                stops.push(Stop { goal: goal.clone(), wait: *wait });
+            } else {
+                notes.push(format!("the stage {id} is neither an exit nor a checkpoint: left out"));
+            }
+        }
+        match stops.len() {
+            0 => None,
+            1 if stops[0].wait.is_none() => stops.pop().map(|stop| stop.goal),
+            _ => Some(Goal::Journey(stops)),
+        }
+    }
+}
+
+/// The entries of a JSON object; of anything else none.
+fn table(value: &Value) -> impl Iterator<Item = (&String, &Value)> {
+    value.as_object().into_iter().flat_map(Map::iter)
+}
+
+/// The corners of an editor's polygon.
+fn corners_of(id: &str, value: &Value) -> Result<Vec<Point>, Error> {
+    let wrong = || {
+        Error::new(Kind::Geometry, format!("{id} has no polygon in `coordinates`"))
+            .hint("it should be a list of at least three points [x, y]")
+    };
+    corners_or_none(value).ok_or_else(wrong)
+}
+
+pub(super) fn corners_or_none(value: &Value) -> Option<Vec<Point>> {
+    let point = |value: &Value| Some([value[0].as_f64()?, value[1].as_f64()?]);
+    let corners: Vec<Point> = value["coordinates"].as_array()?.iter().map(point).collect::<Option<_>>()?;
+    let corners = points(&corners);
+    (corners.len() >= 3).then(|| corners.iter().map(DVec2::to_array).collect())
+}

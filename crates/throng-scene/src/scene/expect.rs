@@ -1,0 +1,121 @@
+//! What a scene must show: every scene is also a test.
+
+use super::Point;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use std::borrow::Cow;
+use std::fmt;
+
+/// What a scene must show. What is not said is not checked.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Expect {
+    /// Who arrives (or leaves by an exit): `"all"`, a number of agents (`30`), or a share of all (`0.9`).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub arrived: Option<Arrived>,
+    /// By when, seconds. Without it, by the scene's end. [Limit: > 0]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub within: Option<f64>,
+    /// The least distance between two bodies at any time, metres; below 0 they overlap.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub least_separation: Option<f64>,
+    /// No agent turns its heading faster than this, degrees a second. [Limit: > 0]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heading_change: Option<f64>,
+    /// The mean speed of those on their way, over the whole scene, is at least this, m/s. [Limit: >= 0]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_speed: Option<f64>,
+    /// How many cross a line.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub flow: Vec<FlowExpect>,
+}
+
+impl Expect {
+    pub(super) fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// How many cross a line, agents a second between the first and the last crossing, both directions together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FlowExpect {
+    /// One end of the line.
+    pub from: Point,
+    /// The other end.
+    pub to: Point,
+    /// At least this many a second. [Limit: >= 0]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_least: Option<f64>,
+    /// At most this many a second. [Limit: >= 0]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_most: Option<f64>,
+}
+
+/// How many arrive. In files `"all"`, a whole number of agents, or a fraction from 0.0 to 1.0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Arrived {
+    /// Everybody.
+    All,
+    /// At least this many.
+    Number(u64),
+    /// At least this share of all. [Limit: 0 to 1]
+    Fraction(f64),
+}
+
+impl Serialize for Arrived {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::All => serializer.serialize_str("all"),
+            Self::Number(n) => serializer.serialize_u64(*n),
+            Self::Fraction(x) => serializer.serialize_f64(*x),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Arrived {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl de::Visitor<'_> for Visitor {
+            type Value = Arrived;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("\"all\", a number of agents such as 30, or a fraction such as 0.9")
+            }
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<Arrived, E> {
+                if text == "all" { Ok(Arrived::All) } else { Err(E::invalid_value(de::Unexpected::Str(text), &self)) }
+            }
+            fn visit_i64<E: de::Error>(self, n: i64) -> Result<Arrived, E> {
+                u64::try_from(n)
+                    .map(Arrived::Number)
+                    .map_err(|_| E::invalid_value(de::Unexpected::Signed(n), &self))
+            }
+            fn visit_u64<E: de::Error>(self, n: u64) -> Result<Arrived, E> {
+                Ok(Arrived::Number(n))
+            }
+            fn visit_f64<E: de::Error>(self, x: f64) -> Result<Arrived, E> {
+                if (0.0..=1.0).contains(&x) {
+                    Ok(Arrived::Fraction(x))
+                } else {
+                    Err(E::invalid_value(de::Unexpected::Float(x), &self))
+                }
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
+}
+
+impl JsonSchema for Arrived {
+    fn schema_name() -> Cow<'static, str> {
+        "Arrived".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "How many arrive: \"all\", a whole number of agents, or a fraction from 0.0 to 1.0.",
+            "anyOf": [
+                { "const": "all" },
+                { "type": "integer", "minimum": 0 },
+                { "type": "number", "minimum": 0, "maximum": 1 }
+            ]
+        })
+    }
+}

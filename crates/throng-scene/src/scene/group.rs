@@ -1,0 +1,154 @@
+//! Groups of agents.
+
+use super::{Avoid, Colour, Goal, Number, Place, Source, source};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Agents that are alike: where they start, where they go, what bodies they have, how they avoid.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Group {
+    /// A name for people and for `--set`. Without it, `group-1` for the first.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub name: String,
+    /// How many. Without it, as many as the place or the sources say. [Limit: 1 to 20,000,000]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub count: Option<u64>,
+    /// Where they start.
+    pub place: Place,
+    /// Where they go. Without it they stay.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub goal: Option<Goal>,
+    /// They enter one at a time instead of being there from the start.
+    #[serde(
+        default,
+        skip_serializing_if = "Vec::is_empty",
+        deserialize_with = "source::one_or_many::deserialize"
+    )]
+    #[schemars(schema_with = "source::one_or_many::schema")]
+    pub source: Vec<Source>,
+    /// Seconds they stand at their place before they set off. [Limit: >= 0]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wait: Option<Number>,
+    /// Their bodies.
+    #[serde(default)]
+    pub body: Body,
+    /// How fast they walk.
+    #[serde(default)]
+    pub speed: Speed,
+    /// Greatest change of velocity, m/s². Without it, the library's default (5). [Limit: > 0]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub acceleration: Option<Number>,
+    /// Greatest change of heading, degrees a second. Without it, no limit. [Limit: > 0]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turn_rate: Option<Number>,
+    /// Direction of the body at the start, degrees counter-clockwise from +x. Without it, towards the goal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub heading: Option<Number>,
+    /// Right of way: of two agents the one with the lower priority does more of the avoiding; a difference of 1
+    /// leaves all of it to that one.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub priority: f64,
+    /// The layers they are on. [Limit: 0 to 31 each]
+    #[serde(default = "first_layer", skip_serializing_if = "is_first_layer")]
+    pub layers: Vec<u8>,
+    /// The layers they avoid. Without it, all. [Limit: 0 to 31 each]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub avoids: Option<Vec<u8>>,
+    /// Degrees by which the preferred velocity is turned clockwise; negative keeps left. [Limit: -28 to 28]
+    #[serde(default = "default_keep_right")]
+    pub keep_right: f64,
+    /// Whether an agent whom others block steps aside for a moment.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub detour: bool,
+    /// How they avoid others.
+    #[serde(default)]
+    pub avoid: Avoid,
+    /// Colour in pictures. Without it, the next of the palette.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub colour: Option<Colour>,
+}
+
+impl Default for Group {
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            count: None,
+            place: Place::default(),
+            goal: None,
+            source: vec![],
+            wait: None,
+            body: Body::default(),
+            speed: Speed::default(),
+            acceleration: None,
+            turn_rate: None,
+            heading: None,
+            priority: 0.0,
+            layers: first_layer(),
+            avoids: None,
+            keep_right: default_keep_right(),
+            detour: true,
+            avoid: Avoid::default(),
+            colour: None,
+        }
+    }
+}
+
+/// Bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Body {
+    /// Radius, metres. [Limit: > 0, at most 1000]
+    pub radius: Number,
+}
+
+impl Default for Body {
+    fn default() -> Self {
+        Self { radius: Number::Constant(0.2) }
+    }
+}
+
+/// Speeds, metres a second.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Speed {
+    /// The speed they walk at when nothing hinders them. [Limit: >= 0, at most 1000]
+    pub preferred: Number,
+    /// The speed they never exceed. Without it, 1.8, or the preferred speed where that is more. [Limit: at least
+    /// `preferred`]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max: Option<Number>,
+}
+
+impl Default for Speed {
+    fn default() -> Self {
+        Self { preferred: Number::Constant(1.3), max: None }
+    }
+}
+
+fn default_keep_right() -> f64 {
+    5.0
+}
+fn first_layer() -> Vec<u8> {
+    vec![0]
+}
+#[allow(clippy::ptr_arg)]
+fn is_first_layer(layers: &Vec<u8>) -> bool {
+    *layers == [0]
+}
+fn is_default(x: &f64) -> bool {
+    *x == 0.0
+}
+fn yes() -> bool {
+    true
+}
+fn is_yes(yes: &bool) -> bool {
+    *yes
+}
+
+impl Group {
+    /// The name of the group at this position of a scene: its own, or `group-1` for the first.
+    pub(crate) fn name_at(name: &str, position: usize) -> String {
+        if name.is_empty() { format!("group-{}", position + 1) } else { name.to_owned() }
+    }
+}

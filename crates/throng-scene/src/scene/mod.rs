@@ -1,0 +1,93 @@
+//! What a scene can say: plain data, one idea a file.
+
+mod avoid;
+mod expect;
+mod goal;
+mod ground;
+mod group;
+mod number;
+mod obstacle;
+mod place;
+mod schema;
+mod source;
+mod time;
+mod view;
+
+pub use avoid::{Avoid, Orca};
+pub use expect::{Arrived, Expect, FlowExpect};
+pub use goal::{Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
+pub use ground::{Area, Rectangle, Region, Walkable};
+pub use group::{Body, Group, Speed};
+pub use number::{Normal, Number};
+pub use obstacle::{As, Circle, Obstacle, Shape};
+pub use place::{DiscPlace, Grid, Line, Place, PolygonPlace, RectanglePlace, Ring, WalkablePlace};
+pub use schema::schema;
+pub use source::Source;
+pub use time::{SubSteps, Time, Until};
+pub use view::{Colour, View};
+
+pub use crate::file::Origin;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A point, `[x, y]` in metres, world coordinates.
+pub type Point = [f64; 2];
+
+/// Everything a scene file says.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// One line for people.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub title: String,
+    /// More, for people.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub description: String,
+    /// Seed of everything random. [Limit: 0 to 9223372036854775807, the largest whole number of a TOML file]
+    #[serde(default = "default_seed")]
+    pub seed: u64,
+    /// Step, and when the scene ends.
+    #[serde(default)]
+    pub time: Time,
+    /// Ground that can be walked on; without it, everywhere.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub walkable: Option<Walkable>,
+    /// What is solid.
+    #[serde(default, rename = "obstacle", skip_serializing_if = "Vec::is_empty")]
+    pub obstacles: Vec<Obstacle>,
+    /// Who is there.
+    #[serde(default, rename = "group", skip_serializing_if = "Vec::is_empty")]
+    pub groups: Vec<Group>,
+    /// How pictures of it look.
+    #[serde(default, skip_serializing_if = "View::is_default")]
+    pub view: View,
+    /// What it must show.
+    #[serde(default, skip_serializing_if = "Expect::is_default")]
+    pub expect: Expect,
+    /// Where it was read from: what relative file names and the places of errors refer to. Not part of what the
+    /// scene says: scenes that differ only in this are equal.
+    #[serde(skip)]
+    #[schemars(skip)]
+    pub origin: Origin,
+}
+
+fn default_seed() -> u64 {
+    1
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            title: String::new(),
+            description: String::new(),
+            seed: default_seed(),
+            time: Time::default(),
+            walkable: None,
+            obstacles: vec![],
+            groups: vec![],
+            view: View::default(),
+            expect: Expect::default(),
+            origin: Origin::default(),
+        }
+    }
+}

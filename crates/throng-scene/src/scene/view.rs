@@ -1,0 +1,72 @@
+//! How pictures of a scene look.
+
+use super::Point;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use std::borrow::Cow;
+
+/// How pictures of a scene look. What is not said is the drawing program's choice.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct View {
+    /// Lower left corner of what the camera sees. Without it, everything is in view.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub min: Option<Point>,
+    /// Upper right corner of what the camera sees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max: Option<Point>,
+    /// Colour of what cannot be walked on.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub background: Option<Colour>,
+    /// Colour of the walkable ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ground: Option<Colour>,
+    /// Colour of obstacles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub obstacles: Option<Colour>,
+    /// Length of the trails, seconds. [Limit: >= 0]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub trails: Option<f64>,
+    /// Whether goals are drawn.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub goals: Option<bool>,
+}
+
+impl View {
+    pub(super) fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// A colour: red, green, blue. In files `"#rrggbb"`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Colour(pub [u8; 3]);
+
+impl Serialize for Colour {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let [r, g, b] = self.0;
+        serializer.collect_str(&format_args!("#{r:02x}{g:02x}{b:02x}"))
+    }
+}
+
+impl<'de> Deserialize<'de> for Colour {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = Cow::<str>::deserialize(deserializer)?;
+        text.strip_prefix('#')
+            .filter(|digits| digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit()))
+            .and_then(|digits| u32::from_str_radix(digits, 16).ok())
+            .map(|rgb| Self([(rgb >> 16) as u8, (rgb >> 8) as u8, rgb as u8]))
+            .ok_or_else(|| {
+                de::Error::invalid_value(de::Unexpected::Str(&text), &"a colour such as \"#3366cc\" (red, green, blue)")
+            })
+    }
+}
+
+impl JsonSchema for Colour {
+    fn schema_name() -> Cow<'static, str> {
+        "Colour".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "description": "A colour, #rrggbb.", "type": "string", "pattern": "^#[0-9a-fA-F]{6}$" })
+    }
+}

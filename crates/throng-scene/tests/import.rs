@@ -1,0 +1,174 @@
+//! Floor plans and JuPedSim scenarios become plain scenes.
+
+use std::path::{Path, PathBuf};
+use throng_scene::{Goal, Kind, Scene, Walkable, import, open};
+
+/// A folder of real inputs, where it is there.
+fn shared(folder: &str) -> Option<PathBuf> {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let found = here.ancestors().map(|up| up.join("shared/data").join(folder)).find(|path| path.is_dir());
+    if found.is_none() {
+        eprintln!("skipped: no shared/data/{folder} above {}", here.display());
+    }
+    found
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn every_jupedsim_scenario_becomes_a_scene_that_builds() {
+    let Some(folder) = shared("scenarios/jupedsim") else { return };
+    let mut agents = vec![];
+    for path in files(&folder) {
+        let imported = open(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let (_, built) = imported.scene.build().unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let text = imported.scene.to_toml().unwrap();
+        assert_eq!(text.parse::<Scene>().unwrap(), imported.scene, "{}", path.display());
+        assert!(!imported.notes.is_empty());
+        agents.push((path.file_name().unwrap().to_str().unwrap().to_owned(), built.agents));
+    }
+    let expected = [
+        ("Rimea-10.zip", 13),
+        ("bottleneck-zone", 50),
+        ("bottleneck.zip", 50),
+        ("corridor_simple.json", 10),
+        ("issue_15_narrow_exit.json", 1),
+        ("quickstart.zip", 104),
+        ("scenario.zip", 6),
+        ("stage-routing-square-room", 10),
+        ("template-scenario.zip", 20),
+        ("waiting-stage-corridor", 6),
+    ];
+    assert_eq!(agents, expected.map(|(name, n)| (name.to_owned(), n)));
+}
+
+#[test]
+fn stages_and_waiting_times_become_journeys() {
+    let Some(folder) = shared("scenarios/jupedsim") else { return };
+    let scene = open(folder.join("stage-routing-square-room")).unwrap().scene;
+    let Some(Goal::Journey(stops)) = &scene.groups[0].goal else { panic!("{:?}", scene.groups[0].goal) };
+    assert_eq!(stops.len(), 3);
+    assert_eq!(stops[0].wait, Some(5.0.into()));
+    assert!(stops[1].wait.is_none() && matches!(stops[2].goal, Goal::Exit(_)));
+    assert_eq!((scene.seed, scene.time.limit), (42, 80.0));
+}
+
+#[test]
+fn what_does_not_map_is_said() {
+    let Some(folder) = shared("scenarios/jupedsim") else { return };
+    let notes = open(folder.join("issue_15_narrow_exit.json")).unwrap().notes.join("\n");
+    assert!(notes.contains("zone jps-zones_0 changes the speed by a factor of 0.5"), "{notes}");
+    assert!(notes.contains("jps-exits_0 leaves no room") && notes.contains("it is made larger"), "{notes}");
+    let notes = open(folder.join("quickstart.zip")).unwrap().notes.join("\n");
+    assert!(notes.contains("the model WarpDriverModel") || notes.contains("the model CollisionFree"), "{notes}");
+}
+
+#[test]
+fn flows_premovement_and_weights_map() {
+    let config = r#"{
+        "walkable_area_wkt": "POLYGON ((0 0, 20 0, 20 5, 0 5, 0 0))",
+        "distributions": { "d": {
+            "coordinates": [[0, 0], [4, 0], [4, 5], [0, 5]],
+            "parameters": {
+                "number": 10, "radius": 0.2, "radius_distribution": "uniform", "radius_min": 0.1, "radius_max": 0.2,
+                "v0": 1.2, "v0_distribution": "gaussian", "v0_std": 0.1,
+                "use_flow_spawning": true, "flow_start_time": 5, "flow_end_time": 10,
+                "use_premovement": true, "premovement_distribution": "uniform",
+                "premovement_param_a": 1, "premovement_param_b": 3
+            },
+            "journey_weights": [{ "journey_id": "a", "weight": 70 }, { "journey_id": "b", "weight": 30 }]
+        } },
+        "exits": { "e": { "coordinates": [[18, 0], [20, 0], [20, 5], [18, 5]] } },
+        "checkpoints": { "c": { "coordinates": [[9, 1], [10, 1], [10, 2], [9, 2]], "waiting_time": 2 } },
+        "journeys_v2": [{ "id": "a", "sequence": ["e"] }, { "id": "b", "sequence": ["c", "e"] }]
+    }"#;
+    let imported = import::jupedsim::from_text(config, None).unwrap();
+    let group = &imported.scene.groups[0];
+    assert!(matches!(&group.goal, Some(Goal::Choice(list)) if list[0].weight == 70.0 && list.len() == 2));
+    let plan = imported.scene.plan().unwrap();
+    let times: Vec<f64> = plan.agents.iter().map(|a| a.enters.unwrap()).collect();
+    assert_eq!((times[0], times[9]), (5.0, 9.5));
+    for planned in &plan.agents {
+        let wait = plan.journeys[planned.journey.unwrap()].stops[0].1;
+        assert!((1.0..=3.0).contains(&wait) && (0.1..=0.2).contains(&planned.agent.radius));
+    }
+}
+
+#[test]
+fn every_floor_plan_reads() {
+    let Some(folder) = shared("geometry") else { return };
+    for path in files(&folder).into_iter().filter(|path| path.extension().is_some_and(|e| e == "wkt")) {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let areas = import::wkt::areas(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        if path.ends_with("SiB2023_entrance_jupedsim.wkt") {
+            assert_eq!(areas.iter().map(|area| area.holes.len()).sum::<usize>(), 81);
+        }
+        let scene: Scene = format!(
+            "walkable.file = {:?}\n[[group]]\ncount = 20\nplace.walkable = {{}}\n",
+            path.display().to_string()
+        )
+        .parse()
+        .unwrap();
+        let plan = scene.plan().unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        assert_eq!(plan.agents.len(), 20);
+    }
+}
+
+#[test]
+fn nested_collections_and_multipolygons_are_flattened() {
+    let text = "GEOMETRYCOLLECTION (GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 1))), \
+                MULTIPOLYGON (((5 5, 6 5, 6 6, 5 5)), ((7 7, 8 7, 8 8, 7 7))), POINT (1 1))";
+    let areas = import::wkt::areas(text).unwrap();
+    assert_eq!(areas.len(), 3);
+    assert_eq!((areas[0].outer.len(), areas[0].holes[0].len()), (4, 3));
+    for wrong in ["", "POLYGON ((0 0", "POINT (1 1)", "hello", &"GEOMETRYCOLLECTION (".repeat(100_000)] {
+        assert!(import::wkt::areas(wrong).is_err(), "{wrong:.40}");
+    }
+}
+
+#[test]
+fn a_floor_plan_alone_is_no_scene_but_can_become_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = folder.path().join("plan.wkt");
+    std::fs::write(&plan, "POLYGON ((0 0, 20 0, 20 10, 0 10, 0 0))").unwrap();
+    let error = open(&plan).unwrap_err();
+    assert_eq!(error.kind, Kind::NotAScene);
+    assert!(error.hint.as_deref().is_some_and(|hint| hint.contains("walkable.file = \"plan.wkt\"")), "{error}");
+
+    let scene = import::wkt::evacuation(&plan, [18.0, 4.0, 2.0, 2.0], 50).unwrap();
+    assert!(matches!(scene.walkable, Some(Walkable::Polygon(_))));
+    assert_eq!(scene.plan().unwrap().agents.len(), 50);
+
+    let file = folder.path().join("scene.toml");
+    std::fs::write(&file, "walkable.file = \"plan.wkt\"\n[[group]]\nplace.point = [1, 1]\n").unwrap();
+    let scene = Scene::load(&file).unwrap();
+    assert_eq!(scene.plan().unwrap().walkable[0].outer.len(), 4);
+
+    std::fs::write(&plan, "POLYGON ((0 0, 20 10, 20 0, 0 10, 0 0))").unwrap();
+    let error = scene.plan().unwrap_err();
+    assert_eq!(error.kind, Kind::Geometry);
+    assert!(error.message.contains("plan.wkt: the ground crosses itself at (10, 5)"), "{error}");
+    assert_eq!(error.at, Some((1, 17)));
+}
+
+#[test]
+fn what_is_no_scene_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path
+    };
+    let kind = |path: PathBuf| open(path).unwrap_err().kind;
+    assert_eq!(kind(path("a.zip", "not a zip")), Kind::Syntax);
+    assert_eq!(kind(path("a.json", "{ ")), Kind::Syntax);
+    assert_eq!(kind(path("b.json", "{}")), Kind::NotAScene);
+    assert_eq!(kind(path("a.png", "")), Kind::NotAScene);
+    assert_eq!(kind(folder.path().to_owned()), Kind::File);
+    assert_eq!(open("nowhere").unwrap_err().kind, Kind::UnknownScene);
+    assert_eq!(open("circle").unwrap().scene.title, "Ring of 36");
+}

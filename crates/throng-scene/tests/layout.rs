@@ -1,0 +1,103 @@
+//! Where people stand and go.
+
+use throng_scene::{Scene, gallery};
+
+fn plan(text: &str) -> throng_scene::Plan {
+    text.parse::<Scene>().and_then(|scene| scene.plan()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn drawn_places_keep_clear_of_walls_and_of_each_other() {
+    let plan = gallery::scene("office").unwrap().plan().unwrap();
+    for (i, a) in plan.agents.iter().enumerate() {
+        let p = a.agent.position;
+        assert!(p.x.abs() <= 14.8 && p.y.abs() <= 6.8);
+        for b in &plan.agents[..i] {
+            assert!(p.distance(b.agent.position) >= 0.4 + 0.3 - 1e-6);
+        }
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_places_and_another_gives_others() {
+    let places = |seed: u64| -> Vec<[u64; 2]> {
+        let mut scene = gallery::scene("crossing").unwrap();
+        scene.seed = seed;
+        let plan = scene.plan().unwrap();
+        plan.agents.iter().map(|a| a.agent.position.to_array().map(f64::to_bits)).collect()
+    };
+    assert_eq!(places(7), places(7));
+    assert!(places(7) != places(8));
+}
+
+#[test]
+fn a_ring_goes_to_the_opposite_side() {
+    let plan = gallery::scene("circle").unwrap().plan().unwrap();
+    for planned in &plan.agents {
+        let (goal, wait) = plan.journeys[planned.journey.unwrap()].stops[0];
+        let throng::Goal::Point { at, .. } = plan.goals[goal] else { panic!() };
+        assert!((at + planned.agent.position).length() < 1e-12 && wait == 0.0);
+    }
+}
+
+#[test]
+fn sources_let_agents_enter_in_order() {
+    let plan = plan(
+        "[[group]]\nplace.point = [0, 0]\ngoal.point = [9, 0]\n\
+         source = [{ rate = 2, end = 2 }, { start = 0.25, interval = 1, count = 2 }]\n",
+    );
+    let times: Vec<f64> = plan.agents.iter().map(|a| a.enters.unwrap()).collect();
+    assert_eq!(times, [0.0, 0.25, 0.5, 1.0, 1.25, 1.5]);
+    let numbers: Vec<Option<u32>> = plan.agents.iter().map(|a| a.agent.number).collect();
+    assert_eq!(numbers, (0..6).map(Some).collect::<Vec<_>>());
+}
+
+#[test]
+fn waits_choices_and_cycles_become_journeys() {
+    let plan = plan(
+        "[[group]]\ncount = 200\nplace.grid = { columns = 20, rows = 10, spacing = 1 }\nwait = 2\n\
+         goal.choice = [\n\
+           { weight = 3, goal.point = [50, 0] },\n\
+           { weight = 1, goal.cycle = [{ goal.point = [0, 50], wait = 4 }, { goal.point = [0, 60] }] },\n\
+         ]\n",
+    );
+    let journeys: Vec<_> = plan.agents.iter().map(|a| &plan.journeys[a.journey.unwrap()]).collect();
+    assert!(journeys.iter().all(|journey| journey.stops[0].1 == 2.0));
+    let cycling = journeys.iter().filter(|journey| journey.repeat).count();
+    assert!((30..70).contains(&cycling), "{cycling}");
+    let cycle = journeys.iter().find(|journey| journey.repeat).unwrap();
+    assert_eq!(cycle.stops.iter().map(|stop| stop.1).collect::<Vec<_>>(), [2.0, 4.0, 0.0]);
+}
+
+#[test]
+fn distributions_stay_in_their_bounds() {
+    let plan = plan(
+        "[[group]]\ncount = 100\nplace.disc = { radius = 20 }\nbody.radius = { uniform = [0.15, 0.25] }\n\
+         speed = { preferred = { normal = { mean = 1.3, deviation = 0.3, min = 1.0 } }, max = 1.6 }\n\
+         turn_rate = 180\nlayers = [0, 3]\navoids = [1]\n",
+    );
+    for planned in &plan.agents {
+        let agent = &planned.agent;
+        assert!((0.15..=0.25).contains(&agent.radius) && (1.0..=1.6).contains(&agent.preferred_speed));
+        assert_eq!((agent.layers, agent.avoids, agent.max_turn_rate), (0b1001, 0b10, std::f32::consts::PI));
+    }
+    assert!(plan.agents.iter().any(|a| a.agent.radius != plan.agents[0].agent.radius));
+}
+
+#[test]
+fn an_obstacle_can_be_the_circle_round_its_box() {
+    let plan = plan(
+        "[[group]]\nplace.point = [20, 0]\n[[obstacle]]\nas = \"circle\"\n\
+         shape.rectangle = { center = [1, 2], size = [3, 4], rotation = 45 }\n",
+    );
+    let throng::Obstacle::Circle { center, radius } = plan.obstacles[0] else { panic!() };
+    assert!((center.x - 1.0).abs() < 1e-12 && (radius - 2.5).abs() < 1e-12);
+}
+
+#[test]
+fn the_origin_is_in_the_middle() {
+    let plan = plan(
+        "walkable.rectangle = { center = [-1800, 400], size = [20, 10] }\n[[group]]\nplace.point = [-1800, 400]\n",
+    );
+    assert_eq!(plan.settings.origin.to_array(), [-1800.0, 400.0]);
+}
