@@ -41,11 +41,12 @@ fn people(built: &Built, out: &mut Out) -> Result<(), Failure> {
     }
     let count = |test: fn(&Goal) -> bool| built.goals.iter().filter(|(_, goal)| test(goal)).count();
     let kinds = [
-        (count(|goal| matches!(goal, Goal::Point { .. })), "points"),
-        (count(|goal| matches!(goal, Goal::Area { .. })), "areas"),
-        (count(|goal| matches!(goal, Goal::Exit { .. })), "exits"),
+        (count(|goal| matches!(goal, Goal::Point { .. })), "point"),
+        (count(|goal| matches!(goal, Goal::Area { .. })), "area"),
+        (count(|goal| matches!(goal, Goal::Exit { .. })), "exit"),
     ];
-    let kinds: Vec<String> = kinds.iter().filter(|(n, _)| *n > 0).map(|(n, what)| format!("{n} {what}")).collect();
+    let some = kinds.iter().filter(|(n, _)| *n > 0);
+    let kinds: Vec<String> = some.map(|(n, what)| format!("{n} {what}{}", if *n == 1 { "" } else { "s" })).collect();
     let kinds = if kinds.is_empty() { "none: everybody stays".to_owned() } else { kinds.join(", ") };
     out.line(format_args!("  goals      {kinds}"))
 }
@@ -57,14 +58,15 @@ fn place(built: &Built, out: &mut Out) -> Result<(), Failure> {
     let holes: usize = built.walkable.iter().map(|area| area.holes.len()).sum();
     let ground = match built.walkable.len() {
         0 => "open ground".to_owned(),
-        1 => format!("walkable ground with {holes} holes"),
-        n => format!("{n} walkable areas with {holes} holes"),
+        1 if holes == 0 => "walkable ground without holes".to_owned(),
+        1 => format!("walkable ground, holes: {holes}"),
+        n => format!("{n} walkable areas, holes: {holes}"),
     };
     out.line(format_args!("  place      {around}, {ground}"))?;
     if !built.obstacles.is_empty() {
         let walls = built.obstacles.iter().filter(|o| matches!(o, Obstacle::Wall { .. })).count();
         let solid = built.obstacles.len() - walls;
-        out.line(format_args!("  obstacles  {solid} solid, {walls} walls"))?;
+        out.line(format_args!("  obstacles  solid: {solid}, walls: {walls}"))?;
     }
     Ok(())
 }

@@ -127,6 +127,11 @@ fn begin(path: &Path, plan: &Plan) -> Result<File, Failure> {
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) && !path.is_dir() {
         return Ok(File::Table(CsvWriter::create(path, plan.setting)?));
     }
+    let slash = path.as_os_str().as_encoded_bytes().last().is_some_and(|&byte| std::path::is_separator(byte.into()));
+    if path.is_dir() && !slash {
+        let text = format!("cannot write {}: it is a folder", path.display());
+        return Err(Failure::hint(text, "end the name in / to write a PNG file for each picture into it"));
+    }
     if let Err(throng_draw::Error::Extension { .. }) = Kind::of(path) {
         let text = format!("{}: cannot tell what to write from this name", path.display());
         return Err(Failure::hint(

@@ -11,9 +11,9 @@ use throng_scene::{Colour, Scene};
 #[derive(Args, Debug)]
 #[command(next_help_heading = "Pictures")]
 pub struct LookArgs {
-    /// Width and height of the picture, pixels
-    #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = parse_size)]
-    pub size: (u32, u32),
+    /// Width and height of the picture, pixels [default: 960 wide, as high as the scene needs]
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    pub size: Option<(u32, u32)>,
 
     /// The part of the world to show, metres: two opposite corners; without it, everything
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = parse_four, allow_hyphen_values = true)]
@@ -44,11 +44,12 @@ pub enum ColorArg {
 }
 
 impl LookArgs {
-    /// The style: what is said here, else what the scene's `[view]` says, else the default.
+    /// The style: what is said here, else what the scene's `[view]` says, else the default. `bounds` are the corners
+    /// of the scene.
     ///
     /// # Errors
     /// The camera sees nothing.
-    pub fn style(&self, scene: &Scene) -> Result<Style, Failure> {
+    pub fn style(&self, scene: &Scene, bounds: [DVec2; 2]) -> Result<Style, Failure> {
         let (view, default) = (&scene.view, Style::default());
         let corners = match (self.camera, view.min, view.max) {
             (Some([x0, y0, x1, y1]), ..) => Some(([x0, y0], [x1, y1])),
@@ -63,6 +64,8 @@ impl LookArgs {
             let text = format!("the camera sees {} by {} m", shown.max.x - shown.min.x, shown.max.y - shown.min.y);
             return Err(Failure::hint(text, "give two opposite corners, such as --camera=-10,-5,10,5"));
         }
+        let extent = shown.map_or(bounds[1] - bounds[0], |shown| shown.max - shown.min);
+        let (width, height) = self.size.unwrap_or_else(|| shaped_like(extent));
         let mut theme = default.theme.clone();
         let paint = |place: &mut Color, colour: Option<Colour>| {
             if let Some(Colour([r, g, b])) = colour {
@@ -73,8 +76,8 @@ impl LookArgs {
         paint(&mut theme.ground, view.ground);
         paint(&mut theme.obstacle, view.obstacles);
         Ok(Style {
-            width: self.size.0,
-            height: self.size.1,
+            width,
+            height,
             view: shown,
             trails: self.trails.or(view.trails).map_or(default.trails, |seconds| seconds as f32),
             color_by: match self.color {
@@ -88,6 +91,13 @@ impl LookArgs {
             ..default
         })
     }
+}
+
+/// A picture 960 pixels wide, at most 720 high, and lower where the scene is wide and low.
+fn shaped_like(extent: DVec2) -> (u32, u32) {
+    // What title and legend take is 28 pixels at the sides and about 110 above and below.
+    let height = 932.0 * extent.y / extent.x.max(1e-9) + 110.0;
+    (960, height.clamp(400.0, 720.0) as u32 / 2 * 2)
 }
 
 fn parse_size(text: &str) -> Result<(u32, u32), String> {

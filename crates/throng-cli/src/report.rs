@@ -15,6 +15,8 @@ pub struct Report {
     pub scene: String,
     /// The world's figures.
     pub summary: Summary,
+    /// The agents whose goals cannot be reached, by number, and why.
+    pub stranded: Vec<(u32, String)>,
     /// What came of `[expect]`.
     pub verdict: Verdict,
     /// How long the whole run took.
@@ -86,15 +88,20 @@ impl Report {
             let (time, path) = (s.time_ratio, s.path_ratio);
             out.line(format_args!("  ways       {time:.3} times the shortest time, {path:.3} times the shortest way"))?;
         }
-        let apart = |least: f64, what: &str| match least.is_finite() {
-            true => format!("{least:.4} {what}"),
-            false => format!("nobody came near ({what})"),
+        for (number, why) in self.stranded.iter().take(3) {
+            out.line(format_args!("  stuck      agent {number} cannot reach its goal: {why}"))?;
+        }
+        let apart = |least: f64| match least.is_finite() {
+            true => format!("{least:.4}"),
+            false => "far".to_owned(),
         };
-        let bodies = apart(s.least_separation, "of touching between bodies");
-        let walls = apart(s.least_wall_separation, "to walls");
-        out.line(format_args!("  distance   {bodies}, {walls}; {} overlaps", s.overlaps))?;
-        let (guard, turning) = (s.guard_share * 100.0, s.heading_change_deg_per_s);
-        out.line(format_args!("  motion     the guard changed {guard:.2} % of the moves; headings turn {turning:.1} °/s"))?;
+        let (bodies, walls) = (apart(s.least_separation), apart(s.least_wall_separation));
+        let overlaps = s.overlaps;
+        out.line(format_args!("  distance   bodies {bodies}, walls {walls} (1: they touched); {overlaps} overlaps"))?;
+        let (guard, turning) = (s.guard_share * 100.0, s.heading_change_deg_per_s.max(0.0));
+        out.line(format_args!(
+            "  motion     the guard changed {guard:.2} % of the moves; headings turn {turning:.1} °/s"
+        ))?;
         let cpu = self.cpu_per_simulated_second().map(|c| format!(", {c:.4} CPU s a simulated s")).unwrap_or_default();
         let rate = self.agent_steps_per_second();
         let wall = self.wall.as_secs_f64();
@@ -103,9 +110,7 @@ impl Report {
             let word = if check.passed { "passed" } else { "FAILED" };
             let found = match &check.found {
                 Value::Null => "nothing".to_owned(),
-                Value::Number(n) => {
-                    n.as_f64().map_or(n.to_string(), |x| format!("{}", (x * 1e4).round() / 1e4))
-                }
+                Value::Number(n) => n.as_f64().map_or(n.to_string(), |x| format!("{}", (x * 1e4).round() / 1e4)),
                 other => other.to_string(),
             };
             out.line(format_args!("  expect     {} {word}: expected {}, found {found}", check.name, check.expected))?;

@@ -40,6 +40,9 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
         report.print(out)?;
     }
     out.flush()?;
+    if report.interrupted && !args.quiet {
+        complain(&format!("interrupted at {:.2} s; the files are complete up to there", report.summary.time));
+    }
     match (report.interrupted, report.verdict.passed) {
         (true, _) => Err(Failure::Interrupted),
         (false, false) => {
@@ -55,8 +58,8 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
 fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let begin = Instant::now();
     let Loaded { name, scene, .. } = loaded;
-    let style = args.look.style(scene)?;
     let (mut world, built) = scene.build()?;
+    let style = args.look.style(scene, built.bounds)?;
     let title = if scene.title.is_empty() { name } else { &scene.title };
     let plan = Plan {
         setting: &moment::setting(&world, title),
@@ -88,6 +91,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         scene: name.clone(),
         verdict: watch.verdict(&summary),
         summary,
+        stranded: world.stranded().iter().map(|(number, why)| (*number, why.to_string())).collect(),
         wall: begin.elapsed(),
         stepping,
         cpu: cpu_time(),

@@ -86,10 +86,13 @@ impl SceneArgs {
         match whole {
             Some(name) => name.to_owned(),
             // `folder/.` and `..` have no stem of their own.
-            None => path.canonicalize().ok().as_deref().unwrap_or(path).file_stem().map_or_else(
-                || "scene".to_owned(),
-                |stem| stem.to_string_lossy().into_owned(),
-            ),
+            None => path
+                .canonicalize()
+                .ok()
+                .as_deref()
+                .unwrap_or(path)
+                .file_stem()
+                .map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned()),
         }
     }
 }
