@@ -10,7 +10,7 @@ use throng_record::{Frame, Setting};
 /// A file being written.
 enum File {
     Film(Box<Film>),
-    Table(CsvWriter),
+    Table(Box<CsvWriter>),
 }
 
 /// All files of a run. They get their names when they are complete; dropped before that, they leave nothing.
@@ -125,7 +125,7 @@ impl Files {
 
 fn begin(path: &Path, plan: &Plan) -> Result<File, Failure> {
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) && !path.is_dir() {
-        return Ok(File::Table(CsvWriter::create(path, plan.setting)?));
+        return Ok(File::Table(Box::new(CsvWriter::create(path, plan.setting)?)));
     }
     let slash = path.as_os_str().as_encoded_bytes().last().is_some_and(|&byte| std::path::is_separator(byte.into()));
     if path.is_dir() && !slash {

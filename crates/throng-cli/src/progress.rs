@@ -1,6 +1,6 @@
 //! The progress bar.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use throng::World;
 
 /// How fine the bar is.
@@ -16,7 +16,7 @@ impl Progress {
     /// A bar for a run of at most `limit` seconds.
     pub fn new(quiet: bool, limit: f64) -> Self {
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr_with_hz(10) };
-        let bar = ProgressBar::with_draw_target(Some(PARTS), target);
+        let bar = ProgressBar::with_draw_target(Some(PARTS), target).with_finish(ProgressFinish::AndClear);
         if let Ok(style) = ProgressStyle::with_template("{bar:30} {msg}  {elapsed} (ETA {eta})") {
             bar.set_style(style);
         }

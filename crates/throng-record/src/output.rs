@@ -213,7 +213,7 @@ mod tests {
         output.put(b"new").unwrap();
         assert_eq!(names(folder.path()).len(), 2);
         drop(output);
-        assert_eq!(names(folder.path()), [path.clone()]);
+        assert_eq!(names(folder.path()), std::slice::from_ref(&path));
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "old");
     }
 
@@ -225,7 +225,7 @@ mod tests {
         let mut output = Output::create(&path).unwrap();
         output.put(b"new").unwrap();
         output.finish().unwrap();
-        assert_eq!(names(folder.path()), [path.clone()]);
+        assert_eq!(names(folder.path()), std::slice::from_ref(&path));
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "new");
     }
 
