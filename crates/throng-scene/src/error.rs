@@ -86,10 +86,7 @@ impl Error {
         while !text.is_char_boundary(end) {
             end -= 1;
         }
-        self.at = Some((
-            text[..start].matches('\n').count() + 1,
-            text[line_start..start].chars().count() + 1,
-        ));
+        self.at = Some((text[..start].matches('\n').count() + 1, text[line_start..start].chars().count() + 1));
         self.line = Some((line.to_owned(), text[start..end].chars().count().max(1)));
         self
     }

@@ -29,7 +29,8 @@ fn every_scene_fits_the_schema() {
     let validator = jsonschema::validator_for(&schema()).unwrap();
     let check = |name: &str, text: &str| {
         let value: serde_json::Value = toml::from_str(text).unwrap();
-        let errors: Vec<String> = validator.iter_errors(&value).map(|e| format!("{} at {}", e, e.instance_path())).collect();
+        let errors: Vec<String> =
+            validator.iter_errors(&value).map(|e| format!("{} at {}", e, e.instance_path())).collect();
         assert!(errors.is_empty(), "{name}: {errors:?}");
     };
     for name in gallery::names() {
@@ -72,5 +73,9 @@ fn the_labs_scenes_have_the_labs_numbers() {
 #[test]
 fn an_unknown_scene_is_named_with_the_nearest() {
     let message = gallery::scene("circel").unwrap_err().to_string();
-    assert!(message.starts_with("there is no scene `circel`\n  hint: did you mean `circle`? the gallery has: columns, circle"), "{message}");
+    assert!(
+        message
+            .starts_with("there is no scene `circel`\n  hint: did you mean `circle`? the gallery has: columns, circle"),
+        "{message}"
+    );
 }

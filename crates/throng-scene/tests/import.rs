@@ -107,12 +107,10 @@ fn every_floor_plan_reads() {
         if path.ends_with("SiB2023_entrance_jupedsim.wkt") {
             assert_eq!(areas.iter().map(|area| area.holes.len()).sum::<usize>(), 81);
         }
-        let scene: Scene = format!(
-            "walkable.file = {:?}\n[[group]]\ncount = 20\nplace.walkable = {{}}\n",
-            path.display().to_string()
-        )
-        .parse()
-        .unwrap();
+        let scene: Scene =
+            format!("walkable.file = {:?}\n[[group]]\ncount = 20\nplace.walkable = {{}}\n", path.display().to_string())
+                .parse()
+                .unwrap();
         let plan = scene.plan().unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         assert_eq!(plan.agents.len(), 20);
     }

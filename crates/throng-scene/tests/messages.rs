@@ -254,7 +254,10 @@ a.toml:6:14: the goal, (0, 1.05), is 0.05 m from obstacle `pillar`: a body of ra
     };
     let (kind, text) = message(&exit(5.0));
     assert_eq!(kind, Kind::GoalInWall);
-    assert!(text.starts_with("a.toml:7:23: the exit lies so near the walls that a body of radius 0.2 cannot"), "{text}");
+    assert!(
+        text.starts_with("a.toml:7:23: the exit lies so near the walls that a body of radius 0.2 cannot"),
+        "{text}"
+    );
     let (_, text) = message(&exit(7.0));
     assert!(text.starts_with("a.toml:7:23: the exit lies in a wall or off the walkable ground"), "{text}");
 }
@@ -312,7 +315,10 @@ fn agents_that_do_not_fit_are_counted() {
 fn a_missing_floor_plan_is_named_at_its_line() {
     let (kind, text) = message(&("walkable.file = \"nowhere.wkt\"\n".to_owned() + &group("place.point = [0, 0]")));
     assert_eq!(kind, Kind::File);
-    assert!(text.starts_with("a.toml:1:17: there is no file nowhere.wkt\n  1 | walkable.file = \"nowhere.wkt\"\n"), "{text}");
+    assert!(
+        text.starts_with("a.toml:1:17: there is no file nowhere.wkt\n  1 | walkable.file = \"nowhere.wkt\"\n"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -327,14 +333,20 @@ fn a_missing_scene_file_gets_the_nearest_name() {
 #[test]
 fn things_that_do_not_go_together_are_named() {
     let (kind, text) = message(&group("count = 5\nplace.points = [[0, 0]]"));
-    assert_eq!((kind, text.lines().next()), (Kind::Conflict, Some("a.toml:5:9: group `walkers`: count is 5, but its place has 1 spots")));
+    assert_eq!(
+        (kind, text.lines().next()),
+        (Kind::Conflict, Some("a.toml:5:9: group `walkers`: count is 5, but its place has 1 spots"))
+    );
     let (kind, _) = message(&group("place.point = [0, 0]\nsource = { rate = 1, interval = 1, end = 5 }"));
     assert_eq!(kind, Kind::Conflict);
     let (kind, _) = message(&group("place = { point = [0, 0], points = [] }"));
     assert_eq!(kind, Kind::Conflict);
     let twice = group("place.point = [0, 0]") + "[[group]]\nname = \"walkers\"\nplace.point = [3, 0]\n";
     let (kind, text) = message(&twice);
-    assert_eq!((kind, text.lines().next()), (Kind::Conflict, Some("a.toml:7:8: groups 1 and 2 are both named `walkers`")));
+    assert_eq!(
+        (kind, text.lines().next()),
+        (Kind::Conflict, Some("a.toml:7:8: groups 1 and 2 are both named `walkers`"))
+    );
 }
 
 #[test]

@@ -80,7 +80,10 @@ fn mistakes_are_named_with_what_there_is() {
         "--set time.step=\"soon\": this is the wrong type: the text \"soon\", but should be a number"
     );
     let unknown = message("radius", "3");
-    assert!(unknown.starts_with("--set radius=3: there is no key `radius` here\n  hint: the keys here are: title"), "{unknown}");
+    assert!(
+        unknown.starts_with("--set radius=3: there is no key `radius` here\n  hint: the keys here are: title"),
+        "{unknown}"
+    );
     assert!(message("group.eastward.bdy.radius", "1").contains("did you mean `body`?"));
     assert!(message("group.eastward", "1").contains("add one of its keys"));
     assert!(message("time..step", "1").contains("is not a path"));

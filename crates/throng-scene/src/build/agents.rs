@@ -54,6 +54,7 @@ impl Draw<'_> {
 }
 
 /// What the agents of a group share.
+#[allow(clippy::needless_update)] // The library may know more of groups and models than scenes say.
 pub(super) fn shared(group: &Group, name: String) -> throng::Group {
     let crate::scene::Avoid::Orca(Orca { time_horizon, time_horizon_obstacles, neighbours, neighbour_distance }) =
         group.avoid;
@@ -62,10 +63,12 @@ pub(super) fn shared(group: &Group, name: String) -> throng::Group {
         model: std::sync::Arc::new(throng::avoid::Orca {
             time_horizon: time_horizon as f32,
             time_horizon_obstacles: time_horizon_obstacles as f32,
+            ..throng::avoid::Orca::default()
         }),
         neighbour_distance: neighbour_distance as f32,
         neighbours: neighbours as usize,
         keep_right: group.keep_right.to_radians() as f32,
         detour: group.detour,
+        ..throng::Group::default()
     }
 }

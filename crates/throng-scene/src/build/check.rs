@@ -221,15 +221,18 @@ fn check_goal(path: &Path, goal: &Goal, inner: bool) -> Checked {
 
 fn not_empty(path: &Path, length: usize) -> Checked {
     if length == 0 {
-        return Err(Problem::new(path, Kind::MissingKey, "there is nothing in this list").hint("give at least one goal"));
+        return Err(
+            Problem::new(path, Kind::MissingKey, "there is nothing in this list").hint("give at least one goal")
+        );
     }
     Ok(())
 }
 
 fn check_stops(path: &Path, stops: &[Stop], inner: bool) -> Checked {
     if inner {
-        return Err(Problem::new(path, Kind::Conflict, "a journey inside a journey")
-            .hint("write all the stops into one list"));
+        return Err(
+            Problem::new(path, Kind::Conflict, "a journey inside a journey").hint("write all the stops into one list")
+        );
     }
     not_empty(path, stops.len())?;
     for (i, stop) in stops.iter().enumerate() {
@@ -264,7 +267,11 @@ fn check_view(view: &View) -> Checked {
     }
     if let (Some(min), Some(max)) = (view.min, view.max) {
         if min[0] >= max[0] || min[1] >= max[1] {
-            return Err(Problem::new(&path.key("max"), Kind::OutOfRange, "view.max must lie above and right of view.min"));
+            return Err(Problem::new(
+                &path.key("max"),
+                Kind::OutOfRange,
+                "view.max must lie above and right of view.min",
+            ));
         }
     }
     check_some(&path.key("trails"), view.trails, Limit::NotNegative)

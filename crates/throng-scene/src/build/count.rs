@@ -25,7 +25,9 @@ pub(super) fn counts(scene: &Scene) -> Result<Vec<Count>, Problem> {
         total += number;
         if number > MAX_AGENTS || total > MAX_AGENTS {
             let message = format!("{total} agents are more than the limit of {MAX_AGENTS} (MAX_AGENTS)");
-            return Err(Problem::new(&path.key("count"), Kind::Count, message).hint("use fewer agents, or several scenes"));
+            return Err(
+                Problem::new(&path.key("count"), Kind::Count, message).hint("use fewer agents, or several scenes")
+            );
         }
         numbers.push(number as usize);
     }

@@ -122,7 +122,9 @@ impl<'a> Goals<'a> {
             Goal::Points(points) => {
                 if points.at.len() != n {
                     let message = format!("goal.points lists {} points for {n} agents", points.at.len());
-                    return Err(Problem::new(&path.key("points"), Kind::Conflict, message).hint("give one for each agent"));
+                    return Err(
+                        Problem::new(&path.key("points"), Kind::Conflict, message).hint("give one for each agent")
+                    );
                 }
                 let listed = points.at.iter().map(|p| DVec2::from_array(*p)).collect();
                 Target::Point(Each {
@@ -282,7 +284,8 @@ impl<'a> Goals<'a> {
         }
         let problem = |message: String| Problem::new(path, Kind::GoalInWall, message);
         Err(if has_room(self.solid, &corners, 0.0) {
-            let message = format!("{what} lies so near the walls that a body of radius {} cannot enter it", short(radius));
+            let message =
+                format!("{what} lies so near the walls that a body of radius {} cannot enter it", short(radius));
             problem(message).hint("it counts as entered when the body's centre is inside: make it reach further in")
         } else {
             problem(format!("{what} lies in a wall or off the walkable ground"))

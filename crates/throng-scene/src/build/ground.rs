@@ -76,8 +76,12 @@ pub(super) fn check_polygon(path: &Path, corners: &[Point], what: &str) -> Resul
     if let Some((at, first, second)) = crossing(&corners) {
         let n = corners.len();
         let edge = |i: usize| format!("{} to {}", show(corners[i]), show(corners[(i + 1) % n]));
-        let message =
-            format!("{what} crosses itself at {}: the edge from {} and that from {}", show(at), edge(first), edge(second));
+        let message = format!(
+            "{what} crosses itself at {}: the edge from {} and that from {}",
+            show(at),
+            edge(first),
+            edge(second)
+        );
         return Err(Problem::new(path, Kind::Geometry, message)
             .hint("list the corners in order round the outline, as one would walk it"));
     }

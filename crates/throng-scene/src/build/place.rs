@@ -112,7 +112,11 @@ impl Ground<'_> {
                 (format!("{who} starts inside {}, at {at}", obstacle(o)), "move it, or the obstacle".to_owned())
             }
             Touch::Edge(distance) => (
-                format!("{who} starts in a wall: {at} is {} m from it, the body's radius is {}", short(distance), short(radius)),
+                format!(
+                    "{who} starts in a wall: {at} is {} m from it, the body's radius is {}",
+                    short(distance),
+                    short(radius)
+                ),
                 format!("move it {} m away from the wall", short(radius - distance + 5e-4)),
             ),
             Touch::Obstacle(o, distance) => (

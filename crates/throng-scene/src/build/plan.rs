@@ -1,11 +1,11 @@
 //! A plan: everything a scene puts into a world, before there is a world.
 
 use super::agents::{Draw, shared};
+use super::check::check_scene;
 use super::count::counts;
 use super::goals::Goals;
 use super::ground::{self, Wrong};
 use super::place::{Ground, middle};
-use super::check::check_scene;
 use crate::error::Error;
 use crate::file::Problem;
 use crate::geometry::{DVec2, Solid, bounds};

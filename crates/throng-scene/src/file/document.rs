@@ -72,7 +72,8 @@ impl Document {
         match surplus {
             None => Ok(read),
             Some((span, length)) => {
-                let message = format!("this has the wrong number of entries: {length}, but should be two numbers, [x, y]");
+                let message =
+                    format!("this has the wrong number of entries: {length}, but should be two numbers, [x, y]");
                 Err(self.place(Error::new(Kind::WrongType, message), span))
             }
         }

@@ -20,9 +20,8 @@ pub(crate) enum Touch {
 /// Everything solid, in a form that answers fast.
 #[derive(Debug, Default)]
 pub(crate) struct Solid {
-    /// The rings of each area: outer boundary and holes.
-    areas: Vec<Outlines>,
-    obstacles: Vec<Outlines>,
+    areas: Vec<Area>,
+    obstacles: Vec<Outline>,
     circles: Vec<(usize, DVec2, f64)>,
     /// Every edge: its ends, and the obstacle it belongs to (`None`: ground).
     segments: Vec<(DVec2, DVec2, Option<usize>)>,
@@ -32,9 +31,22 @@ pub(crate) struct Solid {
     reach: f64,
 }
 
-/// Closed polygons, tested together by the even-odd rule.
+/// Ground: inside its boundary and in none of its holes, which may overlap.
+#[derive(Debug)]
+struct Area {
+    outer: Outline,
+    holes: Vec<Outline>,
+}
+
+impl Area {
+    fn contains(&self, p: DVec2) -> bool {
+        self.outer.contains(p) && !self.holes.iter().any(|hole| hole.contains(p))
+    }
+}
+
+/// A closed polygon.
 #[derive(Debug, Default)]
-struct Outlines {
+struct Outline {
     index: usize,
     edges: Vec<(DVec2, DVec2)>,
     low: DVec2,
@@ -43,9 +55,9 @@ struct Outlines {
     strips: Vec<Vec<u32>>,
 }
 
-impl Outlines {
-    fn new(index: usize, rings: impl Iterator<Item = Vec<DVec2>>) -> Self {
-        let all: Vec<_> = rings.flat_map(|ring| edges(&ring).collect::<Vec<_>>()).collect();
+impl Outline {
+    fn new(index: usize, corners: &[DVec2]) -> Self {
+        let all: Vec<_> = edges(corners).collect();
         let low = all.iter().fold(DVec2::INFINITY, |low, (a, _)| low.min(*a));
         let high = all.iter().fold(DVec2::NEG_INFINITY, |high, (a, _)| high.max(*a));
         let mut out = Self { index, edges: all, low, high, strips: vec![vec![]; 1] };
@@ -82,18 +94,18 @@ impl Solid {
     pub fn new(areas: &[throng::Walkable], obstacles: &[throng::Obstacle], reach: f64) -> Self {
         let mut solid = Self { reach, ..Self::default() };
         for (i, area) in areas.iter().enumerate() {
-            let rings = std::iter::once(&area.outer).chain(&area.holes);
-            for ring in rings.clone() {
+            for ring in std::iter::once(&area.outer).chain(&area.holes) {
                 solid.segments.extend(edges(ring).map(|(a, b)| (a, b, None)));
             }
-            solid.areas.push(Outlines::new(i, rings.cloned()));
+            let holes = area.holes.iter().map(|hole| Outline::new(i, hole)).collect();
+            solid.areas.push(Area { outer: Outline::new(i, &area.outer), holes });
         }
         for (i, obstacle) in obstacles.iter().enumerate() {
             match obstacle {
                 throng::Obstacle::Circle { center, radius } => solid.circles.push((i, *center, *radius)),
                 throng::Obstacle::Polygon { corners } => {
                     solid.segments.extend(edges(corners).map(|(a, b)| (a, b, Some(i))));
-                    solid.obstacles.push(Outlines::new(i, std::iter::once(corners.clone())));
+                    solid.obstacles.push(Outline::new(i, corners));
                 }
                 throng::Obstacle::Wall { points } => {
                     solid.segments.extend(points.windows(2).map(|pair| (pair[0], pair[1], Some(i))));
@@ -137,7 +149,7 @@ impl Solid {
         if !self.areas.is_empty() && !self.on_ground(p) {
             return Some(Touch::OffGround);
         }
-        if let Some(inside) = self.obstacles.iter().find(|outlines| outlines.contains(p)) {
+        if let Some(inside) = self.obstacles.iter().find(|outline| outline.contains(p)) {
             return Some(Touch::Inside(inside.index));
         }
         for (i, center, r) in &self.circles {
@@ -213,6 +225,13 @@ mod tests {
         assert_eq!(solid.touch(DVec2::new(8.0, 8.5), 0.5), Some(Touch::Inside(1)));
         assert_eq!(solid.touch(DVec2::new(2.0, 8.0), 0.5), Some(Touch::Inside(2)));
         assert_eq!(solid.touch(DVec2::new(3.25, 8.0), 0.5), Some(Touch::Obstacle(2, 0.25)));
+    }
+
+    #[test]
+    fn holes_may_overlap() {
+        let square = |x: f64| [[x, 2.0], [x + 4.0, 2.0], [x + 4.0, 6.0], [x, 6.0]].map(DVec2::from_array).to_vec();
+        let solid = Solid::new(&[Walkable { holes: vec![square(2.0), square(4.0)], ..room(0.0) }], &[], 0.5);
+        assert_eq!(solid.touch(DVec2::new(5.0, 4.0), 0.5), Some(Touch::OffGround));
     }
 
     #[test]

@@ -85,9 +85,7 @@ impl<'de> Deserialize<'de> for Arrived {
                 if text == "all" { Ok(Arrived::All) } else { Err(E::invalid_value(de::Unexpected::Str(text), &self)) }
             }
             fn visit_i64<E: de::Error>(self, n: i64) -> Result<Arrived, E> {
-                u64::try_from(n)
-                    .map(Arrived::Number)
-                    .map_err(|_| E::invalid_value(de::Unexpected::Signed(n), &self))
+                u64::try_from(n).map(Arrived::Number).map_err(|_| E::invalid_value(de::Unexpected::Signed(n), &self))
             }
             fn visit_u64<E: de::Error>(self, n: u64) -> Result<Arrived, E> {
                 Ok(Arrived::Number(n))

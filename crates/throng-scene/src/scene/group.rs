@@ -20,11 +20,7 @@ pub struct Group {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub goal: Option<Goal>,
     /// They enter one at a time instead of being there from the start.
-    #[serde(
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        deserialize_with = "source::one_or_many::deserialize"
-    )]
+    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "source::one_or_many::deserialize")]
     #[schemars(schema_with = "source::one_or_many::schema")]
     pub source: Vec<Source>,
     /// Seconds they stand at their place before they set off. [Limit: >= 0]

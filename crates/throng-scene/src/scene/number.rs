@@ -37,10 +37,7 @@ pub struct Normal {
 impl Normal {
     /// The least and the most it gives.
     pub fn bounds(&self) -> [f64; 2] {
-        [
-            self.min.unwrap_or(self.mean - 3.0 * self.deviation),
-            self.max.unwrap_or(self.mean + 3.0 * self.deviation),
-        ]
+        [self.min.unwrap_or(self.mean - 3.0 * self.deviation), self.max.unwrap_or(self.mean + 3.0 * self.deviation)]
     }
 }
 

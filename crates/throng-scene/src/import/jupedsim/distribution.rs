@@ -57,7 +57,9 @@ fn premovement(id: &str, parameters: &Value, notes: &mut Vec<String>) -> Option<
         "uniform" => Some(Number::Uniform([a.min(b).max(0.0), a.max(b).max(0.0)])),
         "normal" | "gaussian" => Some(normal(a, b, 0.0)),
         "gamma" => {
-            notes.push(format!("{id} has gamma premovement times: a normal distribution of the same mean and deviation"));
+            notes.push(format!(
+                "{id} has gamma premovement times: a normal distribution of the same mean and deviation"
+            ));
             Some(normal(a * b, a.max(0.0).sqrt() * b, 0.0))
         }
         _ => {

@@ -29,7 +29,8 @@ pub(super) fn read(path: &Path) -> Result<Parts, Error> {
 
 fn zipped(path: &Path) -> Result<Parts, Error> {
     let file = std::fs::File::open(path).map_err(|error| crate::file::missing(path, &error))?;
-    let broken = |error: &dyn std::fmt::Display| Error::new(Kind::Syntax, format!("this is not a readable zip: {error}"));
+    let broken =
+        |error: &dyn std::fmt::Display| Error::new(Kind::Syntax, format!("this is not a readable zip: {error}"));
     let mut archive = zip::ZipArchive::new(file).map_err(|error| broken(&error))?;
     let (mut config, mut plan) = (None, None);
     for i in 0..archive.len() {
