@@ -10,13 +10,13 @@ pub struct Error {
     /// What is wrong, one line.
     pub message: String,
     /// The file (or `--set key=value`) it is in, where known.
-    pub file: Option<String>,
+    pub file: Option<Box<str>>,
     /// Line and column, both from 1, columns in characters, where known.
     pub at: Option<(usize, usize)>,
     /// The offending line, and how many of its characters from the column on are meant.
     pub line: Option<(String, usize)>,
     /// How to mend it.
-    pub hint: Option<String>,
+    pub hint: Option<Box<str>>,
 }
 
 /// Kinds of mistakes.
@@ -63,12 +63,12 @@ impl Error {
         Self { kind, message: message.into(), file: None, at: None, line: None, hint: None }
     }
 
-    pub(crate) fn hint(mut self, hint: impl Into<String>) -> Self {
+    pub(crate) fn hint(mut self, hint: impl Into<Box<str>>) -> Self {
         self.hint = Some(hint.into());
         self
     }
 
-    pub(crate) fn file(mut self, file: impl Into<String>) -> Self {
+    pub(crate) fn file(mut self, file: impl Into<Box<str>>) -> Self {
         self.file = Some(file.into());
         self
     }

@@ -265,14 +265,10 @@ fn check_view(view: &View) -> Checked {
             check_point(&path.key(key), corner)?;
         }
     }
-    if let (Some(min), Some(max)) = (view.min, view.max) {
-        if min[0] >= max[0] || min[1] >= max[1] {
-            return Err(Problem::new(
-                &path.key("max"),
-                Kind::OutOfRange,
-                "view.max must lie above and right of view.min",
-            ));
-        }
+    if let (Some(min), Some(max)) = (view.min, view.max)
+        && (min[0] >= max[0] || min[1] >= max[1])
+    {
+        return Err(Problem::new(&path.key("max"), Kind::OutOfRange, "view.max must lie above and right of view.min"));
     }
     check_some(&path.key("trails"), view.trails, Limit::NotNegative)
 }

@@ -84,11 +84,11 @@ fn entering(path: &Path, i: usize, group: &Group) -> Result<u64, Problem> {
             let message = format!("{} has both a rate and an interval", name(&path));
             return Err(Problem::new(&path, Kind::Conflict, message).hint("keep one of them"));
         }
-        if let Some(end) = source.end {
-            if end <= source.start {
-                let message = format!("{} ends at {end} s, but starts at {} s", name(&path), source.start);
-                return Err(Problem::new(&path.key("end"), Kind::OutOfRange, message));
-            }
+        if let Some(end) = source.end
+            && end <= source.start
+        {
+            let message = format!("{} ends at {end} s, but starts at {} s", name(&path), source.start);
+            return Err(Problem::new(&path.key("end"), Kind::OutOfRange, message));
         }
         let Some(interval) = interval(source) else {
             let message = format!("{} does not say how fast agents enter", name(&path));

@@ -257,21 +257,20 @@ impl<'a> Goals<'a> {
             return Err(Problem::new(path, Kind::GoalInWall, message).hint("move the goal to where somebody can stand"));
         }
         let needed = radius - tolerance;
-        if needed > 0.0 {
-            if let Some(touch @ (Touch::Edge(distance) | Touch::Obstacle(_, distance))) =
+        if needed > 0.0
+            && let Some(touch @ (Touch::Edge(distance) | Touch::Obstacle(_, distance))) =
                 self.solid.touch(at, needed * (1.0 - 1e-6))
-            {
-                let message = format!(
-                    "{what}, {}, is {} m from {}: a body of radius {} cannot come within {} m of it",
-                    show(at),
-                    short(distance),
-                    wall(touch),
-                    short(radius),
-                    short(tolerance)
-                );
-                return Err(Problem::new(path, Kind::GoalInWall, message)
-                    .hint("move the goal away from the wall, or give it a larger tolerance"));
-            }
+        {
+            let message = format!(
+                "{what}, {}, is {} m from {}: a body of radius {} cannot come within {} m of it",
+                show(at),
+                short(distance),
+                wall(touch),
+                short(radius),
+                short(tolerance)
+            );
+            return Err(Problem::new(path, Kind::GoalInWall, message)
+                .hint("move the goal away from the wall, or give it a larger tolerance"));
         }
         Ok(())
     }

@@ -10,7 +10,7 @@ use crate::scene::{Area, As, Obstacle, Point, Scene, Shape, Walkable};
 /// What went wrong: a value of the scene, or a file it names.
 pub(super) enum Wrong {
     Problem(Problem),
-    Error(Error),
+    Error(Box<Error>),
 }
 
 impl From<Problem> for Wrong {
@@ -55,7 +55,7 @@ pub(super) fn areas(scene: &Scene) -> Result<Vec<throng::Walkable>, Wrong> {
                 problem
             })?;
             let shown = file.display().to_string();
-            let areas = wkt::areas(&text).map_err(|error| Wrong::Error(error.file(shown.clone())))?;
+            let areas = wkt::areas(&text).map_err(|error| Wrong::Error(Box::new(error.file(shown.clone()))))?;
             let areas: Result<Vec<_>, _> = areas.iter().map(|area| one(&path, area)).collect();
             Ok(areas.map_err(|mut problem| {
                 problem.path = path;

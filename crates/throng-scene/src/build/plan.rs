@@ -63,7 +63,7 @@ impl Scene {
     pub fn plan(&self) -> Result<Plan, Error> {
         self.lay_out().map_err(|wrong| match wrong {
             Wrong::Problem(problem) => self.explain(problem),
-            Wrong::Error(error) => error,
+            Wrong::Error(error) => *error,
         })
     }
 

@@ -55,7 +55,7 @@ pub(crate) struct Problem {
     pub path: Path,
     pub kind: Kind,
     pub message: String,
-    pub hint: Option<String>,
+    pub hint: Option<Box<str>>,
 }
 
 impl Problem {
@@ -63,7 +63,7 @@ impl Problem {
         Self { path: path.clone(), kind, message: message.into(), hint: None }
     }
 
-    pub fn hint(mut self, hint: impl Into<String>) -> Self {
+    pub fn hint(mut self, hint: impl Into<Box<str>>) -> Self {
         self.hint = Some(hint.into());
         self
     }

@@ -7,27 +7,27 @@ use serde::Deserialize;
 pub(crate) fn explain(message: &str) -> Error {
     let message = message.trim();
     let quoted = quoted(message);
-    if message.starts_with("unknown field") {
-        if let Some((wrong, keys)) = quoted.split_first() {
-            return unknown_key(wrong, keys);
-        }
+    if message.starts_with("unknown field")
+        && let Some((wrong, keys)) = quoted.split_first()
+    {
+        return unknown_key(wrong, keys);
     }
-    if message.starts_with("unknown variant") {
-        if let Some((wrong, choices)) = quoted.split_first() {
-            let error = Error::new(Kind::UnknownKey, format!("`{wrong}` is not one of the choices here"));
-            return with_nearest(error, wrong, choices, "the choices");
-        }
+    if message.starts_with("unknown variant")
+        && let Some((wrong, choices)) = quoted.split_first()
+    {
+        let error = Error::new(Kind::UnknownKey, format!("`{wrong}` is not one of the choices here"));
+        return with_nearest(error, wrong, choices, "the choices");
     }
-    if message.starts_with("missing field") {
-        if let Some(key) = quoted.first() {
-            return Error::new(Kind::MissingKey, format!("the key `{key}` is missing here"))
-                .hint(format!("add `{key}` to this table"));
-        }
+    if message.starts_with("missing field")
+        && let Some(key) = quoted.first()
+    {
+        return Error::new(Kind::MissingKey, format!("the key `{key}` is missing here"))
+            .hint(format!("add `{key}` to this table"));
     }
-    if message.starts_with("duplicate field") {
-        if let Some(key) = quoted.first() {
-            return Error::new(Kind::Conflict, format!("`{key}` is given twice"));
-        }
+    if message.starts_with("duplicate field")
+        && let Some(key) = quoted.first()
+    {
+        return Error::new(Kind::Conflict, format!("`{key}` is given twice"));
     }
     if message.starts_with("wanted exactly 1 element") {
         let what = if message.contains("more than") { "several choices are given" } else { "nothing is chosen" };

@@ -144,7 +144,7 @@ impl Solid {
         ((p.x / self.cell).floor() as i64, (p.y / self.cell).floor() as i64)
     }
 
-    /// What a body with this centre and radius touches first, if anything. [Limit: radius <= reach]
+    /// What a body with this centre and radius touches first, if anything. Limit: radius <= reach.
     pub fn touch(&self, p: DVec2, radius: f64) -> Option<Touch> {
         if !self.areas.is_empty() && !self.on_ground(p) {
             return Some(Touch::OffGround);

@@ -3,11 +3,14 @@
 use glam::DVec2;
 use std::collections::HashMap;
 
+/// Centre, radius, number.
+type Body = (DVec2, f64, u32);
+
 /// Bodies in square cells.
 #[derive(Debug)]
 pub(crate) struct Spacing {
     cell: f64,
-    cells: HashMap<(i64, i64), Vec<(DVec2, f64, u32)>>,
+    cells: HashMap<(i64, i64), Vec<Body>>,
 }
 
 impl Spacing {

@@ -21,13 +21,13 @@ impl Default for Avoid {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Orca {
-    /// Seconds ahead for which a velocity must be safe from other agents. [Limit: > 0]
+    /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
     pub time_horizon: f64,
-    /// Seconds ahead for which a velocity must be safe from obstacles. [Limit: > 0]
+    /// Seconds ahead for which a velocity must be safe from obstacles. Limit: > 0.
     pub time_horizon_obstacles: f64,
-    /// How many of the nearest others are taken into account. [Limit: 1 to 1000]
+    /// How many of the nearest others are taken into account. Limit: 1 to 1000.
     pub neighbours: u32,
-    /// How far an agent looks for others, metres between centres. [Limit: > 0]
+    /// How far an agent looks for others, metres between centres. Limit: > 0.
     pub neighbour_distance: f64,
 }
 

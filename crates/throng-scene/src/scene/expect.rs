@@ -13,16 +13,16 @@ pub struct Expect {
     /// Who arrives (or leaves by an exit): `"all"`, a number of agents (`30`), or a share of all (`0.9`).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub arrived: Option<Arrived>,
-    /// By when, seconds. Without it, by the scene's end. [Limit: > 0]
+    /// By when, seconds. Without it, by the scene's end. Limit: > 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub within: Option<f64>,
     /// The least distance between two bodies at any time, metres; below 0 they overlap.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub least_separation: Option<f64>,
-    /// No agent turns its heading faster than this, degrees a second. [Limit: > 0]
+    /// No agent turns its heading faster than this, degrees a second. Limit: > 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heading_change: Option<f64>,
-    /// The mean speed of those on their way, over the whole scene, is at least this, m/s. [Limit: >= 0]
+    /// The mean speed of those on their way, over the whole scene, is at least this, m/s. Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_speed: Option<f64>,
     /// How many cross a line.
@@ -44,10 +44,10 @@ pub struct FlowExpect {
     pub from: Point,
     /// The other end.
     pub to: Point,
-    /// At least this many a second. [Limit: >= 0]
+    /// At least this many a second. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_least: Option<f64>,
-    /// At most this many a second. [Limit: >= 0]
+    /// At most this many a second. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_most: Option<f64>,
 }
@@ -59,7 +59,7 @@ pub enum Arrived {
     All,
     /// At least this many.
     Number(u64),
-    /// At least this share of all. [Limit: 0 to 1]
+    /// At least this share of all. Limit: 0 to 1.
     Fraction(f64),
 }
 

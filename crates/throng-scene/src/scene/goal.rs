@@ -41,7 +41,7 @@ pub enum Goal {
 pub struct PointGoal {
     /// The point.
     pub at: Point,
-    /// Metres that count as there. [Limit: > 0]
+    /// Metres that count as there. Limit: > 0.
     pub tolerance: f64,
 }
 
@@ -51,7 +51,7 @@ pub struct PointGoal {
 pub struct PointsGoal {
     /// The points, as many as agents.
     pub at: Vec<Point>,
-    /// Metres that count as there. [Limit: > 0]
+    /// Metres that count as there. Limit: > 0.
     #[serde(default = "tolerance")]
     pub tolerance: f64,
 }
@@ -63,7 +63,7 @@ pub struct Opposite {
     /// The point in the middle between start and goal. Without it, the middle of the place.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub center: Option<Point>,
-    /// Metres that count as there. [Limit: > 0]
+    /// Metres that count as there. Limit: > 0.
     #[serde(default = "tolerance")]
     pub tolerance: f64,
 }
@@ -80,7 +80,7 @@ impl Default for Opposite {
 pub struct Shift {
     /// How far along x and y, metres.
     pub by: Point,
-    /// Metres that count as there. [Limit: > 0]
+    /// Metres that count as there. Limit: > 0.
     #[serde(default = "tolerance")]
     pub tolerance: f64,
 }
@@ -91,7 +91,7 @@ pub struct Shift {
 pub struct Stop {
     /// Where; not a journey itself.
     pub goal: Goal,
-    /// Seconds to wait there before going on. [Limit: >= 0]
+    /// Seconds to wait there before going on. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wait: Option<Number>,
 }
@@ -108,7 +108,7 @@ impl From<Goal> for Stop {
 pub struct Weighted {
     /// Where.
     pub goal: Goal,
-    /// How often, against the sum of all weights. [Limit: >= 0]
+    /// How often, against the sum of all weights. Limit: >= 0.
     #[serde(default = "one")]
     pub weight: f64,
 }

@@ -22,7 +22,7 @@ pub enum Walkable {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Area {
-    /// Corners of the boundary, either way round, the first not repeated. [Limit: at least 3]
+    /// Corners of the boundary, either way round, the first not repeated. Limit: at least 3.
     pub outer: Vec<Point>,
     /// Corners of each hole.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -35,7 +35,7 @@ pub struct Area {
 pub struct Rectangle {
     /// Its middle.
     pub center: Point,
-    /// Its sides along x and y, before it is turned. [Limit: > 0]
+    /// Its sides along x and y, before it is turned. Limit: > 0.
     pub size: Point,
     /// Turned counter-clockwise about its middle, degrees.
     #[serde(default, skip_serializing_if = "is_zero")]

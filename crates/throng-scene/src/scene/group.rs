@@ -11,7 +11,7 @@ pub struct Group {
     /// A name for people and for `--set`. Without it, `group-1` for the first.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub name: String,
-    /// How many. Without it, as many as the place or the sources say. [Limit: 1 to 20,000,000]
+    /// How many. Without it, as many as the place or the sources say. Limit: 1 to 20,000,000.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub count: Option<u64>,
     /// Where they start.
@@ -23,7 +23,7 @@ pub struct Group {
     #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "source::one_or_many::deserialize")]
     #[schemars(schema_with = "source::one_or_many::schema")]
     pub source: Vec<Source>,
-    /// Seconds they stand at their place before they set off. [Limit: >= 0]
+    /// Seconds they stand at their place before they set off. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wait: Option<Number>,
     /// Their bodies.
@@ -32,10 +32,10 @@ pub struct Group {
     /// How fast they walk.
     #[serde(default)]
     pub speed: Speed,
-    /// Greatest change of velocity, m/s². Without it, the library's default (5). [Limit: > 0]
+    /// Greatest change of velocity, m/s². Without it, the library's default (5). Limit: > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub acceleration: Option<Number>,
-    /// Greatest change of heading, degrees a second. Without it, no limit. [Limit: > 0]
+    /// Greatest change of heading, degrees a second. Without it, no limit. Limit: > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub turn_rate: Option<Number>,
     /// Direction of the body at the start, degrees counter-clockwise from +x. Without it, towards the goal.
@@ -45,13 +45,13 @@ pub struct Group {
     /// leaves all of it to that one.
     #[serde(default, skip_serializing_if = "is_default")]
     pub priority: f64,
-    /// The layers they are on. [Limit: 0 to 31 each]
+    /// The layers they are on. Limit: 0 to 31 each.
     #[serde(default = "first_layer", skip_serializing_if = "is_first_layer")]
     pub layers: Vec<u8>,
-    /// The layers they avoid. Without it, all. [Limit: 0 to 31 each]
+    /// The layers they avoid. Without it, all. Limit: 0 to 31 each.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub avoids: Option<Vec<u8>>,
-    /// Degrees by which the preferred velocity is turned clockwise; negative keeps left. [Limit: -28 to 28]
+    /// Degrees by which the preferred velocity is turned clockwise; negative keeps left. Limit: -28 to 28.
     #[serde(default = "default_keep_right")]
     pub keep_right: f64,
     /// Whether an agent whom others block steps aside for a moment.
@@ -94,7 +94,7 @@ impl Default for Group {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Body {
-    /// Radius, metres. [Limit: > 0, at most 1000]
+    /// Radius, metres. Limit: > 0, at most 1000.
     pub radius: Number,
 }
 
@@ -108,10 +108,10 @@ impl Default for Body {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Speed {
-    /// The speed they walk at when nothing hinders them. [Limit: >= 0, at most 1000]
+    /// The speed they walk at when nothing hinders them. Limit: >= 0, at most 1000.
     pub preferred: Number,
-    /// The speed they never exceed. Without it, 1.8, or the preferred speed where that is more. [Limit: at least
-    /// `preferred`]
+    /// The speed they never exceed. Without it, 1.8, or the preferred speed where that is more. Limit: at least
+    /// `preferred`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<Number>,
 }

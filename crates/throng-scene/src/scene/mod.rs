@@ -43,7 +43,7 @@ pub struct Scene {
     /// More, for people.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub description: String,
-    /// Seed of everything random. [Limit: 0 to 9223372036854775807, the largest whole number of a TOML file]
+    /// Seed of everything random. Limit: 0 to 9223372036854775807, the largest whole number of a TOML file.
     #[serde(default = "default_seed")]
     pub seed: u64,
     /// Step, and when the scene ends.

@@ -24,7 +24,7 @@ pub enum Number {
 pub struct Normal {
     /// Its mean, before it is cut off.
     pub mean: f64,
-    /// Its standard deviation, before it is cut off. [Limit: >= 0]
+    /// Its standard deviation, before it is cut off. Limit: >= 0.
     pub deviation: f64,
     /// The least; without it, three deviations below the mean.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -32,9 +32,9 @@ pub enum Shape {
     Circle(Circle),
     /// A rectangle.
     Rectangle(Rectangle),
-    /// The corners of a simple polygon, either way round, the first not repeated. [Limit: at least 3]
+    /// The corners of a simple polygon, either way round, the first not repeated. Limit: at least 3.
     Polygon(Vec<Point>),
-    /// Thin walls from point to point, not closed. [Limit: at least 2]
+    /// Thin walls from point to point, not closed. Limit: at least 2.
     Wall(Vec<Point>),
 }
 
@@ -44,7 +44,7 @@ pub enum Shape {
 pub struct Circle {
     /// Its middle.
     pub center: Point,
-    /// Its radius. [Limit: > 0]
+    /// Its radius. Limit: > 0.
     pub radius: f64,
 }
 

@@ -55,7 +55,7 @@ pub struct Ring {
     /// Its middle.
     #[serde(default)]
     pub center: Point,
-    /// Its radius. [Limit: > 0]
+    /// Its radius. Limit: > 0.
     pub radius: f64,
     /// Where the first stands, degrees counter-clockwise from +x.
     #[serde(default, skip_serializing_if = "is_zero")]
@@ -69,11 +69,11 @@ pub struct Grid {
     /// Its middle.
     #[serde(default)]
     pub center: Point,
-    /// How many side by side along x. [Limit: at least 1]
+    /// How many side by side along x. Limit: at least 1.
     pub columns: u64,
-    /// How many rows along y. [Limit: at least 1]
+    /// How many rows along y. Limit: at least 1.
     pub rows: u64,
-    /// Metres between neighbours' centres. [Limit: > 0]
+    /// Metres between neighbours' centres. Limit: > 0.
     pub spacing: f64,
     /// Turned counter-clockwise about its middle, degrees.
     #[serde(default, skip_serializing_if = "is_zero")]
@@ -87,9 +87,9 @@ pub struct DiscPlace {
     /// Its middle.
     #[serde(default)]
     pub center: Point,
-    /// Its radius; bodies may reach over its edge. [Limit: > 0]
+    /// Its radius; bodies may reach over its edge. Limit: > 0.
     pub radius: f64,
-    /// The least distance between bodies, metres. [Limit: >= 0]
+    /// The least distance between bodies, metres. Limit: >= 0.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub gap: f64,
 }
@@ -100,12 +100,12 @@ pub struct DiscPlace {
 pub struct RectanglePlace {
     /// Its middle.
     pub center: Point,
-    /// Its sides; bodies may reach over its edges. [Limit: > 0]
+    /// Its sides; bodies may reach over its edges. Limit: > 0.
     pub size: Point,
     /// Turned counter-clockwise about its middle, degrees.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub rotation: f64,
-    /// The least distance between bodies, metres. [Limit: >= 0]
+    /// The least distance between bodies, metres. Limit: >= 0.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub gap: f64,
 }
@@ -114,9 +114,9 @@ pub struct RectanglePlace {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PolygonPlace {
-    /// Its corners, either way round; bodies may reach over its edges. [Limit: at least 3]
+    /// Its corners, either way round; bodies may reach over its edges. Limit: at least 3.
     pub corners: Vec<Point>,
-    /// The least distance between bodies, metres. [Limit: >= 0]
+    /// The least distance between bodies, metres. Limit: >= 0.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub gap: f64,
 }
@@ -125,7 +125,7 @@ pub struct PolygonPlace {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WalkablePlace {
-    /// The least distance between bodies, metres. [Limit: >= 0]
+    /// The least distance between bodies, metres. Limit: >= 0.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub gap: f64,
 }

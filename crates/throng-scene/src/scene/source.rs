@@ -7,19 +7,19 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Source {
-    /// When the first enters, seconds. [Limit: >= 0]
+    /// When the first enters, seconds. Limit: >= 0.
     #[serde(default)]
     pub start: f64,
-    /// Nobody enters from this time on, seconds. Without it, `count` ends the source. [Limit: > start]
+    /// Nobody enters from this time on, seconds. Without it, `count` ends the source. Limit: > start.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub end: Option<f64>,
     /// How many enter. Without it, as many as do until `end`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub count: Option<u64>,
-    /// Agents a second. One of `rate`, `interval`, or `end` together with `count` (evenly). [Limit: > 0]
+    /// Agents a second. One of `rate`, `interval`, or `end` together with `count` (evenly). Limit: > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rate: Option<f64>,
-    /// Seconds from one agent to the next. [Limit: > 0]
+    /// Seconds from one agent to the next. Limit: > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub interval: Option<f64>,
 }

@@ -9,13 +9,13 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Time {
-    /// Seconds from one output to the next. [Limit: > 0, at most 10]
+    /// Seconds from one output to the next. Limit: > 0, at most 10.
     pub step: f64,
     /// How a step is divided: `"auto"`, or a number of parts.
     pub sub_steps: SubSteps,
     /// When the scene ends, if not at `limit`.
     pub until: Until,
-    /// When it ends at the latest, seconds. [Limit: > 0]
+    /// When it ends at the latest, seconds. Limit: > 0.
     pub limit: f64,
 }
 
@@ -44,7 +44,7 @@ pub enum SubSteps {
     /// By a rule that depends only on the world's state.
     #[default]
     Auto,
-    /// Always into this many. [Limit: 1 to 1000]
+    /// Always into this many. Limit: 1 to 1000.
     Fixed(u32),
 }
 

@@ -24,7 +24,7 @@ pub struct View {
     /// Colour of obstacles.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub obstacles: Option<Colour>,
-    /// Length of the trails, seconds. [Limit: >= 0]
+    /// Length of the trails, seconds. Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub trails: Option<f64>,
     /// Whether goals are drawn.

@@ -21,7 +21,7 @@ pub fn load(path: impl AsRef<Path>) -> Result<Imported, Error> {
     let path = path.as_ref();
     let parts = parts::read(path)?;
     let mut imported = from_text(&parts.config, parts.plan.as_deref()).map_err(|mut error| {
-        error.file.get_or_insert_with(|| path.display().to_string());
+        error.file.get_or_insert_with(|| path.display().to_string().into());
         error
     })?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();

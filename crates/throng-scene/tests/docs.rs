@@ -1,0 +1,38 @@
+//! The page on the scene format says what is so.
+
+use throng_scene::{Scene, schema};
+
+const PAGE: &str = include_str!("../../../docs/scenes.md");
+
+#[test]
+fn every_example_of_the_page_builds() {
+    let examples: Vec<&str> = PAGE.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert!(examples.len() >= 5);
+    for example in examples {
+        let scene: Scene = example.parse().unwrap_or_else(|error| panic!("{error}"));
+        if !scene.groups.is_empty() {
+            scene.build().unwrap_or_else(|error| panic!("{error}"));
+        }
+    }
+}
+
+#[test]
+fn every_key_is_on_the_page() {
+    fn keys(value: &serde_json::Value, out: &mut Vec<String>) {
+        if let Some(properties) = value["properties"].as_object() {
+            out.extend(properties.keys().cloned());
+        }
+        match value {
+            serde_json::Value::Object(map) => map.values().for_each(|value| keys(value, out)),
+            serde_json::Value::Array(list) => list.iter().for_each(|value| keys(value, out)),
+            _ => {}
+        }
+    }
+    let mut all = vec![];
+    keys(&schema(), &mut all);
+    assert!(all.len() > 60);
+    let words: Vec<&str> = PAGE.split(|c: char| !(c.is_alphanumeric() || c == '_')).collect();
+    for key in all {
+        assert!(words.contains(&key.as_str()), "docs/scenes.md does not mention `{key}`");
+    }
+}
