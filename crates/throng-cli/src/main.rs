@@ -1,2 +1,48 @@
-//! The program `throng`.
-fn main() {}
+//! The program `throng`: runs scenes, writes video, pictures and trajectories.
+
+mod args;
+mod check;
+mod completions;
+mod expect;
+mod failure;
+mod files;
+mod interrupt;
+mod list;
+mod look;
+mod moment;
+mod out;
+mod progress;
+mod report;
+mod run;
+mod schema;
+mod show;
+mod source;
+mod threads;
+
+use args::{Arguments, Command};
+use clap::Parser;
+use out::Out;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let mut out = Out::new();
+    let result = match &arguments.command {
+        Command::Run(args) => run::run(args, &mut out),
+        Command::List(args) => list::list(args, &mut out),
+        Command::Check(args) => check::check(args, &mut out),
+        Command::Show(args) => show::show(args, &mut out),
+        Command::Schema => schema::schema(&mut out),
+        Command::Completions(args) => completions::completions(args, &mut out),
+    };
+    let result = result.and_then(|()| out.flush());
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            if let Some(text) = failure.text() {
+                out::complain(&format!("error: {text}"));
+            }
+            ExitCode::from(failure.code())
+        }
+    }
+}

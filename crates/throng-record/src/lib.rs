@@ -3,6 +3,7 @@
 //! [`csv`] writes trajectories as a table. Every file is written through [`Output`], under a temporary name until it
 //! is complete.
 
+mod capture;
 pub mod csv;
 mod frame;
 mod output;

@@ -1,0 +1,227 @@
+//! The command line.
+
+use crate::look::{LookArgs, parse_not_negative, parse_positive};
+use crate::source::SceneArgs;
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+
+/// Crowds and groups of agents: runs scenes, writes video, pictures and trajectories
+#[derive(Parser, Debug)]
+#[command(name = "throng", version, propagate_version = true, after_help = EXAMPLES, after_long_help = EXAMPLES)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  throng list                        the scenes of the gallery
+  throng run circle                  run one; writes circle.mp4
+  throng run plan.toml -o a.mp4 -o a.csv
+  throng check plan.toml             is it right, and what would it do?
+  throng show doorway                a picture of the start, doorway.png
+
+Exit codes: 0 done; 1 the scene did not show what its [expect] says; 2 an error; 130 interrupted.";
+
+/// What to do.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Runs a scene and writes what happens
+    #[command(after_help = RUN_SHORT, after_long_help = RUN)]
+    Run(Box<RunArgs>),
+    /// Lists the scenes of the gallery
+    List(ListArgs),
+    /// Validates a scene and says what it would do
+    ///
+    /// Reads the scene, builds its world, plans everybody's way and makes one step. Reports agents, groups, goals,
+    /// the place, what importers left out, agents that overlap at the start, and goals that cannot be reached, with
+    /// the reasons. The exit code is 0 for a scene that can be run, whatever is reported, and 2 for one that cannot.
+    #[command(after_help = CHECK)]
+    Check(SceneArgs),
+    /// Draws the start of a scene
+    #[command(after_help = SHOW)]
+    Show(ShowArgs),
+    /// Writes the JSON schema of scene files to standard output
+    ///
+    /// Editors that know it complete and check the keys of scene files while one types.
+    #[command(after_help = "Example:\n  throng schema > throng.schema.json")]
+    Schema,
+    /// Writes the completion script of a shell to standard output
+    #[command(after_help = "Example:\n  throng completions bash > ~/.local/share/bash-completion/completions/throng")]
+    Completions(CompletionsArgs),
+}
+
+const RUN_SHORT: &str = "\
+Examples:
+  throng run circle
+  throng run doorway -o door.mp4 -o door.csv -o end.png --color speed
+  throng run headon --json --no-files --set avoid.orca.time_horizon=3
+
+`throng run --help` describes the outputs and the keys of --json.";
+
+const RUN: &str = "\
+Outputs, by the ending of the name:
+  .mp4              video (H.264)
+  .gif              looping animation
+  .png, .svg        one picture: the last moment, or that of --frame
+  .csv              trajectories: every agent at every step
+  NAME/             a folder of PNG files, one a picture
+  .avi, .webm, ...  other video, through the program ffmpeg where that is installed
+
+Files get their names when they are complete. Ctrl-C ends the run and completes the files; a second one ends the
+program at once.
+
+Keys of --json (one object on standard output):
+  scene                     name of the scene
+  agents                    agents in all: present, gone, and still to enter
+  arrived, removed          at the end of their journeys (gone ones included); gone by exits
+  resting, stuck            standing still; not arrived and cannot, or without progress for 10 s
+  time                      seconds simulated
+  time_ratio, path_ratio    of the arrived: time and way over those of the shortest way, mean
+  least_separation          least distance of two centres over the sum of their radii; 1: they touched
+  overlaps                  overlaps of bodies with bodies and walls, counted every sub-step
+  guard_share               share of the moves that the guard changed
+  heading_change_deg_per_s  turning of the headings of those on their way, mean
+  steps, sub_steps          steps made, and the parts they were divided into
+  agent_steps_per_second    moves of one agent by one sub-step, a second of computing the steps
+  expect                    { passed, checks: [{ name, expected, found, passed }] }: the scene's [expect]
+  least_wall_separation     least distance of a centre to a wall over the radius
+  wall_seconds              seconds the whole run took, files included
+  step_seconds              those of them for the steps alone
+  cpu_per_simulated_second  processor seconds (all threads, files included) a simulated second
+  interrupted               whether the run was interrupted
+  files                     the files written
+What is infinite or not known is null.
+
+Exit codes: 0 done; 1 the scene did not show what its [expect] says; 2 an error; 130 interrupted.
+
+Examples:
+  throng run circle
+      writes circle.mp4
+  throng run doorway -o door.mp4 -o door.csv -o end.png --color speed
+  throng run office.toml -o frames/ --fps 10 --size 1280x720 --camera 0,0,20,15
+  throng run bottleneck --speed-up 4 --trails 5
+  throng run headon --json --no-files --set avoid.orca.time_horizon=3
+  throng run station.wkt --exit 10,0,2,4 --people 500 -o station.mp4
+  throng run scenario.zip -o scenario.csv --limit 60";
+
+const CHECK: &str = "\
+Examples:
+  throng check doorway
+  throng check plan.toml --set count=5000
+  throng check station.wkt --exit 10,0,2,4 --people 500";
+
+const SHOW: &str = "\
+Examples:
+  throng show doorway
+  throng show plan.toml -o plan.svg --size 1600x900";
+
+/// What `throng run` is told.
+#[derive(Args, Debug)]
+pub struct RunArgs {
+    /// Which scene.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+
+    /// A file to write, its kind by its ending; can be given several times [default: <scene>.mp4]
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Vec<PathBuf>,
+
+    /// Writes no files: only the summary
+    #[arg(long, conflicts_with = "output")]
+    pub no_files: bool,
+
+    /// Ends at this many seconds at the latest, instead of the scene's `time.limit`
+    #[arg(long, value_name = "SECONDS", value_parser = parse_positive, conflicts_with = "duration")]
+    pub limit: Option<f64>,
+
+    /// Ends at this many seconds exactly, whatever the scene's `time.until` says
+    #[arg(long, value_name = "SECONDS", value_parser = parse_positive)]
+    pub duration: Option<f64>,
+
+    /// Does not check what the scene's [expect] says
+    #[arg(long)]
+    pub no_expect: bool,
+
+    /// Threads for the steps; 0: as many as there are cores. The result is the same for any number
+    #[cfg(feature = "parallel")]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(..=1024))]
+    pub threads: u16,
+
+    /// Shows no progress bar and no summary
+    #[arg(short, long)]
+    pub quiet: bool,
+
+    /// Writes the summary as one JSON object to standard output
+    #[arg(long)]
+    pub json: bool,
+
+    /// Which moment .png and .svg show, seconds; without it, the last
+    #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative, help_heading = "Pictures")]
+    pub frame: Option<f64>,
+
+    /// Pictures a second of video
+    #[arg(long, value_name = "N", default_value_t = 25.0, value_parser = parse_rate, help_heading = "Pictures")]
+    pub fps: f64,
+
+    /// Seconds of the scene in a second of video
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = parse_factor, help_heading = "Pictures")]
+    pub speed_up: f64,
+
+    /// How pictures look.
+    #[command(flatten)]
+    pub look: LookArgs,
+}
+
+impl RunArgs {
+    /// Threads for the steps; 0: as many as there are cores.
+    pub fn threads(&self) -> usize {
+        #[cfg(feature = "parallel")]
+        return usize::from(self.threads);
+        #[cfg(not(feature = "parallel"))]
+        1
+    }
+}
+
+/// What `throng list` is told.
+#[derive(Args, Debug)]
+pub struct ListArgs {
+    /// Only the names, for programs
+    #[arg(long)]
+    pub names: bool,
+}
+
+/// What `throng show` is told.
+#[derive(Args, Debug)]
+pub struct ShowArgs {
+    /// Which scene.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+
+    /// The picture to write, .png or .svg [default: <scene>.png]
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// How pictures look.
+    #[command(flatten)]
+    pub look: LookArgs,
+}
+
+/// What `throng completions` is told.
+#[derive(Args, Debug)]
+pub struct CompletionsArgs {
+    /// Which shell
+    #[arg(value_enum)]
+    pub shell: clap_complete::Shell,
+}
+
+fn parse_rate(text: &str) -> Result<f64, String> {
+    let rate = parse_positive(text)?;
+    if (0.001..=1000.0).contains(&rate) { Ok(rate) } else { Err("write a number from 0.001 to 1000".into()) }
+}
+
+fn parse_factor(text: &str) -> Result<f64, String> {
+    let factor = parse_positive(text)?;
+    if (1e-3..=1e6).contains(&factor) { Ok(factor) } else { Err("write a number from 0.001 to 1000000".into()) }
+}

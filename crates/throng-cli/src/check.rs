@@ -1,0 +1,132 @@
+//! `throng check`: whether a scene is right, and what it would do.
+
+use crate::failure::Failure;
+use crate::out::Out;
+use crate::source::{Loaded, SceneArgs};
+use std::collections::BTreeMap;
+use throng::{Goal, Obstacle, World};
+use throng_scene::{Built, Scene, SubSteps, Until};
+
+/// How many of a kind of finding are written out.
+const SHOWN: usize = 5;
+
+/// Validates a scene and writes what it would do to standard output.
+///
+/// # Errors
+/// The scene cannot be built, or standard output cannot be written.
+pub fn check(args: &SceneArgs, out: &mut Out) -> Result<(), Failure> {
+    let Loaded { name, scene, notes } = args.load()?;
+    let (mut world, built) = scene.build()?;
+    let title = if scene.title.is_empty() { String::new() } else { format!(": {}", scene.title) };
+    out.line(format_args!("{name}{title}"))?;
+    people(&built, out)?;
+    place(&built, out)?;
+    let overlapping = world.overlapping();
+    // The first step plans everybody's way.
+    world.step();
+    time(&scene, &world, out)?;
+    expectations(&scene, out)?;
+    for note in &notes {
+        out.line(format_args!("  note       {note}"))?;
+    }
+    let found = overlaps(&overlapping, out)? | unreachable(&world, &built, out)?;
+    out.line(format_args!("{}", if found { "it can be run, with the warnings above" } else { "it is right" }))
+}
+
+fn people(built: &Built, out: &mut Out) -> Result<(), Failure> {
+    let entering = if built.entering > 0 { format!(", {} of them enter later", built.entering) } else { String::new() };
+    out.line(format_args!("  agents     {}{entering}", built.agents))?;
+    for group in &built.groups {
+        out.line(format_args!("  group      {}: {}", group.name, group.numbers.len()))?;
+    }
+    let count = |test: fn(&Goal) -> bool| built.goals.iter().filter(|(_, goal)| test(goal)).count();
+    let kinds = [
+        (count(|goal| matches!(goal, Goal::Point { .. })), "point"),
+        (count(|goal| matches!(goal, Goal::Area { .. })), "area"),
+        (count(|goal| matches!(goal, Goal::Exit { .. })), "exit"),
+    ];
+    let some = kinds.iter().filter(|(n, _)| *n > 0);
+    let kinds: Vec<String> = some.map(|(n, what)| format!("{n} {what}{}", if *n == 1 { "" } else { "s" })).collect();
+    let kinds = if kinds.is_empty() { "none: everybody stays".to_owned() } else { kinds.join(", ") };
+    out.line(format_args!("  goals      {kinds}"))
+}
+
+fn place(built: &Built, out: &mut Out) -> Result<(), Failure> {
+    let [low, high] = built.bounds;
+    let (width, height) = (high.x - low.x, high.y - low.y);
+    let around = format!("{width:.1} m by {height:.1} m from ({:.1}, {:.1})", low.x, low.y);
+    let holes: usize = built.walkable.iter().map(|area| area.holes.len()).sum();
+    let ground = match built.walkable.len() {
+        0 => "open ground".to_owned(),
+        1 if holes == 0 => "walkable ground without holes".to_owned(),
+        1 => format!("walkable ground, holes: {holes}"),
+        n => format!("{n} walkable areas, holes: {holes}"),
+    };
+    out.line(format_args!("  place      {around}, {ground}"))?;
+    if !built.obstacles.is_empty() {
+        let walls = built.obstacles.iter().filter(|o| matches!(o, Obstacle::Wall { .. })).count();
+        let solid = built.obstacles.len() - walls;
+        out.line(format_args!("  obstacles  solid: {solid}, walls: {walls}"))?;
+    }
+    Ok(())
+}
+
+fn time(scene: &Scene, world: &World, out: &mut Out) -> Result<(), Failure> {
+    let parts = world.summary().sub_steps;
+    let sub_steps = match scene.time.sub_steps {
+        SubSteps::Auto => format!("divided by need, the first into {parts}"),
+        SubSteps::Fixed(n) => format!("each divided into {n}"),
+    };
+    let (step, limit) = (scene.time.step, scene.time.limit);
+    out.line(format_args!("  steps      {step} s, {sub_steps}"))?;
+    let until = match scene.time.until {
+        Until::Arrived => format!("when everybody has arrived, at the latest at {limit} s"),
+        Until::Empty => format!("when nobody is left, at the latest at {limit} s"),
+        Until::Limit => format!("at {limit} s"),
+    };
+    out.line(format_args!("  ends       {until}"))
+}
+
+fn expectations(scene: &Scene, out: &mut Out) -> Result<(), Failure> {
+    let e = &scene.expect;
+    let keys = [
+        (e.arrived.is_some(), "arrived"),
+        (e.within.is_some(), "within"),
+        (e.least_separation.is_some(), "least_separation"),
+        (e.heading_change.is_some(), "heading_change"),
+        (e.mean_speed.is_some(), "mean_speed"),
+        (!e.flow.is_empty(), "flow"),
+    ];
+    let keys: Vec<&str> = keys.iter().filter(|(there, _)| *there).map(|(_, key)| *key).collect();
+    let keys = if keys.is_empty() { "nothing".to_owned() } else { keys.join(", ") };
+    out.line(format_args!("  expects    {keys}"))
+}
+
+/// Writes who overlaps at the start; whether anybody does.
+fn overlaps(pairs: &[(u32, u32, f64)], out: &mut Out) -> Result<bool, Failure> {
+    for (a, b, ratio) in pairs.iter().take(SHOWN) {
+        out.line(format_args!("  warning    agents {a} and {b} overlap at the start ({ratio:.3} of touching)"))?;
+    }
+    if pairs.len() > SHOWN {
+        out.line(format_args!("  warning    and {} more pairs overlap", pairs.len() - SHOWN))?;
+    }
+    Ok(!pairs.is_empty())
+}
+
+/// Writes whose goals cannot be reached, and why; whether there are such.
+fn unreachable(world: &World, built: &Built, out: &mut Out) -> Result<bool, Failure> {
+    let mut groups: BTreeMap<&str, Vec<&(u32, throng::navigate::Unreachable)>> = BTreeMap::new();
+    for stranded in world.stranded() {
+        let group = built.groups.iter().find(|group| group.numbers.contains(&stranded.0));
+        groups.entry(group.map_or("", |group| &group.name)).or_default().push(stranded);
+    }
+    for (name, stranded) in &groups {
+        for (number, why) in stranded.iter().take(SHOWN) {
+            out.line(format_args!("  warning    agent {number} of {name} cannot reach its goal: {why}"))?;
+        }
+        if stranded.len() > SHOWN {
+            out.line(format_args!("  warning    and {} more of {name} cannot reach theirs", stranded.len() - SHOWN))?;
+        }
+    }
+    Ok(!groups.is_empty())
+}

@@ -1,0 +1,145 @@
+//! The files a run writes.
+
+use crate::failure::Failure;
+use std::path::{Path, PathBuf};
+use throng_draw::sink::Kind;
+use throng_draw::{Film, Still, Style};
+use throng_record::csv::CsvWriter;
+use throng_record::{Frame, Setting};
+
+/// A file being written.
+enum File {
+    Film(Box<Film>),
+    Table(Box<CsvWriter>),
+}
+
+/// All files of a run. They get their names when they are complete; dropped before that, they leave nothing.
+pub struct Files {
+    files: Vec<File>,
+    paths: Vec<PathBuf>,
+    /// The moment to capture into, kept for its memory.
+    moment: Frame,
+    /// Seconds of the world between two pictures.
+    interval: f64,
+    pictures: u64,
+    /// Time of the last picture.
+    last: Option<f64>,
+}
+
+/// What the files have in common.
+pub struct Plan<'a> {
+    /// The place and the names.
+    pub setting: &'a Setting,
+    /// The look of pictures.
+    pub style: &'a Style,
+    /// Pictures a second of video.
+    pub rate: f64,
+    /// Seconds of the world in a second of video.
+    pub speed_up: f64,
+    /// Which moment single pictures show.
+    pub still: Still,
+}
+
+impl Files {
+    /// Begins all files.
+    ///
+    /// # Errors
+    /// A name does not say what to write or comes twice, or a file cannot be begun.
+    pub fn create(paths: &[PathBuf], plan: &Plan) -> Result<Self, Failure> {
+        let mut files = Vec::new();
+        for (index, path) in paths.iter().enumerate() {
+            if paths[..index].contains(path) {
+                return Err(Failure::hint(format!("{} is given twice", path.display()), "leave one of the two out"));
+            }
+            files.push(begin(path, plan)?);
+        }
+        Ok(Self {
+            files,
+            paths: paths.to_vec(),
+            moment: Frame::default(),
+            interval: plan.speed_up / plan.rate,
+            pictures: 0,
+            last: None,
+        })
+    }
+
+    /// What the files are called.
+    pub fn paths(&self) -> &[PathBuf] {
+        &self.paths
+    }
+
+    /// Takes in the world after a step of `step` seconds (and before the first): tables every time, pictures when
+    /// one is due, which is at the step nearest to its time. `capture` makes the moment.
+    ///
+    /// # Errors
+    /// A file cannot be written.
+    pub fn push(&mut self, time: f64, step: f64, capture: impl FnOnce(&mut Frame)) -> Result<(), Failure> {
+        let reach = time + step * 0.5;
+        let mut due = 0;
+        while self.pictures as f64 * self.interval < reach - 1e-9 {
+            self.pictures += 1;
+            due += 1;
+        }
+        if self.files.is_empty() || (due == 0 && !self.files.iter().any(|file| matches!(file, File::Table(_)))) {
+            return Ok(());
+        }
+        capture(&mut self.moment);
+        if due > 0 {
+            self.last = Some(time);
+        }
+        for file in &mut self.files {
+            match file {
+                File::Table(table) => table.push(&self.moment)?,
+                File::Film(film) => {
+                    for _ in 0..due {
+                        film.push(&self.moment)?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Shows the end, if no picture did yet, and completes all files.
+    ///
+    /// # Errors
+    /// A file cannot be completed.
+    pub fn finish(mut self, time: f64, capture: impl FnOnce(&mut Frame)) -> Result<(), Failure> {
+        if self.last != Some(time) && self.files.iter().any(|file| matches!(file, File::Film(_))) {
+            capture(&mut self.moment);
+            for file in &mut self.files {
+                if let File::Film(film) = file {
+                    film.push(&self.moment)?;
+                }
+            }
+        }
+        for file in self.files {
+            match file {
+                File::Film(film) => film.finish()?,
+                File::Table(table) => table.finish()?,
+            }
+        }
+        Ok(())
+    }
+}
+
+fn begin(path: &Path, plan: &Plan) -> Result<File, Failure> {
+    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) && !path.is_dir() {
+        return Ok(File::Table(Box::new(CsvWriter::create(path, plan.setting)?)));
+    }
+    let slash = path.as_os_str().as_encoded_bytes().last().is_some_and(|&byte| std::path::is_separator(byte.into()));
+    if path.is_dir() && !slash {
+        let text = format!("cannot write {}: it is a folder", path.display());
+        return Err(Failure::hint(text, "end the name in / to write a PNG file for each picture into it"));
+    }
+    if let Err(throng_draw::Error::Extension { .. }) = Kind::of(path) {
+        let text = format!("{}: cannot tell what to write from this name", path.display());
+        return Err(Failure::hint(
+            text,
+            "end it in .mp4, .gif, .png, .svg or .csv, in another video's ending such as .avi, .mkv or .webm, or in / \
+             for a folder of PNG files",
+        ));
+    }
+    let film = Film::create(path, plan.setting, plan.style, plan.rate)?.still(plan.still);
+    Ok(File::Film(Box::new(film)))
+}

@@ -1,0 +1,22 @@
+//! `throng list`: the scenes of the gallery.
+
+use crate::args::ListArgs;
+use crate::failure::Failure;
+use crate::out::Out;
+use throng_scene::gallery;
+
+/// Writes the names and titles of all scenes to standard output.
+///
+/// # Errors
+/// It cannot be written.
+pub fn list(args: &ListArgs, out: &mut Out) -> Result<(), Failure> {
+    let widest = gallery::names().map(str::len).max().unwrap_or(0);
+    for name in gallery::names() {
+        let title = gallery::title(name).unwrap_or_default();
+        match args.names {
+            true => out.line(format_args!("{name}"))?,
+            false => out.line(format_args!("{name:widest$}  {title}"))?,
+        }
+    }
+    Ok(())
+}

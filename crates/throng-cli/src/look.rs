@@ -1,0 +1,117 @@
+//! How pictures look.
+
+use crate::failure::Failure;
+use crate::source::parse_four;
+use clap::{Args, ValueEnum};
+use glam::DVec2;
+use throng_draw::{Color, ColorBy, Style, WorldBox};
+use throng_scene::{Colour, Scene};
+
+/// How pictures look.
+#[derive(Args, Debug)]
+#[command(next_help_heading = "Pictures")]
+pub struct LookArgs {
+    /// Width and height of the picture, pixels [default: 960 wide, as high as the scene needs]
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    pub size: Option<(u32, u32)>,
+
+    /// The part of the world to show, metres: two opposite corners; without it, everything
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = parse_four, allow_hyphen_values = true)]
+    pub camera: Option<[f64; 4]>,
+
+    /// How long the trails behind agents are, seconds; 0 for none
+    #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative)]
+    pub trails: Option<f64>,
+
+    /// What the colour of an agent says
+    #[arg(long, value_enum, value_name = "WHAT", default_value_t = ColorArg::Group)]
+    pub color: ColorArg,
+
+    /// Leaves out the notch that shows which way an agent faces
+    #[arg(long)]
+    pub no_headings: bool,
+}
+
+/// What the colour of an agent says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ColorArg {
+    /// Its group
+    Group,
+    /// How fast it is
+    Speed,
+    /// Where it goes
+    Goal,
+}
+
+impl LookArgs {
+    /// The style: what is said here, else what the scene's `[view]` says, else the default. `bounds` are the corners
+    /// of the scene.
+    ///
+    /// # Errors
+    /// The camera sees nothing.
+    pub fn style(&self, scene: &Scene, bounds: [DVec2; 2]) -> Result<Style, Failure> {
+        let (view, default) = (&scene.view, Style::default());
+        let corners = match (self.camera, view.min, view.max) {
+            (Some([x0, y0, x1, y1]), ..) => Some(([x0, y0], [x1, y1])),
+            (None, Some(min), Some(max)) => Some((min, max)),
+            _ => None,
+        };
+        let shown = corners.map(|(a, b)| {
+            let (a, b) = (DVec2::from(a), DVec2::from(b));
+            WorldBox { min: a.min(b), max: a.max(b) }
+        });
+        if let Some(shown) = shown.filter(|shown| (shown.max - shown.min).min_element() <= 0.0) {
+            let text = format!("the camera sees {} by {} m", shown.max.x - shown.min.x, shown.max.y - shown.min.y);
+            return Err(Failure::hint(text, "give two opposite corners, such as --camera=-10,-5,10,5"));
+        }
+        let extent = shown.map_or(bounds[1] - bounds[0], |shown| shown.max - shown.min);
+        let (width, height) = self.size.unwrap_or_else(|| shaped_like(extent));
+        let mut theme = default.theme.clone();
+        let paint = |place: &mut Color, colour: Option<Colour>| {
+            if let Some(Colour([r, g, b])) = colour {
+                *place = Color::rgb(u32::from_be_bytes([0, r, g, b]));
+            }
+        };
+        paint(&mut theme.outside, view.background);
+        paint(&mut theme.ground, view.ground);
+        paint(&mut theme.obstacle, view.obstacles);
+        Ok(Style {
+            width,
+            height,
+            view: shown,
+            trails: self.trails.or(view.trails).map_or(default.trails, |seconds| seconds as f32),
+            color_by: match self.color {
+                ColorArg::Group => ColorBy::Group,
+                ColorArg::Speed => ColorBy::Speed { max: None },
+                ColorArg::Goal => ColorBy::Goal,
+            },
+            headings: !self.no_headings,
+            goals: view.goals.unwrap_or(default.goals),
+            theme,
+            ..default
+        })
+    }
+}
+
+/// A picture 960 pixels wide, at most 720 high, and lower where the scene is wide and low.
+fn shaped_like(extent: DVec2) -> (u32, u32) {
+    // What title and legend take is 28 pixels at the sides and about 110 above and below.
+    let height = 932.0 * extent.y / extent.x.max(1e-9) + 110.0;
+    (960, height.clamp(400.0, 720.0) as u32 / 2 * 2)
+}
+
+fn parse_size(text: &str) -> Result<(u32, u32), String> {
+    let size = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+    size.filter(|(w, h)| (16..=16384).contains(w) && (16..=16384).contains(h))
+        .ok_or_else(|| "write width x height in pixels, each from 16 to 16384, such as 1280x720".into())
+}
+
+/// Reads a number that is at least 0 and finite.
+pub fn parse_not_negative(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|x: &f64| *x >= 0.0 && x.is_finite()).ok_or_else(|| "write a number, at least 0".into())
+}
+
+/// Reads a number that is greater than 0 and finite.
+pub fn parse_positive(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|x: &f64| *x > 0.0 && x.is_finite()).ok_or_else(|| "write a number greater than 0".into())
+}

@@ -1,0 +1,132 @@
+//! The summary of a run, for people and for programs.
+
+use crate::expect::{Verdict, number};
+use crate::failure::Failure;
+use crate::out::Out;
+use serde_json::{Value, json};
+use std::path::PathBuf;
+use std::time::Duration;
+use throng::Summary;
+
+/// How a run went.
+#[derive(Debug)]
+pub struct Report {
+    /// Name of the scene.
+    pub scene: String,
+    /// The world's figures.
+    pub summary: Summary,
+    /// The agents whose goals cannot be reached, by number, and why.
+    pub stranded: Vec<(u32, String)>,
+    /// What came of `[expect]`.
+    pub verdict: Verdict,
+    /// How long the whole run took.
+    pub wall: Duration,
+    /// How long the steps took.
+    pub stepping: Duration,
+    /// Processor time of the whole run, where it is known.
+    pub cpu: Option<Duration>,
+    /// Whether it was interrupted.
+    pub interrupted: bool,
+    /// The files written.
+    pub files: Vec<PathBuf>,
+}
+
+impl Report {
+    fn agent_steps_per_second(&self) -> f64 {
+        self.summary.agent_steps as f64 / self.stepping.as_secs_f64()
+    }
+
+    fn cpu_per_simulated_second(&self) -> Option<f64> {
+        self.cpu.map(|cpu| cpu.as_secs_f64() / self.summary.time).filter(|share| share.is_finite())
+    }
+
+    /// The summary as one JSON object. `throng run --help` describes its keys.
+    pub fn json(&self) -> Value {
+        let s = &self.summary;
+        // Without anybody who arrived, there is no mean.
+        let of_arrived = |value: f64| if s.arrived > 0 && value > 0.0 { number(value) } else { Value::Null };
+        json!({
+            "scene": self.scene,
+            "agents": s.agents,
+            "arrived": s.arrived,
+            "removed": s.removed,
+            "resting": s.resting,
+            "stuck": s.stuck,
+            "time": number(s.time),
+            "time_ratio": of_arrived(s.time_ratio),
+            "path_ratio": of_arrived(s.path_ratio),
+            "least_separation": number(s.least_separation),
+            "overlaps": s.overlaps,
+            "guard_share": number(s.guard_share),
+            "heading_change_deg_per_s": number(s.heading_change_deg_per_s),
+            "steps": s.steps,
+            "agent_steps_per_second": number(self.agent_steps_per_second()),
+            "expect": json!({ "passed": self.verdict.passed, "checks": self.verdict.checks }),
+            "sub_steps": s.sub_steps,
+            "least_wall_separation": number(s.least_wall_separation),
+            "wall_seconds": self.wall.as_secs_f64(),
+            "step_seconds": self.stepping.as_secs_f64(),
+            "cpu_per_simulated_second": self.cpu_per_simulated_second(),
+            "interrupted": self.interrupted,
+            "files": self.files.iter().map(|path| path.to_string_lossy()).collect::<Vec<_>>(),
+        })
+    }
+
+    /// Writes the summary for people.
+    ///
+    /// # Errors
+    /// Standard output cannot be written.
+    pub fn print(&self, out: &mut Out) -> Result<(), Failure> {
+        let s = &self.summary;
+        let ended = if self.interrupted { ", interrupted" } else { "" };
+        out.line(format_args!("{}: {:.2} s simulated in {} steps{ended}", self.scene, s.time, s.steps))?;
+        let counts = [(s.removed, "left by exits"), (s.resting, "resting"), (s.stuck, "stuck")];
+        let counts: Vec<String> =
+            counts.iter().filter(|(n, _)| *n > 0).map(|(n, what)| format!(", {n} {what}")).collect();
+        out.line(format_args!("  agents     {} of {} arrived{}", s.arrived, s.agents, counts.concat()))?;
+        if s.arrived > 0 && s.time_ratio > 0.0 {
+            let (time, path) = (s.time_ratio, s.path_ratio);
+            out.line(format_args!("  ways       {time:.3} times the shortest time, {path:.3} times the shortest way"))?;
+        }
+        for (number, why) in self.stranded.iter().take(3) {
+            out.line(format_args!("  stuck      agent {number} cannot reach its goal: {why}"))?;
+        }
+        let apart = |least: f64| match least.is_finite() {
+            true => format!("{least:.4}"),
+            false => "far".to_owned(),
+        };
+        let (bodies, walls) = (apart(s.least_separation), apart(s.least_wall_separation));
+        let overlaps = s.overlaps;
+        out.line(format_args!("  distance   bodies {bodies}, walls {walls} (1: they touched); {overlaps} overlaps"))?;
+        let (guard, turning) = (s.guard_share * 100.0, s.heading_change_deg_per_s.max(0.0));
+        out.line(format_args!(
+            "  motion     the guard changed {guard:.2} % of the moves; headings turn {turning:.1} °/s"
+        ))?;
+        let cpu = self.cpu_per_simulated_second().map(|c| format!(", {c:.4} CPU s a simulated s")).unwrap_or_default();
+        let rate = self.agent_steps_per_second();
+        let wall = self.wall.as_secs_f64();
+        out.line(format_args!("  computing  {wall:.2} s{cpu}; {rate:.3e} agent steps/s ({} sub-steps)", s.sub_steps))?;
+        for check in &self.verdict.checks {
+            let word = if check.passed { "passed" } else { "FAILED" };
+            let found = match &check.found {
+                Value::Null => "nothing".to_owned(),
+                Value::Number(n) => n.as_f64().map_or(n.to_string(), |x| format!("{}", (x * 1e4).round() / 1e4)),
+                other => other.to_string(),
+            };
+            out.line(format_args!("  expect     {} {word}: expected {}, found {found}", check.name, check.expected))?;
+        }
+        for file in &self.files {
+            out.line(format_args!("  wrote      {}", file.display()))?;
+        }
+        Ok(())
+    }
+}
+
+/// Processor time of this program so far, all threads; `None` where the system does not tell.
+pub fn cpu_time() -> Option<Duration> {
+    // Fields 14 and 15, in hundredths of a second (proc(5)); the name in parentheses may hold anything.
+    let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
+    let mut fields = stat.rsplit_once(')')?.1.split_whitespace().skip(11);
+    let (user, system): (u64, u64) = (fields.next()?.parse().ok()?, fields.next()?.parse().ok()?);
+    Some(Duration::from_millis((user + system) * 10))
+}

@@ -1,0 +1,118 @@
+//! `throng run`: runs a scene and writes what happens.
+
+use crate::args::RunArgs;
+use crate::expect::Watch;
+use crate::failure::Failure;
+use crate::files::{Files, Plan};
+use crate::out::{Out, complain};
+use crate::progress::Progress;
+use crate::report::{Report, cpu_time};
+use crate::source::Loaded;
+use crate::{interrupt, moment, threads};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+use throng_draw::Still;
+use throng_scene::{Expect, Until};
+
+/// Runs a scene, writes its files and its summary, and checks its `[expect]`.
+///
+/// # Errors
+/// The scene cannot be built, a file cannot be written, the run was interrupted, or an expectation failed.
+pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
+    let mut loaded = args.scene.load()?;
+    if let Some(limit) = args.limit.or(args.duration) {
+        loaded.scene.time.limit = limit;
+    }
+    if args.duration.is_some() {
+        loaded.scene.time.until = Until::Limit;
+    }
+    if args.no_expect {
+        loaded.scene.expect = Expect::default();
+    }
+    if !args.quiet {
+        loaded.notes.iter().for_each(|note| complain(&format!("note: {note}")));
+    }
+    interrupt::watch();
+    let report = threads::with(args.threads(), || simulate(args, &loaded))?;
+    if args.json {
+        out.line(format_args!("{}", report.json()))?;
+    } else if !args.quiet {
+        report.print(out)?;
+    }
+    out.flush()?;
+    if report.interrupted && !args.quiet {
+        complain(&format!("interrupted at {:.2} s; the files are complete up to there", report.summary.time));
+    }
+    match (report.interrupted, report.verdict.passed) {
+        (true, _) => Err(Failure::Interrupted),
+        (false, false) => {
+            if args.quiet && !args.json {
+                complain(&format!("{}: the scene did not show what its [expect] says", report.scene));
+            }
+            Err(Failure::Expectation)
+        }
+        (false, true) => Ok(()),
+    }
+}
+
+fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
+    let begin = Instant::now();
+    let Loaded { name, scene, .. } = loaded;
+    let (mut world, built) = scene.build()?;
+    let style = args.look.style(scene, built.bounds)?;
+    let title = if scene.title.is_empty() { name } else { &scene.title };
+    let plan = Plan {
+        setting: &moment::setting(&world, title),
+        style: &style,
+        rate: args.fps,
+        speed_up: args.speed_up,
+        still: args.frame.map_or(Still::Last, Still::Time),
+    };
+    let mut files = Files::create(&outputs(args, name), &plan)?;
+    let paths = files.paths().to_vec();
+
+    let (step, limit) = (scene.time.step, scene.time.limit);
+    let mut watch = Watch::new(&scene.expect, built.agents, &world);
+    let progress = Progress::new(args.quiet, limit);
+    let mut stepping = Duration::ZERO;
+    files.push(0.0, step, |frame| moment::capture(&world, frame))?;
+    while !over(scene.time.until, world.finished()) && world.time() + step * 0.5 < limit && !interrupt::asked() {
+        let start = Instant::now();
+        world.step();
+        stepping += start.elapsed();
+        files.push(world.time(), step, |frame| moment::capture(&world, frame))?;
+        let arrived = watch.step(&world);
+        progress.show(&world, arrived, watch.total());
+    }
+    progress.done();
+    files.finish(world.time(), |frame| moment::capture(&world, frame))?;
+    let summary = world.summary();
+    Ok(Report {
+        scene: name.clone(),
+        verdict: watch.verdict(&summary),
+        summary,
+        stranded: world.stranded().iter().map(|(number, why)| (*number, why.to_string())).collect(),
+        wall: begin.elapsed(),
+        stepping,
+        cpu: cpu_time(),
+        interrupted: interrupt::asked(),
+        files: paths,
+    })
+}
+
+/// Whether the scene is over before its limit. A scene that ends when nobody is left also ends when all who are left
+/// have arrived or cannot: nothing would ever change.
+fn over(until: Until, finished: bool) -> bool {
+    match until {
+        Until::Arrived | Until::Empty => finished,
+        Until::Limit => false,
+    }
+}
+
+fn outputs(args: &RunArgs, name: &str) -> Vec<PathBuf> {
+    match (args.no_files, args.output.is_empty()) {
+        (true, _) => Vec::new(),
+        (false, true) => vec![PathBuf::from(format!("{name}.mp4"))],
+        (false, false) => args.output.clone(),
+    }
+}

@@ -1,0 +1,32 @@
+//! `throng show`: a picture of the start of a scene.
+
+use crate::args::ShowArgs;
+use crate::failure::Failure;
+use crate::moment;
+use crate::out::Out;
+use std::path::PathBuf;
+use throng_draw::sink::Kind;
+use throng_draw::{Film, Style};
+use throng_record::Frame;
+
+/// Draws the start of a scene.
+///
+/// # Errors
+/// The scene cannot be built, or the picture cannot be written.
+pub fn show(args: &ShowArgs, out: &mut Out) -> Result<(), Failure> {
+    let loaded = args.scene.load()?;
+    let path = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}.png", loaded.name)));
+    if !matches!(Kind::of(&path), Ok(Kind::Png | Kind::Svg)) {
+        let text = format!("{}: `show` draws one picture", path.display());
+        return Err(Failure::hint(text, "end the name in .png or .svg; `throng run` writes everything else"));
+    }
+    let (world, built) = loaded.scene.build()?;
+    let style = Style { trails: 0.0, ..args.look.style(&loaded.scene, built.bounds)? };
+    let title = if loaded.scene.title.is_empty() { &loaded.name } else { &loaded.scene.title };
+    let mut frame = Frame::default();
+    moment::capture(&world, &mut frame);
+    let mut film = Film::create(&path, &moment::setting(&world, title), &style, 25.0)?;
+    film.push(&frame)?;
+    film.finish()?;
+    out.line(format_args!("wrote {}", path.display()))
+}

@@ -1,0 +1,114 @@
+//! Which scene a command is about.
+
+use crate::failure::Failure;
+use clap::Args;
+use std::path::{Path, PathBuf};
+use throng_scene::{Scene, gallery, import};
+
+/// Which scene, and what of it is changed.
+#[derive(Args, Debug)]
+pub struct SceneArgs {
+    /// The scene: a name of the gallery (see `throng list`) or a file
+    ///
+    /// Files: a scene file (.toml); a JuPedSim scenario (a folder with config.json, a .zip of one, or a .json); or a
+    /// floor plan (.wkt) together with --exit and --people.
+    #[arg(value_name = "SCENE")]
+    pub scene: PathBuf,
+
+    /// The seed of everything random, instead of the scene's
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
+    pub seed: Option<u64>,
+
+    /// Changes one value of the scene; can be given several times
+    ///
+    /// KEY is the path of the value in the scene file. A key of a group changes all groups; `group.NAME.` before it
+    /// changes one. Examples: --set avoid.orca.time_horizon=3  --set group.left.speed.preferred=1
+    /// --set time.step=0.1  --set expect.within=20
+    #[arg(long, value_name = "KEY=VALUE", value_parser = parse_change)]
+    pub set: Vec<(String, String)>,
+
+    /// Of a floor plan (.wkt): where the exit is, its lower left corner, width and height in metres
+    #[arg(long, value_name = "X,Y,W,H", value_parser = parse_four, allow_hyphen_values = true)]
+    pub exit: Option<[f64; 4]>,
+
+    /// Of a floor plan (.wkt): how many people there are
+    #[arg(long, value_name = "N")]
+    pub people: Option<u64>,
+}
+
+/// A scene, what it is called, and what its importer left out.
+#[derive(Debug)]
+pub struct Loaded {
+    /// The stem of the names of files made from it.
+    pub name: String,
+    /// The scene, with `--seed` and `--set` applied.
+    pub scene: Scene,
+    /// What the importer left out or changed, a sentence each.
+    pub notes: Vec<String>,
+}
+
+impl SceneArgs {
+    /// Reads the scene and applies `--seed` and `--set`.
+    ///
+    /// # Errors
+    /// There is no such scene, it is no scene, or a change cannot be applied.
+    pub fn load(&self) -> Result<Loaded, Failure> {
+        let (mut scene, notes) = self.read()?;
+        for (key, value) in &self.set {
+            scene.set(key, value)?;
+        }
+        if let Some(seed) = self.seed {
+            scene.seed = seed;
+        }
+        Ok(Loaded { name: self.name(), scene, notes })
+    }
+
+    fn read(&self) -> Result<(Scene, Vec<String>), Failure> {
+        let is_plan = self.scene.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("wkt"));
+        if is_plan && let (Some(exit), Some(people)) = (self.exit, self.people) {
+            if exit[2] <= 0.0 || exit[3] <= 0.0 {
+                let text = format!("--exit: the exit is {} m wide and {} m high", exit[2], exit[3]);
+                return Err(Failure::hint(text, "give x,y,width,height, the last two greater than 0"));
+            }
+            return Ok((import::wkt::evacuation(&self.scene, exit, people)?, vec![]));
+        }
+        if !is_plan && (self.exit.is_some() || self.people.is_some()) {
+            let text = format!("--exit and --people are for floor plans (.wkt), not for {}", self.scene.display());
+            return Err(Failure::hint(text, "change the goal and the count with --set, or in the scene file"));
+        }
+        let imported = throng_scene::open(&self.scene)?;
+        Ok((imported.scene, imported.notes))
+    }
+
+    fn name(&self) -> String {
+        let path: &Path = &self.scene;
+        let whole = path.to_str().filter(|name| gallery::text(name).is_some() && !path.exists());
+        match whole {
+            Some(name) => name.to_owned(),
+            // `folder/.` and `..` have no stem of their own.
+            None => path
+                .canonicalize()
+                .ok()
+                .as_deref()
+                .unwrap_or(path)
+                .file_stem()
+                .map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned()),
+        }
+    }
+}
+
+fn parse_change(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((key, value)) if !key.trim().is_empty() => Ok((key.trim().to_owned(), value.trim().to_owned())),
+        _ => Err("write KEY=VALUE, such as avoid.orca.time_horizon=3".into()),
+    }
+}
+
+/// Reads four finite numbers with commas between them.
+pub fn parse_four(text: &str) -> Result<[f64; 4], String> {
+    let numbers: Option<Vec<f64>> =
+        text.split(',').map(|part| part.trim().parse().ok().filter(|x: &f64| x.is_finite())).collect();
+    numbers
+        .and_then(|numbers| numbers.try_into().ok())
+        .ok_or_else(|| "write four numbers with commas between them, such as 0,0,20,10".into())
+}

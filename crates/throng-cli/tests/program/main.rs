@@ -1,0 +1,8 @@
+//! Tests of the program `throng`, as a user runs it.
+
+mod commands;
+#[cfg(unix)]
+mod interrupt;
+mod mistakes;
+mod run;
+mod shared;

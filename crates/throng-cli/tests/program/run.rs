@@ -1,0 +1,179 @@
+//! `throng run`: summaries, files, expectations.
+
+use crate::shared::{WALK, call, folder, names, stderr, stdout};
+use serde_json::Value;
+use std::path::Path;
+
+/// The keys of `--json` in their order: they are documented and stay.
+const KEYS: [&str; 23] = [
+    "scene",
+    "agents",
+    "arrived",
+    "removed",
+    "resting",
+    "stuck",
+    "time",
+    "time_ratio",
+    "path_ratio",
+    "least_separation",
+    "overlaps",
+    "guard_share",
+    "heading_change_deg_per_s",
+    "steps",
+    "agent_steps_per_second",
+    "expect",
+    "sub_steps",
+    "least_wall_separation",
+    "wall_seconds",
+    "step_seconds",
+    "cpu_per_simulated_second",
+    "interrupted",
+    "files",
+];
+
+fn json(folder: &Path, arguments: &str) -> Value {
+    serde_json::from_str(&stdout(&call(folder, &format!("{arguments} --json")).success())).unwrap()
+}
+
+/// The lines of a table without the first.
+fn rows(path: &Path) -> Vec<Vec<String>> {
+    let text = std::fs::read_to_string(path).unwrap();
+    text.lines().skip(1).map(|line| line.split(',').map(str::to_owned).collect()).collect()
+}
+
+#[test]
+fn without_a_file_name_the_video_is_named_after_the_scene() {
+    let folder = folder();
+    let summary = json(folder.path(), "run headon --size 320x240");
+    assert_eq!(names(folder.path()), ["headon.mp4"]);
+    let keys: Vec<&str> = summary.as_object().unwrap().keys().map(String::as_str).collect();
+    assert_eq!(keys, KEYS);
+    assert_eq!((&summary["arrived"], &summary["agents"]), (&Value::from(2), &Value::from(2)));
+    assert_eq!(summary["expect"]["passed"], true);
+    assert_eq!(summary["files"], serde_json::json!(["headon.mp4"]));
+    let video = std::fs::read(folder.path().join("headon.mp4")).unwrap();
+    assert_eq!(&video[4..8], b"ftyp");
+}
+
+#[test]
+fn help_describes_every_key() {
+    let help = stdout(&call(folder().path(), "run --help").success());
+    for key in KEYS {
+        assert!(help.contains(key), "{key}");
+    }
+}
+
+#[test]
+fn several_files_at_once() {
+    let folder = folder();
+    let path = folder.path();
+    let files = "-o a.mp4 -o b.gif -o c.png -o d.svg -o e.csv -o f/";
+    call(path, &format!("run headon {files} --size 160x120 --fps 5 --duration 2 --no-expect -q")).success();
+    assert_eq!(names(path), ["a.mp4", "b.gif", "c.png", "d.svg", "e.csv", "f"]);
+    // 0 to 2 s at 5 a second
+    assert_eq!(names(&path.join("f")).len(), 11);
+    // 50 steps and the start, two agents each
+    let rows = rows(&path.join("e.csv"));
+    assert_eq!(rows.len(), 51 * 2);
+    assert_eq!((&rows[0][1], &rows[1][1]), (&"left".to_owned(), &"right".to_owned()));
+    assert_eq!(rows[101][2], "2");
+}
+
+#[test]
+fn video_can_be_faster_or_slower_than_the_scene() {
+    let folder = folder();
+    for (name, options, pictures) in [("fast", "--speed-up 4", 6 + 1), ("slow", "--speed-up 0.25", 100)] {
+        let arguments = format!("run headon -o {name}/ --size 64x48 --duration 1 --no-expect -q {options}");
+        call(folder.path(), &arguments).success();
+        let found = names(&folder.path().join(name)).len();
+        assert!(found.abs_diff(pictures) <= 2, "{name}: {found}");
+    }
+}
+
+#[test]
+fn a_chosen_moment_is_shown() {
+    let folder = folder();
+    call(folder.path(), "run headon -o a.svg --frame 3 -q").success();
+    assert!(std::fs::read_to_string(folder.path().join("a.svg")).unwrap().contains("3.0 s"));
+}
+
+#[test]
+fn values_of_the_scene_can_be_set() {
+    let folder = folder();
+    let plain = json(folder.path(), "run headon --no-files");
+    let slow = json(folder.path(), "run headon --no-files --set speed.preferred=0.65 --set expect.within=20");
+    assert!(slow["time"].as_f64().unwrap() > 1.8 * plain["time"].as_f64().unwrap());
+}
+
+#[test]
+fn a_seed_changes_what_is_random_and_nothing_else_does() {
+    let folder = folder();
+    let table = |name: &str, options: &str| {
+        call(folder.path(), &format!("run doorway -o {name} --duration 1 --no-expect -q {options}")).success();
+        std::fs::read(folder.path().join(name)).unwrap()
+    };
+    let first = table("a.csv", "--seed 7 --threads 1");
+    assert!(first == table("b.csv", "--seed 7 --threads 3"));
+    assert!(first != table("c.csv", "--seed 8"));
+}
+
+#[test]
+fn an_expectation_that_fails_gives_exit_code_1() {
+    let folder = folder();
+    let failed = call(folder.path(), "run headon --no-files --set expect.within=1").code(1);
+    assert!(stdout(&failed).contains("within FAILED: expected 1.0, found 7.8"), "{}", stdout(&failed));
+    call(folder.path(), "run headon --no-files --set expect.within=1 --no-expect").success();
+    let report = call(folder.path(), "run headon --no-files --json --set expect.within=1").code(1);
+    let report: Value = serde_json::from_str(&stdout(&report)).unwrap();
+    assert_eq!(report["expect"]["passed"], false);
+    assert_eq!(report["expect"]["checks"][1]["name"], "within");
+    // the files are there all the same
+    call(folder.path(), "run headon -q -o a.csv --set expect.within=1").code(1);
+    assert_eq!(names(folder.path()), ["a.csv"]);
+}
+
+#[test]
+fn every_kind_of_expectation_is_measured() {
+    let folder = folder();
+    let expect = "[expect]\narrived = 1\nwithin = 9\nleast_separation = 0.0\nheading_change = 90.0\nmean_speed = 1.0\n\
+                  flow = [{ from = [2.0, -1.0], to = [2.0, 1.0], at_most = 1.0 }]\n";
+    std::fs::write(folder.path().join("walk.toml"), format!("{WALK}{expect}")).unwrap();
+    let report = json(folder.path(), "run walk.toml --no-files");
+    let checks = report["expect"]["checks"].as_array().unwrap();
+    let names: Vec<&str> = checks.iter().map(|check| check["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["arrived", "within", "least_separation", "heading_change", "mean_speed", "flow.0.at_most"]);
+    call(folder.path(), "run walk.toml --no-files --set expect.mean_speed=1.4").code(1);
+    call(folder.path(), "run walk.toml --no-files --set expect.arrived=2").code(1);
+}
+
+#[test]
+fn limits() {
+    let folder = folder();
+    let limited = call(folder.path(), "run headon --no-files --limit 2 --json").code(1);
+    let report: Value = serde_json::from_str(&stdout(&limited)).unwrap();
+    assert_eq!((&report["time"], &report["steps"]), (&Value::from(2.0), &Value::from(50)));
+    let longer = json(folder.path(), "run headon --no-files --duration 12");
+    assert_eq!(longer["time"], 12.0);
+}
+
+#[test]
+fn a_floor_plan_needs_an_exit_and_people() {
+    let folder = folder();
+    let plan = "POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0), (4 2, 5 2, 5 3, 4 3, 4 2))";
+    std::fs::write(folder.path().join("room.wkt"), plan).unwrap();
+    let report = json(folder.path(), "run room.wkt --exit 9,0,1,5 --people 20 --no-files");
+    assert_eq!((&report["removed"], &report["scene"]), (&Value::from(20), &Value::from("room")));
+    let refused = call(folder.path(), "run room.wkt --no-files").code(2);
+    assert!(stderr(&refused).contains("--exit x,y,width,height --people"));
+}
+
+#[test]
+fn a_goal_out_of_reach_is_told() {
+    let folder = folder();
+    let wall = "[[obstacle]]\nshape.wall = [[3.0,-2.0], [7.0,-2.0], [7.0,2.0], [3.0,2.0], [3.0,-2.0]]\n";
+    std::fs::write(folder.path().join("walk.toml"), format!("{WALK}{wall}")).unwrap();
+    let report = call(folder.path(), "run walk.toml --no-files").success();
+    assert!(stdout(&report).contains("agent 0 cannot reach its goal: there is no way"), "{}", stdout(&report));
+    let checked = call(folder.path(), "check walk.toml").success();
+    assert!(stdout(&checked).contains("agent 0 of a cannot reach its goal: there is no way"), "{}", stdout(&checked));
+}

@@ -1,0 +1,82 @@
+//! From a world to its setting and its moments.
+
+use crate::{Body, Frame, Setting};
+use throng::World;
+
+impl Setting {
+    /// The place, the groups and the goals of a world as they are now.
+    ///
+    /// ```
+    /// use throng::{Settings, World};
+    /// use throng_record::{Frame, Setting};
+    /// let world = World::new(Settings::default())?;
+    /// let (setting, frame) = (Setting::of(&world, "Nobody"), Frame::of(&world));
+    /// assert_eq!((setting.title.as_str(), frame.bodies.len()), ("Nobody", 0));
+    /// # Ok::<(), throng::Error>(())
+    /// ```
+    pub fn of(world: &World, title: impl Into<String>) -> Self {
+        Self {
+            title: title.into(),
+            walkable: world.place().areas.clone(),
+            obstacles: world.place().obstacles().cloned().collect(),
+            groups: world.groups().iter().map(|group| group.name.clone()).collect(),
+            goals: world.goals().to_vec(),
+        }
+    }
+}
+
+impl Frame {
+    /// Everybody in a world now.
+    pub fn of(world: &World) -> Self {
+        let mut frame = Self::default();
+        frame.capture(world);
+        frame
+    }
+
+    /// Becomes the frame of `world` now; the memory for the bodies is used again.
+    pub fn capture(&mut self, world: &World) {
+        let (agents, origin) = (world.agents(), world.settings().origin);
+        let summary = world.summary();
+        self.time = world.time();
+        self.arrived = summary.arrived;
+        self.total = summary.agents;
+        self.bodies.clear();
+        self.bodies.extend((0..agents.len()).map(|row| Body {
+            number: agents.number[row],
+            group: agents.group[row].index() as u32,
+            goal: world.goal_of(row).map(|goal| goal.index() as u32),
+            position: agents.position[row].as_dvec2() + origin,
+            velocity: agents.velocity[row],
+            heading: agents.heading[row],
+            radius: agents.radius[row],
+            preferred_speed: agents.preferred_speed[row],
+            status: agents.status[row],
+        }));
+        self.bodies.sort_unstable_by_key(|body| body.number);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec2;
+    use throng::{Agent, Goal, Journey, Settings, Stop};
+
+    #[test]
+    fn a_frame_holds_everybody_by_number_in_world_coordinates() {
+        let origin = DVec2::new(1000.0, -500.0);
+        let mut world = World::new(Settings { origin, ..Settings::default() }).unwrap();
+        let goal = world.add_goal(Goal::Point { at: origin, tolerance: 0.1 }).unwrap();
+        let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false }).unwrap();
+        for number in [5, 2] {
+            let position = origin + DVec2::new(f64::from(number), 0.25);
+            world.add_agent(Agent { position, journey, number: Some(number), ..Agent::default() }).unwrap();
+        }
+        let frame = Frame::of(&world);
+        let seen: Vec<_> = frame.bodies.iter().map(|body| (body.number, body.position, body.goal)).collect();
+        let at = |x: f64| DVec2::new(1000.0 + x, -499.75);
+        assert_eq!(seen, [(2, at(2.0), Some(0)), (5, at(5.0), Some(0))]);
+        assert_eq!((frame.total, frame.arrived), (2, 0));
+        assert_eq!(Setting::of(&world, "x").goals.len(), 1);
+    }
+}
