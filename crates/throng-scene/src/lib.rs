@@ -60,3 +60,8 @@ pub use error::{Error, Kind};
 pub use import::open;
 pub use random::{Purpose, Random};
 pub use scene::*;
+
+/// The examples of the README, compiled and run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -33,8 +33,8 @@ fn guarded(crowd: &Crowd, walls: &Walls) -> Vec<Vec2> {
 fn check(crowd: &Crowd, walls: &Walls, targets: &[Vec2]) {
     let at = |row: usize, t: f64| crowd.positions[row].as_dvec2().lerp(targets[row].as_dvec2(), t);
     let times = || (0..=64).map(|i| f64::from(i) / 64.0);
-    for a in 0..targets.len() {
-        let moved = crowd.positions[a].distance(targets[a]);
+    for (a, target) in targets.iter().enumerate() {
+        let moved = crowd.positions[a].distance(*target);
         assert!(moved <= crowd.reach[a] * 1.001, "{moved} farther than {}", crowd.reach[a]);
         for b in 0..a {
             let radii = f64::from(crowd.radii[a]) + f64::from(crowd.radii[b]);

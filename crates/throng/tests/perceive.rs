@@ -81,8 +81,8 @@ fn a_hundred_thousand_in_one_spot_and_a_few_far_away() {
     let mut grid = Grid::default();
     grid.rebuild(&points, &numbers, 1.0);
     let mut found = Vec::new();
-    for row in 0..points.len() {
-        grid.nearest(points[row], 10, 5.0, |near| near.row as usize != row, &mut found);
+    for (row, &point) in points.iter().enumerate() {
+        grid.nearest(point, 10, 5.0, |near| near.row as usize != row, &mut found);
         assert_eq!(found.len(), if row < 100_000 { 10 } else { 0 });
     }
     // a few of them against brute force: of the coincident ones the lowest numbers win

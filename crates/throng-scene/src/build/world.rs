@@ -47,7 +47,7 @@ impl Scene {
     /// Those of [`Scene::plan`], and what the world itself refuses.
     pub fn build(&self) -> Result<(World, Built), Error> {
         let plan = self.plan()?;
-        let mut world = World::new(plan.settings.clone()).map_err(|error| self.refused("time", None, &error))?;
+        let mut world = World::new(plan.settings).map_err(|error| self.refused("time", None, &error))?;
         if !plan.walkable.is_empty() {
             world.set_walkable(plan.walkable.clone()).map_err(|error| self.refused("walkable", None, &error))?;
         }

@@ -130,7 +130,7 @@ impl Guard {
             let wish = *target;
             // beyond rounding: a thousandth of the way, or of a thousandth of the body
             let tolerance = wish.distance(bodies.positions[row]).max(1e-3 * bodies.radii[row]) * 1e-3;
-            report.changed += usize::from(!(wish.distance(certain) <= tolerance));
+            report.changed += usize::from(!wish.is_finite() || wish.distance(certain) > tolerance);
             *target = certain;
         }
         report

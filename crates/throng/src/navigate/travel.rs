@@ -15,8 +15,8 @@ const AVERAGE: f32 = 0.3;
 const NO_PROGRESS: f32 = 0.15;
 /// Seconds without progress after which an agent counts as blocked.
 const PATIENCE: f32 = 0.7;
-/// Range of the angle of a detour, radians.
-const DETOUR_ANGLE: (f32, f32) = (0.5235988, 2.094_395);
+/// Range of the angle of a detour, radians: 30 to 120 degrees.
+const DETOUR_ANGLE: (f32, f32) = (std::f32::consts::FRAC_PI_6, 4.0 * std::f32::consts::FRAC_PI_6);
 /// Range of the time a detour is held, seconds.
 const DETOUR_TIME: (f32, f32) = (0.5, 1.5);
 

@@ -101,7 +101,7 @@ pub fn check_polygon(what: &str, corners: &[DVec2]) -> Result<(), Error> {
             }
         }
     }
-    let area: f64 = (0..n).map(|i| edge(i).0.perp_dot(edge(i).1 - ring[0])).sum();
+    let area: f64 = (0..n).map(|i| (edge(i).0 - ring[0]).perp_dot(edge(i).1 - ring[0])).sum();
     if area == 0.0 { fail("it encloses no area".into()) } else { Ok(()) }
 }
 
