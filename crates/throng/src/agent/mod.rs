@@ -1,7 +1,7 @@
 //! Agents: what is known of each, and how they are named.
 //!
 //! [`Agent`] describes one agent for [`World::add_agent`](crate::World::add_agent); inside the world the same
-//! facts live as [columns](columns). [`Group`] holds what many agents share: the local model and its reach.
+//! facts live as [columns](Columns). [`Group`] holds what many agents share: the local model and its reach.
 
 mod columns;
 mod group;

@@ -9,14 +9,14 @@
 //! 1. A pair is *safe* if its swept discs stay apart: the least distance over the step of `xj - xi + t (dj - di)` is
 //!    at least `R` less a slack of 1e-6 `R`. A pair closer than that at the start (a bad start) is safe if it is
 //!    never closer than at the start. The same for a body and a wall.
-//! 2. Every agent has a *cell* ([`cell`]): its displacement along the line to each near neighbour is at most half the
+//! 2. Every agent has a *cell* (`cell.rs`): its displacement along the line to each near neighbour is at most half the
 //!    gap between them (none if there is no gap), and towards each near wall at most the gap. Two agents that both
 //!    stay in their cells are safe: along the line between the centres they close at most the gap, so at every
 //!    moment the centres' distance, which is at least its part along that line, is at least `R`. An edge of a wall
 //!    lies wholly beyond the line across its nearest point, hence a cell is safe for walls too. Standing still is in
 //!    every cell.
 //! 3. All start free. In each round every agent that is in an unsafe pair with any other, or unsafe with a wall,
-//!    while free, is *clamped*: moved into its cell. A clamped agent stays clamped. After [`ROUNDS`] rounds, or
+//!    while free, is *clamped*: moved into its cell. A clamped agent stays clamped. After eight rounds, or
 //!    when nobody new is clamped, the rest: if rounds ran out everybody who is still free is clamped. Each agent is
 //!    clamped at most once, so this ends, and at the end every pair is either safe by check (one of the two is free)
 //!    or safe by 2 (both are clamped).
@@ -27,7 +27,7 @@
 //! Only pairs that can meet need a look: nobody moves farther than its `reach`, so pairs farther apart than `R` plus
 //! both reaches are safe.
 //!
-//! Before certifying, a few symmetric relaxations ([`relax`]) part the pairs that would collide: position-based, as
+//! Before certifying, a few symmetric relaxations (`relax.rs`) part the pairs that would collide: position-based, as
 //! Weiss et al. (MIG 2017) resolve contacts. They make clamping rare; nothing depends on them.
 
 mod cell;

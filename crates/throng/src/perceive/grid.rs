@@ -1,11 +1,4 @@
-//! A uniform grid over points, rebuilt by counting sort, for exact neighbour queries.
-//!
-//! Each occupied cell keeps the tight box round its points, so whole cells are skipped without a point being missed:
-//! rounding is monotonic, hence the computed distance to a box never exceeds the computed distance to a point in it.
-//! Cells that hold many points are divided further by medians, so that a query stays cheap when all points are in one
-//! spot.
-//!
-//! Cost: building is linear (n log n within crowded cells), a query depends on the points near it only.
+//! The grid.
 
 use glam::Vec2;
 
@@ -48,7 +41,14 @@ impl Block {
     }
 }
 
-/// The grid. See the [module](self).
+/// A uniform grid over points, rebuilt by counting sort, for exact neighbour queries.
+///
+/// Each occupied cell keeps the tight box round its points, so whole cells are skipped without a point being missed:
+/// rounding is monotonic, hence the computed distance to a box never exceeds the computed distance to a point in it.
+/// Cells that hold many points are divided further by medians, so that a query stays cheap when all points are in one
+/// spot.
+///
+/// Cost: building is linear (n log n within crowded cells), a query depends on the points near it only.
 ///
 /// ```
 /// use throng::perceive::Grid;
