@@ -15,6 +15,8 @@ use glam::{DVec2, Vec2};
 
 /// A resting agent gives way: this much is taken off its priority.
 const RESTING_PRIORITY: f32 = 0.6;
+/// How much of the share goes to who is behind by a body or more, of two on their way to the same goal.
+const FIRST: f32 = 0.3;
 /// Seconds in which an agent that was pushed off its goal comes back.
 const RETURN_TIME: f32 = 0.5;
 /// Part of the smallest radius that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
@@ -119,8 +121,7 @@ impl World {
         let Some(goal) = self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]) else {
             return Vec2::ZERO;
         };
-        let at = agents.position[row];
-        let towards = (travel.aim - self.settings.origin - at.as_dvec2()).as_vec2();
+        let towards = self.towards(row, travel);
         let (distance, remaining) = (towards.length(), travel.remaining);
         let direction = towards.normalize_or_zero();
         let speed = agents.preferred_speed[row];
@@ -138,6 +139,11 @@ impl World {
         };
         let bias = if distance > 2.0 * agents.radius[row] { group.keep_right } else { 0.0 };
         turned_right(direction, bias + detour) * speed.min(arriving)
+    }
+
+    /// From an agent to what it heads for.
+    fn towards(&self, row: usize, travel: &Travel) -> Vec2 {
+        (travel.aim - self.world_position(row)).as_vec2()
     }
 
     /// What an agent would like that has arrived: to rest, or to come gently back to its point if it was pushed away.
@@ -241,7 +247,7 @@ impl World {
             agents.priority[row] - if rests { RESTING_PRIORITY } else { 0.0 }
         };
         let share = if agents.avoids(other, row) {
-            (0.5 + 0.5 * (priority(other) - priority(row))).clamp(0.0, 1.0)
+            (0.5 + 0.5 * (priority(other) - priority(row)) + self.ahead(row, other)).clamp(0.0, 1.0)
         } else {
             1.0
         };
@@ -253,6 +259,18 @@ impl World {
             share,
             aside: if offset == Vec2::ZERO { self.aside(row, other) } else { Vec2::X },
         }
+    }
+
+    /// Of two on their way to the same goal the one that has less way to go avoids less: at doors somebody goes
+    /// first, instead of an arch that nobody breaks. Opposite for the other.
+    fn ahead(&self, row: usize, other: usize) -> f32 {
+        let agents = &self.agents;
+        let walking = |row: usize| agents.status[row] == Status::Walking;
+        if !walking(row) || !walking(other) || self.goal_of(row) != self.goal_of(other) {
+            return 0.0;
+        }
+        let lead = agents.travel[other].remaining - agents.travel[row].remaining;
+        FIRST * (-lead / (agents.radius[row] + agents.radius[other])).clamp(-1.0, 1.0)
     }
 
     /// A direction for two agents in one place to part along, drawn for the pair; opposite for the other.
