@@ -85,6 +85,7 @@ struct StepMemory {
     /// Neighbours of each row: `most_neighbours` places a row, filled from the front.
     neighbours: Vec<Near>,
     most_neighbours: usize,
+    ways: Vec<Way>,
     preferred: Vec<Vec2>,
     wishes: Vec<Vec2>,
     targets: Vec<Vec2>,
@@ -92,6 +93,16 @@ struct StepMemory {
     contacts: Contacts,
     guard: Guard,
     arrivals: Vec<u32>,
+}
+
+/// What others see of where somebody wants to go.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    goal: Option<GoalId>,
+    /// Unit vector towards what it heads for, detours left aside; zero for who isn't walking.
+    direction: Vec2,
+    /// Metres still ahead.
+    remaining: f32,
 }
 
 impl World {

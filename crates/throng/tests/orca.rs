@@ -30,7 +30,7 @@ proptest! {
         prop_assume!(offset.length() > radii * 1.01);
         let orca = Orca { time_horizon: HORIZON, ..Orca::default() };
         let mut workspace = Workspace::default();
-        let seen = |offset, velocity, share| [Neighbour { offset, velocity, radii, share, aside: Vec2::X }];
+        let seen = |offset, velocity, share| [Neighbour { offset, velocity, radii, share, room: 1.0 - share, aside: Vec2::X }];
         // no limit of speed that could take a velocity out of the half-plane
         let new_a = orca.velocity(&view(a, wish_a, 100.0, &seen(offset, b, share)), &mut workspace);
         let new_b = orca.velocity(&view(b, wish_b, 100.0, &seen(-offset, a, 1.0 - share)), &mut workspace);
@@ -43,7 +43,7 @@ proptest! {
         prop_assume!(offset.length() > 0.45);
         let orca = Orca::default();
         let mut workspace = Workspace::default();
-        let seen = [Neighbour { offset, velocity: b, radii: 0.4, share: 0.5, aside: Vec2::X }];
+        let seen = [Neighbour { offset, velocity: b, radii: 0.4, share: 0.5, room: 0.5, aside: Vec2::X }];
         let straight = orca.velocity(&view(a, wish, 2.0, &seen), &mut workspace);
         let seen = [Neighbour { offset: offset.perp(), velocity: b.perp(), ..seen[0] }];
         let turned = orca.velocity(&view(a.perp(), wish.perp(), 2.0, &seen), &mut workspace);
@@ -93,7 +93,8 @@ proptest! {
 fn coincident_agents_part() {
     let orca = Orca::default();
     let mut workspace = Workspace::default();
-    let seen = |aside| [Neighbour { offset: Vec2::ZERO, velocity: Vec2::ZERO, radii: 0.4, share: 0.5, aside }];
+    let seen =
+        |aside| [Neighbour { offset: Vec2::ZERO, velocity: Vec2::ZERO, radii: 0.4, share: 0.5, room: 0.5, aside }];
     let a = orca.velocity(&view(Vec2::ZERO, Vec2::ZERO, 1.5, &seen(Vec2::X)), &mut workspace);
     let b = orca.velocity(&view(Vec2::ZERO, Vec2::ZERO, 1.5, &seen(-Vec2::X)), &mut workspace);
     assert!(a.x > 0.1 && b.x < -0.1, "{a} {b}");
@@ -104,7 +105,7 @@ fn who_does_not_give_way_keeps_its_velocity() {
     let orca = Orca::default();
     let mut workspace = Workspace::default();
     let offset = Vec2::new(2.0, 0.1);
-    let meeting = [Neighbour { offset, velocity: -Vec2::X, radii: 0.4, share: 0.0, aside: Vec2::X }];
+    let meeting = [Neighbour { offset, velocity: -Vec2::X, radii: 0.4, share: 0.0, room: 1.0, aside: Vec2::X }];
     let chosen = orca.velocity(&view(Vec2::X, Vec2::X, 1.5, &meeting), &mut workspace);
     // on the very edge of the half-plane, give or take rounding
     assert!(chosen.distance(Vec2::X) < 1e-5, "{chosen}");

@@ -56,8 +56,6 @@ columns! {
     journey: JourneyId,
     /// What it is doing, as others see it in this step.
     status: Status,
-    /// Unit vector towards what it heads for, detours left aside; zero at rest.
-    direction: Vec2,
     /// How its journey goes.
     travel: Travel,
     /// What it has done so far.
@@ -109,7 +107,6 @@ impl Columns {
         self.group.push(agent.group);
         self.journey.push(agent.journey);
         self.status.push(Status::Walking);
-        self.direction.push(Vec2::ZERO);
         self.travel.push(Travel::default());
         self.trip.push(Trip { entered: now, ..Trip::default() });
     }

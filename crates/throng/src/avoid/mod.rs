@@ -25,6 +25,9 @@ pub struct Neighbour {
     pub radii: f32,
     /// The choosing agent's share of the avoiding, 0 (none) to 1 (all).
     pub share: f32,
+    /// The choosing agent's part of the room that is left while the two are on no collision course, 0 to 1. Who
+    /// has the right of way avoids little and has most of the room; with someone who doesn't avoid, both are 1.
+    pub room: f32,
     /// A unit vector for two agents in exactly one place; the other sees its opposite.
     pub aside: Vec2,
 }

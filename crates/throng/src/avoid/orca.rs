@@ -50,6 +50,7 @@ impl LocalModel for Orca {
                 velocity: Vec2::ZERO,
                 radii: near.disc.radius as f32 + radius,
                 share: 1.0,
+                room: 1.0,
                 aside: Vec2::X,
             };
             lines.push(line(view.velocity, &disc, self.time_horizon_obstacles, view.step));
@@ -101,5 +102,6 @@ pub(super) fn line(velocity: Vec2, other: &Neighbour, horizon: f32, step: f32) -
         let normal = if length > 1e-6 { w / length } else { other.aside };
         (normal * (radii / time - length), normal)
     };
-    Line { point: velocity + change * other.share, direction: Vec2::new(normal.y, -normal.x) }
+    let part = if change.dot(normal) > 0.0 { other.share } else { other.room };
+    Line { point: velocity + change * part, direction: Vec2::new(normal.y, -normal.x) }
 }

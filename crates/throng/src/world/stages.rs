@@ -1,6 +1,6 @@
 //! The five stages of a step, over all agents.
 
-use super::World;
+use super::{Way, World};
 use crate::agent::{JourneyId, Status};
 use crate::avoid::{MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, View, Workspace};
 use crate::guard::Bodies;
@@ -13,10 +13,21 @@ use crate::summary::Ended;
 use crate::{SubSteps, parallel};
 use glam::{DVec2, Vec2};
 
-/// A resting agent gives way: this much is taken off its priority.
-const RESTING_PRIORITY: f32 = 0.6;
-/// How much of the share goes to who is behind by a body or more, of two on their way to the same goal.
-const FIRST: f32 = 0.3;
+/// How much of the avoiding, beyond its half, falls on who has more way to go to the same goal, and on who rests.
+const YIELD_TO_FIRST: f32 = 0.15;
+const YIELD_AT_REST: f32 = 0.3;
+/// How much of the change of velocity that somebody with the right of way would like is granted in advance, over
+/// the share that falls on who yields.
+const GRANT: f32 = 2.0;
+/// Cosine of the angle within which two go the same way; beyond its negative they go opposite ways.
+const SAME_WAY: f32 = 0.3;
+/// Part of the sum of radii that who is followed may be aside.
+const FOLLOW_WIDTH: f32 = 0.8;
+/// Seconds in which who follows closes up.
+const FOLLOW_TIME: f32 = 0.05;
+/// Cosine of the angle within which somebody is ahead: on the way to the same goal, and to another.
+const AHEAD: f32 = 0.3;
+const RIGHT_AHEAD: f32 = 0.7;
 /// Seconds in which an agent that was pushed off its goal comes back.
 const RETURN_TIME: f32 = 0.5;
 /// Part of the smallest radius that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
@@ -91,6 +102,7 @@ impl World {
     /// 2. What would I like: the preferred velocity of everybody.
     pub(super) fn intend(&mut self, seconds: f32) {
         self.plan();
+        self.show_ways();
         self.step.preferred.clear();
         self.step.preferred.resize(self.agents.len(), Vec2::ZERO);
         let mut travels = std::mem::take(&mut self.agents.travel);
@@ -108,6 +120,21 @@ impl World {
         );
         self.agents.travel = travels;
         self.step.preferred = preferred;
+    }
+
+    /// Notes where everybody wants to go, for others to see.
+    fn show_ways(&mut self) {
+        let mut ways = std::mem::take(&mut self.step.ways);
+        ways.clear();
+        ways.extend(self.agents.travel.iter().enumerate().map(|(row, travel)| Way {
+            goal: self.goal_of(row),
+            direction: match self.agents.status[row] {
+                Status::Walking => self.towards(row, travel).normalize_or_zero(),
+                _ => Vec2::ZERO,
+            },
+            remaining: travel.remaining,
+        }));
+        self.step.ways = ways;
     }
 
     fn preferred_velocity(&self, row: usize, travel: &mut Travel, seconds: f32) -> Vec2 {
@@ -138,7 +165,28 @@ impl World {
             _ => f32::INFINITY,
         };
         let bias = if distance > 2.0 * agents.radius[row] { group.keep_right } else { 0.0 };
-        turned_right(direction, bias + detour) * speed.min(arriving)
+        let following = if detour == 0.0 { self.following_speed(row, direction) } else { f32::INFINITY };
+        turned_right(direction, bias + detour) * speed.min(arriving).min(following)
+    }
+
+    /// The speed at which an agent follows those right ahead who go the same way: theirs, once it has closed up. Who
+    /// queues does not push, nor mill about. In counterflow nobody queues: there one squeezes by.
+    fn following_speed(&self, row: usize, direction: Vec2) -> f32 {
+        let agents = &self.agents;
+        let others = || self.neighbours(row).iter().map(|near| near.row as usize);
+        if others().any(|other| self.step.ways[other].direction.dot(direction) < -SAME_WAY) {
+            return f32::INFINITY;
+        }
+        let speeds = others().filter_map(|other| {
+            let radii = agents.radius[row] + agents.radius[other];
+            let offset = agents.position[other] - agents.position[row];
+            let aside = offset.perp_dot(direction).abs();
+            (aside < FOLLOW_WIDTH * radii && self.leads(other, offset, direction)).then(|| {
+                let gap = (offset.length() - radii * (1.0 + MARGIN)).max(0.0);
+                agents.velocity[other].dot(direction).max(0.0) + gap / FOLLOW_TIME
+            })
+        });
+        speeds.fold(f32::INFINITY, f32::min)
     }
 
     /// From an agent to what it heads for.
@@ -159,19 +207,33 @@ impl World {
         }
     }
 
-    /// Whether somebody close ahead goes the same way.
+    /// Whether somebody close ahead is on the way to the same goal, or goes the same way. Of two with the same goal at
+    /// most one queues, so that never each waits for the other.
     fn queues(&self, row: usize, direction: Vec2) -> bool {
         let agents = &self.agents;
+        let way = &self.step.ways[row];
         self.neighbours(row).iter().any(|near| {
             let other = near.row as usize;
+            let theirs = &self.step.ways[other];
             let offset = agents.position[other] - agents.position[row];
-            let gap = offset.length() - agents.radius[row] - agents.radius[other];
-            let ahead = offset.dot(direction) > 0.7 * offset.length();
-            let faces =
-                libm::cosf(agents.heading[other]) * direction.x + libm::sinf(agents.heading[other]) * direction.y;
-            let same = agents.status[other] == Status::Walking && faces > 0.5;
-            ahead && gap < 2.0 * agents.radius[row] && same
+            let distance = offset.length();
+            let close = distance - agents.radius[row] - agents.radius[other] < 2.0 * agents.radius[row];
+            let ahead = offset.dot(direction) / distance;
+            if !close || agents.status[other] != Status::Walking {
+                false
+            } else if theirs.goal == way.goal {
+                ahead > AHEAD && theirs.remaining < way.remaining
+            } else {
+                ahead > RIGHT_AHEAD && self.leads(other, offset, direction)
+            }
         })
+    }
+
+    /// Whether the one at `offset` goes ahead of who wants to go in `direction`: the same way, and away. Of two, at
+    /// most one goes ahead of the other, so that never each waits for the other.
+    fn leads(&self, other: usize, offset: Vec2, direction: Vec2) -> bool {
+        let theirs = self.step.ways[other].direction;
+        theirs.dot(direction) > SAME_WAY && offset.dot(theirs) > 0.0 && offset.dot(direction) > 0.0
     }
 
     fn neighbours(&self, row: usize) -> &[Near] {
@@ -242,35 +304,44 @@ impl World {
 
     fn neighbour(&self, row: usize, other: usize, margin: f32) -> Neighbour {
         let agents = &self.agents;
-        let priority = |row: usize| {
-            let rests = agents.status[row] != Status::Walking;
-            agents.priority[row] - if rests { RESTING_PRIORITY } else { 0.0 }
-        };
-        let share = if agents.avoids(other, row) {
-            (0.5 + 0.5 * (priority(other) - priority(row)) + self.ahead(row, other)).clamp(0.0, 1.0)
+        let yields = self.yields(row, other);
+        let (share, room) = if agents.avoids(other, row) {
+            let priority = 0.5 * (agents.priority[other] - agents.priority[row]);
+            let share = (0.5 + priority + yields).clamp(0.0, 1.0);
+            (share, 1.0 - share)
         } else {
-            1.0
+            (1.0, 1.0)
         };
         let offset = agents.position[other] - agents.position[row];
+        let velocity = agents.velocity[other];
+        let wanted = self.step.preferred[other] - velocity;
+        let granted = if wanted.dot(offset) < 0.0 { wanted * (GRANT * yields.max(0.0)) } else { Vec2::ZERO };
         Neighbour {
             offset,
-            velocity: agents.velocity[other],
+            velocity: velocity + granted,
             radii: (agents.radius[row] + agents.radius[other]) * margin,
             share,
+            room,
             aside: if offset == Vec2::ZERO { self.aside(row, other) } else { Vec2::X },
         }
     }
 
-    /// Of two on their way to the same goal the one that has less way to go avoids less: at doors somebody goes
-    /// first, instead of an arch that nobody breaks. Opposite for the other.
-    fn ahead(&self, row: usize, other: usize) -> f32 {
+    /// How much more than its half of the avoiding falls on an agent; the opposite for the other. Who walks goes
+    /// before who rests, unless it is at the goal of both; of two on their way to the same goal, who has less way to
+    /// go: at doors somebody goes first, instead of an arch that nobody breaks.
+    fn yields(&self, row: usize, other: usize) -> f32 {
         let agents = &self.agents;
-        let walking = |row: usize| agents.status[row] == Status::Walking;
-        if !walking(row) || !walking(other) || self.goal_of(row) != self.goal_of(other) {
-            return 0.0;
+        let (mine, theirs) = (&self.step.ways[row], &self.step.ways[other]);
+        let walks = |row: usize| agents.status[row] == Status::Walking;
+        match (walks(row), walks(other), mine.goal == theirs.goal) {
+            (true, true, true) => {
+                let lead = mine.remaining - theirs.remaining;
+                YIELD_TO_FIRST * (lead / (agents.radius[row] + agents.radius[other])).clamp(-1.0, 1.0)
+            }
+            (false, true, false) => YIELD_AT_REST,
+            (true, false, false) => -YIELD_AT_REST,
+            _ => 0.0,
         }
-        let lead = agents.travel[other].remaining - agents.travel[row].remaining;
-        FIRST * (-lead / (agents.radius[row] + agents.radius[other])).clamp(-1.0, 1.0)
     }
 
     /// A direction for two agents in one place to part along, drawn for the pair; opposite for the other.
