@@ -4,7 +4,7 @@ use crate::common::{Draw, journey_into, journey_to, rectangle};
 use crate::oracle::{distance_to, obstacles};
 use glam::DVec2;
 use throng::avoid::Orca;
-use throng::{Agent, Goal, Group, GroupId, Journey, JourneyId, Obstacle, Settings, Stop, World};
+use throng::{Agent, Goal, Group, GroupId, Journey, JourneyId, Obstacle, Settings, Stop, SubSteps, World};
 
 /// A room of walls, at any angle, with discs, blocks, triangles and bent walls in it.
 pub fn clutter(draw: &mut Draw, center: DVec2, half: f64, things: usize) -> Vec<Obstacle> {
@@ -137,6 +137,38 @@ pub fn busy(order: u64) -> World {
             Some(time) => world.schedule_agent(time, agent).unwrap(),
             None => drop(world.add_agent(agent).unwrap()),
         }
+    }
+    world
+}
+
+/// A crush: two hundred in a small room, through each other, at a coarse step; some in the very place of another. The
+/// guard has work at every step.
+pub fn packed(order: u64) -> World {
+    let origin = DVec2::new(-1250.5, 640.0);
+    let mut draw = Draw::new(777);
+    let settings = Settings { step: 0.1, sub_steps: SubSteps::Fixed(1), seed: 3, origin };
+    let mut world = World::new(settings).unwrap();
+    for obstacle in clutter(&mut draw, origin, 5.5, 2) {
+        world.add_obstacle(obstacle).unwrap();
+    }
+    let obstacles = obstacles(&world);
+    let area = (origin - DVec2::splat(3.6), origin + DVec2::splat(3.6));
+    let mut agents = Vec::new();
+    for number in 0..200 {
+        let radius = draw.one_of(&[0.15f32, 0.2, 0.25]);
+        let spot = free_spot(&mut draw, &obstacles, &[], area, f64::from(radius)).unwrap();
+        let journey = journey_to(&mut world, origin * 2.0 - spot);
+        agents.push(Agent { position: spot, radius, journey, number: Some(number), ..Agent::default() });
+        if number % 10 == 9 {
+            let twin = Agent { number: Some(1000 + number), ..agents[agents.len() - 1].clone() };
+            agents.push(twin);
+        }
+    }
+    if order > 0 {
+        Draw::new(order).shuffle(&mut agents);
+    }
+    for agent in agents {
+        world.add_agent(agent).unwrap();
     }
     world
 }
