@@ -1,5 +1,6 @@
 //! The world as a whole: its promises, on scenes that nothing was tuned to, against checks of their own.
 
+mod anywhere;
 mod bad_starts;
 mod calm;
 mod changes;
