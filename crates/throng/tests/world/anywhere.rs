@@ -66,10 +66,10 @@ fn whose_right_is_walled_steps_aside_to_the_left() {
     assert_everybody_arrives(118);
 }
 
-/// A defect: who stands on another's goal does not make way; the other circles it for ever. Giving way at rest takes
-/// an approach that the model sees, and who arrives slows down and is turned aside before there is one.
+/// A defect: who stands on another's goal does not make way; the other circles it for ever. With a keep-right of 0 all
+/// of these pass; letting it fade near the goal is not enough.
 #[test]
-#[ignore = "who rests on another's goal does not make way: to be mended where resting agents choose what they like"]
+#[ignore = "who rests on another's goal is circled by who comes"]
 fn who_rests_on_anothers_goal_makes_way() {
     for off in [0.05, 0.15, 0.3] {
         for direction in 0..6 {
