@@ -62,6 +62,9 @@ pub struct World {
     tally: Tally,
     /// Agents whose goals cannot be reached, with the reasons, by number.
     stranded: Vec<(u32, Unreachable)>,
+    /// Box of the ground that ways are planned on where no walkable area bounds it. Not made anew when needed:
+    /// meshes of the same ground at another time would differ.
+    extent: Option<(DVec2, DVec2)>,
 
     // made anew from the above whenever it is needed
     walls: Walls,

@@ -30,7 +30,7 @@ columns! {
     number: u32,
     /// Centre, metres from the world's origin.
     position: Vec2,
-    /// Velocity: the motion of the last step.
+    /// Velocity: the motion of the last sub-step, before positions were rounded.
     velocity: Vec2,
     /// Direction of the body, radians counter-clockwise from +x, -pi to pi.
     heading: f32,

@@ -47,7 +47,8 @@ pub struct Agent {
     /// The layers this agent avoids, a bit each.
     pub avoids: u32,
     /// A name for the agent that is its own: ties are broken, random numbers drawn and states hashed by it, so
-    /// that a world does not depend on the order in which agents are added. `None`: the next free number.
+    /// that a world does not depend on the order in which agents are added. `None`: the next free number. Limit:
+    /// less than 4294967295.
     pub number: Option<u32>,
 }
 

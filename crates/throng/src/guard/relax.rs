@@ -8,6 +8,10 @@ use glam::{DVec2, Vec2};
 const ITERATIONS: usize = 4;
 /// Part of the sum of radii that relaxed pairs keep between them.
 const SKIN: f64 = 0.01;
+/// Two who are closer by this part of the sum of radii overlap; less is rounding.
+const OVERLAP: f64 = 1e-4;
+/// Part of what two can move in a step by which those who overlap are parted in it: a bad start ends without a shove.
+const PART: f64 = 0.125;
 
 /// Moves `targets` apart; nobody's motion becomes longer than its reach.
 pub(super) fn relax(
@@ -47,11 +51,12 @@ fn relaxed(row: usize, bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, 
         let offset = from - bodies.positions[other].as_dvec2();
         let radii = radius + f64::from(bodies.radii[other]);
         let relative = motion - (targets[other].as_dvec2() - bodies.positions[other].as_dvec2());
-        push += parting(offset, relative, radii * (1.0 + SKIN)) * 0.5;
+        let reach = f64::from(bodies.reach[row]) + f64::from(bodies.reach[other]);
+        push += parting(offset, relative, clearance(offset, radii, reach)) * 0.5;
     }
     for &index in contacts.edges_of(row) {
         let offset = from - walls.edges()[index as usize].nearest(from);
-        push += parting(offset, motion, radius * (1.0 + SKIN));
+        push += parting(offset, motion, clearance(offset, radius, f64::from(bodies.reach[row])));
     }
     for &index in contacts.discs_of(row) {
         let disc = &walls.discs()[index as usize];
@@ -61,6 +66,13 @@ fn relaxed(row: usize, bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, 
         return targets[row];
     }
     bodies.positions[row] + (motion + push).clamp_length_max(f64::from(bodies.reach[row])).as_vec2()
+}
+
+/// The distance to keep from what is at `offset` now and touches at `radii`.
+fn clearance(offset: DVec2, radii: f64, reach: f64) -> f64 {
+    let distance = offset.length();
+    let overlaps = distance < radii * (1.0 - OVERLAP);
+    (radii * (1.0 + SKIN)).min(if overlaps { distance + PART * reach } else { f64::INFINITY })
 }
 
 /// How a relative motion must change so that `offset + t * motion` comes no nearer than `clearance` on its way: a

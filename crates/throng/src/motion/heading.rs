@@ -24,6 +24,12 @@ pub fn turn(heading: f32, velocity: Vec2, step: f32, max_turn_rate: f32) -> f32 
     wrap(heading + (away * part).clamp(-most, most))
 }
 
+/// What a body turns to: its motion; one that turns slowly and stands turns on the spot to where it would like to go,
+/// since it cannot set out in any other direction.
+pub fn faces(velocity: Vec2, preferred: Vec2, max_turn_rate: f32) -> Vec2 {
+    if max_turn_rate.is_finite() && velocity.length() < REST { preferred } else { velocity }
+}
+
 /// The same angle between -pi and pi.
 fn wrap(angle: f32) -> f32 {
     if angle > PI {
@@ -42,6 +48,13 @@ mod tests {
     #[test]
     fn at_rest_the_heading_stays() {
         assert_eq!(turn(1.0, Vec2::new(-0.05, 0.0), 0.02, f32::INFINITY), 1.0);
+    }
+
+    #[test]
+    fn who_turns_slowly_turns_before_it_sets_out() {
+        assert_eq!(faces(Vec2::ZERO, Vec2::X, 1.0), Vec2::X);
+        assert_eq!(faces(Vec2::Y, Vec2::X, 1.0), Vec2::Y);
+        assert_eq!(faces(Vec2::ZERO, Vec2::X, f32::INFINITY), Vec2::ZERO);
     }
 
     #[test]

@@ -3,5 +3,5 @@
 mod heading;
 mod limits;
 
-pub use heading::turn;
+pub use heading::{faces, turn};
 pub use limits::{Limits, limit};

@@ -25,12 +25,7 @@ impl Place {
         if !self.areas.is_empty() && !self.areas.iter().any(|area| area.contains(p)) {
             return Some("it is outside the walkable area");
         }
-        let solid = self.obstacles().any(|obstacle| match obstacle {
-            Obstacle::Circle { center, radius } => center.distance(p) < *radius,
-            Obstacle::Polygon { corners } => is_inside(corners, p),
-            Obstacle::Wall { .. } => false,
-        });
-        solid.then_some("it is inside an obstacle")
+        self.obstacles().any(|obstacle| obstacle.covers(p)).then_some("it is inside an obstacle")
     }
 
     /// Why a body does not fit at a point, if it does not. `walls` are those of this place round `origin`.

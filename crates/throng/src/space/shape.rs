@@ -1,5 +1,6 @@
 //! Shapes people cannot enter, and the area they can.
 
+use super::{is_inside, nearest_on_segment};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -26,6 +27,17 @@ pub enum Obstacle {
 }
 
 impl Obstacle {
+    /// Whether a point is inside what is solid; of a thin wall, on it, give or take a micrometre.
+    pub fn covers(&self, p: DVec2) -> bool {
+        match self {
+            Self::Circle { center, radius } => center.distance(p) < *radius,
+            Self::Polygon { corners } => is_inside(corners, p),
+            Self::Wall { points } => {
+                points.windows(2).any(|ends| nearest_on_segment(ends[0], ends[1], p).distance(p) < 1e-6)
+            }
+        }
+    }
+
     /// A rectangle with sides `size`, turned by `angle` radians counter-clockwise about its centre.
     pub fn rectangle(center: DVec2, size: DVec2, angle: f64) -> Self {
         let (sin, cos) = libm::sincos(angle);

@@ -1,7 +1,7 @@
 //! Adding and removing: groups, goals, journeys, agents, obstacles. Everything can be done while the world runs.
 
 use super::{Settings, Slots, StepMemory, SubSteps, World};
-use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId};
+use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, Status};
 use crate::navigate::{Goal, Journey, Meshes, union};
 use crate::space::{Obstacle, Place, Walkable, Walls, check_polygon};
 use crate::summary::Tally;
@@ -34,6 +34,7 @@ impl World {
             schedule: Schedule::default(),
             tally: Tally::default(),
             stranded: Vec::new(),
+            extent: None,
             walls: Walls::default(),
             meshes: Meshes::default(),
             step: StepMemory::default(),
@@ -82,11 +83,12 @@ impl World {
         Ok(JourneyId(self.journeys.len() as u32 - 1))
     }
 
-    /// Adds an obstacle. Agents that stand in it are pushed out.
+    /// Adds an obstacle. Agents whose bodies it touches are pushed out; those who are yet to
+    /// [enter](Self::schedule_agent) where it is wait for it to be removed.
     ///
     /// # Errors
     /// [`Error::Shape`] for a polygon that crosses itself or encloses nothing, [`Error::Limit`] for a radius out of
-    /// range.
+    /// range, [`Error::NoRoom`] if the centre of an agent would be inside: there is no smooth way out.
     pub fn add_obstacle(&mut self, obstacle: Obstacle) -> Result<ObstacleId, Error> {
         match &obstacle {
             Obstacle::Circle { center, radius } => {
@@ -109,6 +111,7 @@ impl World {
                 }
             }
         }
+        self.check_nobody(|p| obstacle.covers(p), "it is inside an obstacle")?;
         self.place.obstacles.push(Some(obstacle));
         self.place_changed();
         Ok(ObstacleId(self.place.obstacles.len() as u32 - 1))
@@ -126,7 +129,8 @@ impl World {
     /// Sets the areas that can be walked on: their union. None: everywhere but on obstacles.
     ///
     /// # Errors
-    /// [`Error::Shape`] for a boundary that crosses itself or encloses nothing.
+    /// [`Error::Shape`] for a boundary that crosses itself or encloses nothing, [`Error::NoRoom`] for an agent that
+    /// would be outside.
     pub fn set_walkable(&mut self, areas: Vec<Walkable>) -> Result<(), Error> {
         for (index, area) in areas.iter().enumerate() {
             check_polygon(&format!("walkable area {}", index + 1), &area.outer)?;
@@ -134,8 +138,13 @@ impl World {
                 check_polygon(&format!("hole {} of walkable area {}", hole + 1, index + 1), corners)?;
             }
         }
-        self.place.areas =
+        let areas =
             union(areas).map_err(|error| Error::Shape { what: "the walkable areas".into(), why: error.to_string() })?;
+        if !areas.is_empty() {
+            let outside = |p| !areas.iter().any(|area| area.contains(p));
+            self.check_nobody(outside, "it is outside the walkable area")?;
+        }
+        self.place.areas = areas;
         self.place_changed();
         Ok(())
     }
@@ -177,7 +186,8 @@ impl World {
     }
 
     pub(super) fn remove_row(&mut self, row: usize) {
-        let slot = self.agents.slot[row] as usize;
+        let (slot, number) = (self.agents.slot[row] as usize, self.agents.number[row]);
+        self.stranded.retain(|&(stranded, _)| stranded != number);
         self.agents.swap_remove(row);
         let (generation, named) = &mut self.slots.rows[slot];
         *generation += 1;
@@ -195,7 +205,7 @@ impl World {
         });
         let row = self.agents.len() as u32;
         self.slots.rows[slot as usize].1 = Some(row);
-        let heading = agent.heading.unwrap_or_else(|| {
+        let heading = agent.heading.map(within_a_turn).unwrap_or_else(|| {
             let first = self.journeys[agent.journey.index()].stops.first();
             let towards = first.map(|stop| self.goals[stop.goal.index()].middle() - agent.position);
             towards.map_or(0.0, |towards| libm::atan2f(towards.y as f32, towards.x as f32))
@@ -203,7 +213,7 @@ impl World {
         self.agents.push(agent, self.settings.origin, slot, number, heading, now);
         let status = self.first_status(agent.journey);
         self.agents.status[row as usize] = status;
-        if status == crate::Status::Arrived {
+        if status == Status::Arrived {
             self.agents.trip[row as usize].arrived = Some(now);
         }
         AgentId { slot, generation: self.slots.rows[slot as usize].0 }
@@ -233,6 +243,14 @@ impl World {
         }
     }
 
+    /// Nobody is at a point like this.
+    fn check_nobody(&self, blocked: impl Fn(DVec2) -> bool, why: &'static str) -> Result<(), Error> {
+        let found = (0..self.agents.len()).find(|&row| blocked(self.world_position(row)));
+        found.map_or(Ok(()), |row| {
+            Err(Error::NoRoom { at: self.world_position(row), radius: self.agents.radius[row], why })
+        })
+    }
+
     fn check_position(&self, what: &'static str, p: DVec2) -> Result<(), Error> {
         Error::unless_finite(what, p.x + p.y)?;
         let far = (p - self.settings.origin).abs().max_element();
@@ -242,11 +260,12 @@ impl World {
     fn number(&mut self, agent: &Agent) -> Result<u32, Error> {
         let next = &mut self.slots.next_number;
         let number = agent.number.unwrap_or(*next);
+        Error::unless(number < u32::MAX, "number", number, "less than 4294967295")?;
         // numbers mostly come in order: only one out of order needs a search
         if number < *next && (self.agents.number.contains(&number) || self.schedule.has(number)) {
             return Err(Error::NumberTaken { number });
         }
-        *next = (*next).max(number.saturating_add(1));
+        *next = (*next).max(number + 1);
         Ok(number)
     }
 
@@ -254,13 +273,30 @@ impl World {
     pub(super) fn place_changed(&mut self) {
         self.walls = Walls::new(&self.place.areas, self.place.obstacles(), self.settings.origin);
         self.meshes = Meshes::default();
+        self.extent = None;
         for travel in &mut self.agents.travel {
             travel.route = None;
             travel.gap = 0.0;
         }
+        // who could not get there may now
+        for status in &mut self.agents.status {
+            if *status == Status::Stranded {
+                *status = Status::Walking;
+            }
+        }
+        self.stranded.clear();
     }
 }
 
 fn known(what: &'static str, index: usize, count: usize) -> Result<(), Error> {
     if index < count { Ok(()) } else { Err(Error::Unknown { what, index }) }
+}
+
+/// The same angle between -pi and pi; one that is there already stays the same to the bit.
+fn within_a_turn(angle: f32) -> f32 {
+    if angle.abs() <= std::f32::consts::PI {
+        return angle;
+    }
+    let (sin, cos) = libm::sincosf(angle);
+    libm::atan2f(sin, cos)
 }

@@ -2,7 +2,7 @@
 
 use super::World;
 use crate::agent::Status;
-use crate::navigate::{Goal, Heading, Route, Search, Travel, Unreachable};
+use crate::navigate::{Goal, Heading, Meshes, Route, Search, Travel, Unreachable};
 use crate::parallel;
 use glam::DVec2;
 
@@ -17,7 +17,9 @@ impl World {
             .map(|row| Planned { row, leg: travels[row].leg, outcome: None })
             .collect();
         if !lost.is_empty() {
+            self.agents.travel = travels;
             self.prepare_meshes(&lost);
+            travels = std::mem::take(&mut self.agents.travel);
             let world = &*self;
             parallel::rows(&mut lost, 1, Search::default, |search, _, planned| world.plan_one(search, &mut planned[0]));
             for Planned { row, outcome, .. } in lost {
@@ -69,23 +71,53 @@ impl World {
         planned.outcome = Some(path.map(|(path, gap)| (Route::new(&path), path.length, gap as f32)));
     }
 
+    /// Makes the meshes that the `lost` need, on ground that holds them and their goals.
     fn prepare_meshes(&mut self, lost: &[Planned]) {
         if self.walls.is_empty() {
             return;
         }
+        let holds = |(low, high): (DVec2, DVec2), p: DVec2| p.cmpge(low).all() && p.cmple(high).all();
+        let on_ground = |p: DVec2| self.extent.is_some_and(|extent| holds(extent, p));
+        let held = lost.iter().all(|planned| {
+            let goal = self.stop(planned.row, planned.leg).map(|stop| self.goals[stop.goal.index()].middle());
+            on_ground(self.world_position(planned.row)) && goal.is_none_or(on_ground)
+        });
+        if held {
+            let rows: Vec<usize> = lost.iter().map(|planned| planned.row).collect();
+            self.prepare_meshes_of(&rows);
+        } else {
+            self.extent = Some(self.new_extent());
+            self.meshes = Meshes::default();
+            self.prepare_all_meshes();
+        }
+    }
+
+    /// Makes the meshes of everybody who has a way, or needs one.
+    pub(super) fn prepare_all_meshes(&mut self) {
+        let needs =
+            |&row: &usize| self.agents.status[row] == Status::Walking || self.agents.travel[row].route.is_some();
+        let rows: Vec<usize> = (0..self.agents.len()).filter(needs).collect();
+        self.prepare_meshes_of(&rows);
+    }
+
+    fn prepare_meshes_of(&mut self, rows: &[usize]) {
+        let Some(extent) = self.extent else { return };
+        let need = |&row: &usize| {
+            let stop = self.stop(row, self.agents.travel[row].leg)?;
+            Some((self.agents.radius[row], stop.goal))
+        };
+        let needs: Vec<_> = rows.iter().filter_map(need).collect();
+        self.meshes.prepare(needs.into_iter(), &self.place, &self.goals, extent);
+    }
+
+    /// A box round everybody, all goals and what there was before, with room to go round, and to be pushed about.
+    fn new_extent(&self) -> (DVec2, DVec2) {
         let points =
             self.goals.iter().map(Goal::middle).chain((0..self.agents.len()).map(|row| self.world_position(row)));
         let (low, high) = points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
-        // room to go round, and to be pushed about
         let around = DVec2::splat(10.0 + (high - low).max_element() * 0.5);
-        let needs: Vec<_> = lost
-            .iter()
-            .filter_map(|planned| {
-                let stop = self.stop(planned.row, planned.leg)?;
-                Some((self.agents.radius[planned.row], stop.goal))
-            })
-            .collect();
-        self.meshes.prepare(needs.into_iter(), &self.place, &self.goals, (low - around, high + around));
+        let (low, high) = (low - around, high + around);
+        self.extent.map_or((low, high), |(l, h)| (l.min(low), h.max(high)))
     }
 
     pub(super) fn world_position(&self, row: usize) -> DVec2 {

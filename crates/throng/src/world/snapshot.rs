@@ -6,10 +6,11 @@ use crate::agent::Columns;
 use crate::navigate::{Goal, Journey, Unreachable};
 use crate::space::Place;
 use crate::summary::Tally;
+use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// Begins every saved state: what it is, and the version of its layout.
-const MAGIC: &[u8] = b"throng state 1\n";
+const MAGIC: &[u8] = b"throng state 2\n";
 
 /// Everything that changes while a world runs.
 #[derive(Serialize, Deserialize)]
@@ -25,6 +26,7 @@ struct State {
     schedule: Schedule,
     tally: Tally,
     stranded: Vec<(u32, Unreachable)>,
+    extent: Option<(DVec2, DVec2)>,
 }
 
 impl World {
@@ -43,6 +45,7 @@ impl World {
             schedule: self.schedule.clone(),
             tally: self.tally.clone(),
             stranded: self.stranded.clone(),
+            extent: self.extent,
         };
         // writing to memory cannot fail, and all types are serialisable
         postcard::to_extend(&state, MAGIC.to_vec()).unwrap_or_default()
@@ -73,6 +76,8 @@ impl World {
         self.schedule = state.schedule;
         self.tally = state.tally;
         self.stranded = state.stranded;
+        self.extent = state.extent;
+        self.prepare_all_meshes();
         Ok(())
     }
 }

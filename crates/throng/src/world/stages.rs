@@ -4,7 +4,7 @@ use super::{Way, World};
 use crate::agent::{JourneyId, Status};
 use crate::avoid::{MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, View, Workspace};
 use crate::guard::Bodies;
-use crate::motion::{Limits, limit, turn};
+use crate::motion::{Limits, faces, limit, turn};
 use crate::navigate::{Dice, Goal, Travel, nearest_on_ring, turned_right};
 use crate::perceive::Near;
 use crate::random::{Purpose, unit};
@@ -194,10 +194,11 @@ impl World {
         (travel.aim - self.world_position(row)).as_vec2()
     }
 
-    /// What an agent would like that has arrived: to rest, or to come gently back to its point if it was pushed away.
+    /// What an agent would like that has arrived: to rest, or to come gently back to its point if it was pushed away
+    /// and nobody else has taken it.
     fn back_to_goal(&self, row: usize, travel: &Travel) -> Vec2 {
         match self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]) {
-            Some(Goal::Point { at, tolerance }) if travel.at_point => {
+            Some(Goal::Point { at, tolerance }) if travel.at_point && !self.is_taken(row, *at) => {
                 let offset = (*at - self.world_position(row)).as_vec2();
                 let beyond = offset.length() - tolerance;
                 let speed = (beyond / RETURN_TIME).min(0.5 * self.agents.preferred_speed[row]);
@@ -205,6 +206,16 @@ impl World {
             }
             _ => Vec2::ZERO,
         }
+    }
+
+    /// Whether somebody who has arrived at the same goal is nearer to it.
+    fn is_taken(&self, row: usize, point: DVec2) -> bool {
+        let agents = &self.agents;
+        let goal = |row: usize| self.step.ways[row].goal;
+        let distance = |row: usize| self.world_position(row).distance_squared(point);
+        self.neighbours(row).iter().map(|near| near.row as usize).any(|other| {
+            agents.status[other] == Status::Arrived && goal(other) == goal(row) && distance(other) < distance(row)
+        })
     }
 
     /// Whether somebody close ahead is on the way to the same goal, or goes the same way. Of two with the same goal at
@@ -373,11 +384,15 @@ impl World {
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
         let agents = &mut self.agents;
         for row in 0..agents.len() {
-            let motion = self.step.targets[row] - agents.position[row];
-            agents.position[row] = self.step.targets[row];
-            agents.velocity[row] = motion / seconds;
+            let (from, to, wish) = (agents.position[row], self.step.targets[row], self.step.wishes[row]);
+            let motion = to - from;
+            agents.position[row] = to;
+            // what was certified as it was wished is the wish: the motion may be far below what positions resolve
+            let unchanged = to.distance(from + wish * seconds) <= to.abs().max_element() * f32::EPSILON;
+            agents.velocity[row] = if unchanged { wish } else { motion / seconds };
             let before = agents.heading[row];
-            let heading = turn(before, agents.velocity[row], seconds, agents.max_turn_rate[row]);
+            let facing = faces(agents.velocity[row], self.step.preferred[row], agents.max_turn_rate[row]);
+            let heading = turn(before, facing, seconds, agents.max_turn_rate[row]);
             agents.heading[row] = heading;
             if agents.status[row] == Status::Walking {
                 let trip = &mut agents.trip[row];

@@ -1,0 +1,21 @@
+//! The world as a whole: its promises, on scenes that nothing was tuned to, against checks of their own.
+
+mod anywhere;
+mod bad_starts;
+mod calm;
+mod changes;
+mod common;
+mod determinism;
+mod entry;
+mod journeys;
+mod limits;
+mod manners;
+mod mistakes;
+mod obstacles;
+mod oracle;
+mod overlap;
+mod saved;
+mod scenes;
+mod stranded;
+mod stuck;
+mod sub_steps;

@@ -1,0 +1,148 @@
+//! Nobody is stuck: symmetric meetings, rings, traps, doors, and people of very different speeds.
+
+use crate::common::{Draw, journey_to, run, walker, world};
+use crate::oracle::assert_free;
+use glam::DVec2;
+use throng::{Agent, Group, GroupId, Obstacle, World};
+
+/// Runs until everybody has arrived, without overlaps; fails after `limit` seconds.
+fn assert_all_arrive(world: &mut World, limit: f64, label: &str) {
+    run(world, limit, assert_free);
+    let left: Vec<_> = (0..world.agents().len())
+        .filter(|&row| world.agents().trip[row].arrived.is_none())
+        .map(|row| (world.agents().number[row], world.agents().position[row]))
+        .collect();
+    assert!(left.is_empty() && world.finished(), "{label}: not there after {limit} s: {left:?}");
+}
+
+/// Exactly symmetric, up to the rounding of a turned axis.
+#[test]
+fn two_who_meet_head_on_pass() {
+    for angle in [0.0, 0.5, 1.9, 3.3, 5.0] {
+        for speeds in [(1.3, 1.3), (0.4, 1.7)] {
+            let mut world = world(0.04, DVec2::new(6000.0, -250.0));
+            let origin = world.settings().origin;
+            let along = DVec2::from_angle(angle);
+            for (side, speed) in [(1.0, speeds.0), (-1.0, speeds.1)] {
+                let plain = walker(&mut world, origin - along * (5.0 * side), origin + along * (5.0 * side));
+                world.add_agent(Agent { preferred_speed: speed, ..plain }).unwrap();
+            }
+            assert_all_arrive(&mut world, 40.0, &format!("{speeds:?} at {angle} rad"));
+        }
+    }
+}
+
+/// Without keep-right there is nothing but the detour to break the symmetry.
+#[test]
+fn two_who_keep_to_no_side_pass_too() {
+    for keep_right in [0.0, -0.1] {
+        let mut world = world(0.05, DVec2::ZERO);
+        let group = world.add_group(Group { keep_right, ..Group::default() }).unwrap();
+        for side in [1.0, -1.0] {
+            let plain = walker(&mut world, DVec2::new(-4.0 * side, 0.0), DVec2::new(4.0 * side, 0.0));
+            world.add_agent(Agent { group, ..plain }).unwrap();
+        }
+        assert_all_arrive(&mut world, 30.0, &format!("keep right {keep_right}"));
+    }
+}
+
+#[test]
+fn rings_of_odd_sizes_at_odd_angles_pass_through_their_middle() {
+    for (count, radius, angle) in [(3, 3.0, 0.1), (7, 4.0, 0.77), (13, 5.0, 2.3), (25, 6.0, 1.234), (51, 9.0, 0.4)] {
+        let mut world = world(1.0 / 30.0, DVec2::new(-1200.0, 8800.0));
+        let origin = world.settings().origin;
+        for k in 0..count {
+            let spoke = DVec2::from_angle(angle + std::f64::consts::TAU * f64::from(k) / f64::from(count)) * radius;
+            let agent = walker(&mut world, origin + spoke, origin - spoke);
+            world.add_agent(agent).unwrap();
+        }
+        assert_all_arrive(&mut world, 60.0, &format!("a ring of {count}"));
+    }
+}
+
+#[test]
+fn a_ring_of_all_sizes_and_speeds_passes_too() {
+    let mut draw = Draw::new(17);
+    let mut world = world(0.05, DVec2::new(40.0, 40.0));
+    let origin = world.settings().origin;
+    for k in 0..21 {
+        let spoke = DVec2::from_angle(0.3 * f64::from(k)) * (5.0 + 0.15 * f64::from(k));
+        let plain = walker(&mut world, origin + spoke, origin - spoke);
+        let preferred_speed = draw.between(0.3, 1.8) as f32;
+        let radius = draw.between(0.1, 0.5) as f32;
+        world.add_agent(Agent { preferred_speed, radius, ..plain }).unwrap();
+    }
+    assert_all_arrive(&mut world, 120.0, "mixed ring");
+}
+
+/// A trap open towards those who come, the goals behind its bottom.
+#[test]
+fn out_of_a_trap_everybody_finds_the_way() {
+    for angle in [0.0, 1.1, 4.0] {
+        let mut world = world(0.05, DVec2::new(-7000.0, -7000.0));
+        let origin = world.settings().origin;
+        let turn = |x: f64, y: f64| origin + DVec2::from_angle(angle).rotate(DVec2::new(x, y));
+        let points = vec![turn(-4.0, 2.5), turn(2.0, 2.5), turn(2.0, -2.5), turn(-4.0, -2.5)];
+        world.add_obstacle(Obstacle::Wall { points }).unwrap();
+        for k in 0..12 {
+            let (x, y) = (f64::from(k % 4), f64::from(k / 4) - 1.0);
+            let agent = walker(&mut world, turn(x - 2.0, y), turn(5.0 + x, 1.5 * y));
+            world.add_agent(agent).unwrap();
+        }
+        assert_all_arrive(&mut world, 90.0, &format!("a trap at {angle} rad"));
+    }
+}
+
+/// A wall with one door, people on both sides, all to the other.
+#[test]
+fn a_door_is_used_both_ways() {
+    for (width, each, angle, seed) in [(1.2, 6, 0.6, 1), (1.6, 15, 2.0, 2), (0.9, 3, 3.6, 3)] {
+        let mut draw = Draw::new(seed);
+        let mut world = world(0.05, DVec2::new(310.0, -4600.0));
+        let origin = world.settings().origin;
+        let turn = |x: f64, y: f64| origin + DVec2::from_angle(angle).rotate(DVec2::new(x, y));
+        for side in [-1.0, 1.0] {
+            let points = vec![turn(0.0, 0.5 * width * side), turn(0.0, 40.0 * side)];
+            world.add_obstacle(Obstacle::Wall { points }).unwrap();
+        }
+        for side in [-1.0, 1.0] {
+            for k in 0..each {
+                let (x, y) = (3.0 + f64::from(k / 5), f64::from(k % 5) - 2.0);
+                let to = turn(side * (3.0 + f64::from(k / 5)), -y);
+                let off = draw.between(-0.1, 0.1);
+                let agent = walker(&mut world, turn(-side * x, y + off), to);
+                world.add_agent(agent).unwrap();
+            }
+        }
+        assert_all_arrive(&mut world, 120.0, &format!("a door of {width} m, {each} from each side"));
+    }
+}
+
+#[test]
+fn the_fast_get_past_the_slow() {
+    let mut world = world(0.04, DVec2::ZERO);
+    let group = GroupId::DEFAULT;
+    for k in 0..10 {
+        let (speed, x) = if k % 2 == 0 { (0.2, 0.0) } else { (2.0, -3.0 - f64::from(k)) };
+        let y = 0.45 * f64::from(k / 2);
+        let plain = walker(&mut world, DVec2::new(x, y), DVec2::new(8.0 + f64::from(k), y));
+        world.add_agent(Agent { preferred_speed: speed, max_speed: 1.3 * speed, group, ..plain }).unwrap();
+    }
+    run(&mut world, 25.0, assert_free);
+    let fast_arrived = (0..10).filter(|&row| row % 2 == 1 && world.agents().trip[row].arrived.is_some()).count();
+    assert_eq!(fast_arrived, 5, "25 s are plenty for 20 m at 2 m/s");
+    assert_all_arrive(&mut world, 160.0, "fast and slow");
+}
+
+/// Everybody's goal is where somebody else stands and stays.
+#[test]
+fn goals_that_are_taken_count_as_reached_next_to_those_who_took_them() {
+    let mut world = world(0.05, DVec2::new(2.0, -3000.0));
+    let origin = world.settings().origin;
+    let journey = journey_to(&mut world, origin);
+    for k in 0..9 {
+        let spoke = DVec2::from_angle(0.2 + 0.7 * f64::from(k)) * if k == 0 { 0.05 } else { 3.0 + 0.3 * f64::from(k) };
+        world.add_agent(Agent { position: origin + spoke, journey, ..Agent::default() }).unwrap();
+    }
+    assert_all_arrive(&mut world, 30.0, "one goal");
+}
