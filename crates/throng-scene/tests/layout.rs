@@ -101,3 +101,23 @@ fn the_origin_is_in_the_middle() {
     );
     assert_eq!(plan.settings.origin.to_array(), [-1800.0, 400.0]);
 }
+
+#[test]
+fn everybody_faces_the_way_they_will_go() {
+    let heading = |text: &str| {
+        let (world, _) = text.parse::<Scene>().unwrap().build().unwrap_or_else(|error| panic!("{error}"));
+        world.agents().heading[0].to_degrees()
+    };
+    let start = "[[group]]\nplace.point = [0, 0]\ngoal.point = [0, 5]\n";
+    assert_eq!(heading(start), 90.0);
+    // the first stop, where they wait, is where they stand
+    assert_eq!(heading(&format!("{start}wait = 3\n")), 90.0);
+    // a wall from the left that ends at (2, 2): round its end, not through it
+    let wall = "[[obstacle]]\nshape.wall = [[-20, 2], [2, 2]]\n";
+    for wait in ["", "wait = 3\n"] {
+        let found = heading(&format!("{start}{wait}{wall}"));
+        assert!((30.0..45.0).contains(&found), "{found}");
+    }
+    assert_eq!(heading(&format!("{start}heading = -10\n{wall}")), -10.0);
+    assert_eq!(heading("[[group]]\nplace.point = [0, 0]\n"), 0.0);
+}
