@@ -93,6 +93,7 @@ fn expectations(scene: &Scene, out: &mut Out) -> Result<(), Failure> {
         (e.arrived.is_some(), "arrived"),
         (e.within.is_some(), "within"),
         (e.least_separation.is_some(), "least_separation"),
+        (e.least_wall_separation.is_some(), "least_wall_separation"),
         (e.heading_change.is_some(), "heading_change"),
         (e.mean_speed.is_some(), "mean_speed"),
         (!e.flow.is_empty(), "flow"),

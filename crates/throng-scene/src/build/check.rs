@@ -276,7 +276,8 @@ fn check_view(view: &View) -> Checked {
 fn check_expect(expect: &Expect) -> Checked {
     let path = Path::of("expect");
     check_some(&path.key("within"), expect.within, Limit::Positive)?;
-    check_some(&path.key("least_separation"), expect.least_separation, Limit::Finite)?;
+    check_some(&path.key("least_separation"), expect.least_separation, Limit::NotNegative)?;
+    check_some(&path.key("least_wall_separation"), expect.least_wall_separation, Limit::NotNegative)?;
     check_some(&path.key("heading_change"), expect.heading_change, Limit::Positive)?;
     check_some(&path.key("mean_speed"), expect.mean_speed, Limit::NotNegative)?;
     for (i, flow) in expect.flow.iter().enumerate() {
