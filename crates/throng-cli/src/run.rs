@@ -63,7 +63,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let plan = Plan {
         setting: &moment::setting(&world, title),
         style: &style,
-        rate: args.fps,
+        rate: args.fps.or(scene.view.fps).unwrap_or(25.0),
         speed_up: args.speed_up,
         still: args.frame.map_or(Still::Last, Still::Time),
     };

@@ -182,3 +182,28 @@ fn a_goal_out_of_reach_is_told() {
     let checked = call(folder.path(), "check walk.toml").success();
     assert!(stdout(&checked).contains("agent 0 of a cannot reach its goal: there is no way"), "{}", stdout(&checked));
 }
+
+/// Width and height of a PNG file.
+fn size(path: &Path) -> (u32, u32) {
+    let bytes = std::fs::read(path).unwrap();
+    let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
+    (number(16), number(20))
+}
+
+#[test]
+fn the_scene_says_how_it_is_seen_and_options_come_first() {
+    let folder = folder();
+    let path = folder.path();
+    let view = "view = { size = [320, 200], fps = 10 }\n";
+    let scene = format!("{view}{}colour = \"#00ff00\"\n", WALK.replace("[5.0", "[1.0"));
+    std::fs::write(path.join("walk.toml"), scene).unwrap();
+    let run = |options: &str| call(path, &format!("run walk.toml -q --duration 1 {options}")).success();
+    run("-o a.png -o a.svg -o a/");
+    assert_eq!((size(&path.join("a.png")), names(&path.join("a")).len()), ((320, 200), 11));
+    assert!(std::fs::read_to_string(path.join("a.svg")).unwrap().contains("#00ff00"));
+    run("-o b.png -o b/ --size 160x120 --fps 5");
+    assert_eq!((size(&path.join("b.png")), names(&path.join("b")).len()), ((160, 120), 6));
+    // the labs' video
+    call(path, "show circle").success();
+    assert_eq!(size(&path.join("circle.png")), (640, 480));
+}

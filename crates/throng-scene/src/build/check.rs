@@ -270,6 +270,10 @@ fn check_view(view: &View) -> Checked {
     {
         return Err(Problem::new(&path.key("max"), Kind::OutOfRange, "view.max must lie above and right of view.min"));
     }
+    for (i, pixels) in view.size.iter().flatten().enumerate() {
+        check(&path.key("size").index(i), f64::from(*pixels), Limit::Between(16.0, 16384.0))?;
+    }
+    check_some(&path.key("fps"), view.fps, Limit::Between(0.001, 1000.0))?;
     check_some(&path.key("trails"), view.trails, Limit::NotNegative)
 }
 
