@@ -46,7 +46,9 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
         (true, _) => Err(Failure::Interrupted),
         (false, false) => {
             if args.quiet && !args.json {
-                complain(&format!("{}: the scene did not show what its [expect] says", report.scene));
+                let failed = report.verdict.checks.iter().filter(|check| !check.passed);
+                let failed: String = failed.map(|check| format!("\n  {check}")).collect();
+                complain(&format!("{}: the scene did not show what its [expect] says{failed}", report.scene));
             }
             Err(Failure::Expectation)
         }
@@ -57,7 +59,7 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
 fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let begin = Instant::now();
     let Loaded { name, scene, .. } = loaded;
-    let (mut world, built) = scene.build()?;
+    let (mut world, built) = loaded.build()?;
     let style = args.look.style(scene, built.bounds)?;
     let title = if scene.title.is_empty() { name } else { &scene.title };
     let plan = Plan {
