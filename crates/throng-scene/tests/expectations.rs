@@ -1,7 +1,7 @@
 //! Every scene of the gallery shows what its `[expect]` says: as it stands, and with other seeds.
 
 use std::sync::Mutex;
-use throng_scene::{Arrived, Scene, Verdict, Watch, gallery};
+use throng_scene::{Arrived, As, Scene, Shape, Verdict, Watch, gallery};
 
 /// Runs a scene to its end.
 fn run(scene: &Scene) -> Verdict {
@@ -66,6 +66,27 @@ fn every_scene_says_what_the_project_promises() {
         }
         assert!(expect.heading_change.is_some_and(|most| most <= 30.0), "{name}");
         assert!(expect.within.is_some(), "{name}");
+    }
+}
+
+/// The seed labs took the circle round the bounding box of every obstacle.
+#[test]
+fn the_labs_way_with_obstacles_works_too() {
+    for name in ["box", "pillars"] {
+        let mut scene = gallery::scene(name).unwrap();
+        scene.obstacles.iter_mut().for_each(|obstacle| obstacle.solid_as = As::Circle);
+        let solid = scene.plan().unwrap().obstacles;
+        for (obstacle, solid) in scene.obstacles.iter().zip(&solid) {
+            let throng::Obstacle::Circle { radius, .. } = solid else { panic!("{name}: {solid:?}") };
+            let round = match &obstacle.shape {
+                Shape::Rectangle(r) => 0.5 * r.size[0].hypot(r.size[1]),
+                Shape::Circle(circle) => circle.radius,
+                other => panic!("{name}: {other:?}"),
+            };
+            assert!((radius - round).abs() < 1e-12, "{name}: {radius} {round}");
+        }
+        let verdict = run(&scene);
+        assert!(verdict.passed, "{name}:\n{verdict}");
     }
 }
 
