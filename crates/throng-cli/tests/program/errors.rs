@@ -229,6 +229,12 @@ const CASES: &[Case] = &[
     },
     Case { what: "One output twice", files: &[], command: "throng run circle -o a.csv -o a.csv", code: 2 },
     Case { what: "A full disk", files: &[], command: "ln -s /dev/full a.csv; throng run headon -q -o a.csv", code: 2 },
+    Case {
+        what: "A limit on the size of files",
+        files: &[],
+        command: "trap '' XFSZ; ulimit -f 8; throng run headon -q -o a.csv",
+        code: 2,
+    },
     Case { what: "A full disk behind standard output", files: &[], command: "throng list > /dev/full", code: 2 },
     Case { what: "A reader that goes", files: &[], command: "throng schema | head -n 1", code: 0 },
     Case {
