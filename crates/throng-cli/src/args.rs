@@ -161,9 +161,9 @@ pub struct RunArgs {
     #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative, help_heading = "Pictures")]
     pub frame: Option<f64>,
 
-    /// Pictures a second of video
-    #[arg(long, value_name = "N", default_value_t = 25.0, value_parser = parse_rate, help_heading = "Pictures")]
-    pub fps: f64,
+    /// Pictures a second of video [default: the scene's `view.fps`, else 25]
+    #[arg(long, value_name = "N", value_parser = parse_rate, help_heading = "Pictures")]
+    pub fps: Option<f64>,
 
     /// Seconds of the scene in a second of video
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = parse_factor, help_heading = "Pictures")]

@@ -15,8 +15,9 @@ const SHOWN: usize = 5;
 /// # Errors
 /// The scene cannot be built, or standard output cannot be written.
 pub fn check(args: &SceneArgs, out: &mut Out) -> Result<(), Failure> {
-    let Loaded { name, scene, notes } = args.load()?;
-    let (mut world, built) = scene.build()?;
+    let loaded = args.load()?;
+    let (mut world, built) = loaded.build()?;
+    let Loaded { name, scene, notes, .. } = &loaded;
     let title = if scene.title.is_empty() { String::new() } else { format!(": {}", scene.title) };
     out.line(format_args!("{name}{title}"))?;
     people(&built, out)?;
@@ -24,9 +25,9 @@ pub fn check(args: &SceneArgs, out: &mut Out) -> Result<(), Failure> {
     let overlapping = world.overlapping();
     // The first step plans everybody's way.
     world.step();
-    time(&scene, &world, out)?;
-    expectations(&scene, out)?;
-    for note in &notes {
+    time(scene, &world, out)?;
+    expectations(scene, out)?;
+    for note in notes {
         out.line(format_args!("  note       {note}"))?;
     }
     let found = overlaps(&overlapping, out)? | unreachable(&world, &built, out)?;
@@ -93,6 +94,7 @@ fn expectations(scene: &Scene, out: &mut Out) -> Result<(), Failure> {
         (e.arrived.is_some(), "arrived"),
         (e.within.is_some(), "within"),
         (e.least_separation.is_some(), "least_separation"),
+        (e.least_wall_separation.is_some(), "least_wall_separation"),
         (e.heading_change.is_some(), "heading_change"),
         (e.mean_speed.is_some(), "mean_speed"),
         (!e.flow.is_empty(), "flow"),
@@ -127,6 +129,11 @@ fn unreachable(world: &World, built: &Built, out: &mut Out) -> Result<bool, Fail
         if stranded.len() > SHOWN {
             out.line(format_args!("  warning    and {} more of {name} cannot reach theirs", stranded.len() - SHOWN))?;
         }
+    }
+    if !groups.is_empty() {
+        out.line(format_args!(
+            "  hint       open a way wider than the bodies, or move the goal; a picture helps: throng show"
+        ))?;
     }
     Ok(!groups.is_empty())
 }

@@ -11,7 +11,7 @@ use throng_scene::{Colour, Scene};
 #[derive(Args, Debug)]
 #[command(next_help_heading = "Pictures")]
 pub struct LookArgs {
-    /// Width and height of the picture, pixels [default: 960 wide, as high as the scene needs]
+    /// Width and height of the picture, pixels [default: the scene's `view.size`, else 960 wide and as high as needed]
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     pub size: Option<(u32, u32)>,
 
@@ -65,11 +65,12 @@ impl LookArgs {
             return Err(Failure::hint(text, "give two opposite corners, such as --camera=-10,-5,10,5"));
         }
         let extent = shown.map_or(bounds[1] - bounds[0], |shown| shown.max - shown.min);
-        let (width, height) = self.size.unwrap_or_else(|| shaped_like(extent));
+        let (width, height) = self.size.or(view.size.map(Into::into)).unwrap_or_else(|| shaped_like(extent));
         let mut theme = default.theme.clone();
+        let color = |Colour([r, g, b]): Colour| Color::rgb(u32::from_be_bytes([0, r, g, b]));
         let paint = |place: &mut Color, colour: Option<Colour>| {
-            if let Some(Colour([r, g, b])) = colour {
-                *place = Color::rgb(u32::from_be_bytes([0, r, g, b]));
+            if let Some(colour) = colour {
+                *place = color(colour);
             }
         };
         paint(&mut theme.outside, view.background);
@@ -85,6 +86,7 @@ impl LookArgs {
                 ColorArg::Speed => ColorBy::Speed { max: None },
                 ColorArg::Goal => ColorBy::Goal,
             },
+            groups: scene.groups.iter().map(|group| group.colour.map(color)).collect(),
             headings: !self.no_headings,
             goals: view.goals.unwrap_or(default.goals),
             theme,
@@ -95,9 +97,11 @@ impl LookArgs {
 
 /// A picture 960 pixels wide, at most 720 high, and lower where the scene is wide and low.
 fn shaped_like(extent: DVec2) -> (u32, u32) {
+    // Painters blow nothing up that is less than 4 m wide or high.
+    let extent = extent.max(DVec2::splat(4.0));
     // What title and legend take is 28 pixels at the sides and about 110 above and below.
-    let height = 932.0 * extent.y / extent.x.max(1e-9) + 110.0;
-    (960, height.clamp(400.0, 720.0) as u32 / 2 * 2)
+    let height = 932.0 * extent.y / extent.x + 110.0;
+    (960, height.clamp(280.0, 720.0) as u32 / 2 * 2)
 }
 
 fn parse_size(text: &str) -> Result<(u32, u32), String> {

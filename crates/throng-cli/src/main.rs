@@ -3,7 +3,6 @@
 mod args;
 mod check;
 mod completions;
-mod expect;
 mod failure;
 mod files;
 mod interrupt;

@@ -24,10 +24,12 @@ impl Progress {
     }
 
     /// Shows where the run is. The bar follows time or arrivals, whichever is farther.
-    pub fn show(&self, world: &World, arrived: usize, total: usize) {
+    pub fn show(&self, world: &World) {
         if self.bar.is_hidden() {
             return;
         }
+        let counts = world.counts();
+        let (arrived, total) = (counts.arrived, counts.agents);
         let share = (world.time() / self.limit).max(arrived as f64 / total.max(1) as f64).min(1.0);
         self.bar.set_position((share * PARTS as f64) as u64);
         self.bar.set_message(format!("{:.1} s, {arrived}/{total} arrived", world.time()));

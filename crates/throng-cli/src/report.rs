@@ -1,12 +1,12 @@
 //! The summary of a run, for people and for programs.
 
-use crate::expect::{Verdict, number};
 use crate::failure::Failure;
 use crate::out::Out;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use std::time::Duration;
 use throng::Summary;
+use throng_scene::Verdict;
 
 /// How a run went.
 #[derive(Debug)]
@@ -61,7 +61,7 @@ impl Report {
             "heading_change_deg_per_s": number(s.heading_change_deg_per_s),
             "steps": s.steps,
             "agent_steps_per_second": number(self.agent_steps_per_second()),
-            "expect": json!({ "passed": self.verdict.passed, "checks": self.verdict.checks }),
+            "expect": self.verdict,
             "sub_steps": s.sub_steps,
             "least_wall_separation": number(s.least_wall_separation),
             "wall_seconds": self.wall.as_secs_f64(),
@@ -107,19 +107,18 @@ impl Report {
         let wall = self.wall.as_secs_f64();
         out.line(format_args!("  computing  {wall:.2} s{cpu}; {rate:.3e} agent steps/s ({} sub-steps)", s.sub_steps))?;
         for check in &self.verdict.checks {
-            let word = if check.passed { "passed" } else { "FAILED" };
-            let found = match &check.found {
-                Value::Null => "nothing".to_owned(),
-                Value::Number(n) => n.as_f64().map_or(n.to_string(), |x| format!("{}", (x * 1e4).round() / 1e4)),
-                other => other.to_string(),
-            };
-            out.line(format_args!("  expect     {} {word}: expected {}, found {found}", check.name, check.expected))?;
+            out.line(format_args!("  expect     {check}"))?;
         }
         for file in &self.files {
             out.line(format_args!("  wrote      {}", file.display()))?;
         }
         Ok(())
     }
+}
+
+/// A number; null for one that is infinite or none.
+fn number(value: f64) -> Value {
+    if value.is_finite() { json!(value) } else { Value::Null }
 }
 
 /// Processor time of this program so far, all threads; `None` where the system does not tell.

@@ -1,7 +1,6 @@
 //! `throng run`: runs a scene and writes what happens.
 
 use crate::args::RunArgs;
-use crate::expect::Watch;
 use crate::failure::Failure;
 use crate::files::{Files, Plan};
 use crate::out::{Out, complain};
@@ -12,7 +11,7 @@ use crate::{interrupt, moment, threads};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use throng_draw::Still;
-use throng_scene::{Expect, Until};
+use throng_scene::{Expect, Until, Watch};
 
 /// Runs a scene, writes its files and its summary, and checks its `[expect]`.
 ///
@@ -47,7 +46,9 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
         (true, _) => Err(Failure::Interrupted),
         (false, false) => {
             if args.quiet && !args.json {
-                complain(&format!("{}: the scene did not show what its [expect] says", report.scene));
+                let failed = report.verdict.checks.iter().filter(|check| !check.passed);
+                let failed: String = failed.map(|check| format!("\n  {check}")).collect();
+                complain(&format!("{}: the scene did not show what its [expect] says{failed}", report.scene));
             }
             Err(Failure::Expectation)
         }
@@ -58,39 +59,38 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
 fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let begin = Instant::now();
     let Loaded { name, scene, .. } = loaded;
-    let (mut world, built) = scene.build()?;
+    let (mut world, built) = loaded.build()?;
     let style = args.look.style(scene, built.bounds)?;
     let title = if scene.title.is_empty() { name } else { &scene.title };
     let plan = Plan {
         setting: &moment::setting(&world, title),
         style: &style,
-        rate: args.fps,
+        rate: args.fps.or(scene.view.fps).unwrap_or(25.0),
         speed_up: args.speed_up,
         still: args.frame.map_or(Still::Last, Still::Time),
     };
     let mut files = Files::create(&outputs(args, name), &plan)?;
     let paths = files.paths().to_vec();
 
-    let (step, limit) = (scene.time.step, scene.time.limit);
-    let mut watch = Watch::new(&scene.expect, built.agents, &world);
-    let progress = Progress::new(args.quiet, limit);
+    let step = scene.time.step;
+    let mut watch = Watch::new(&scene.expect, &world);
+    let progress = Progress::new(args.quiet, scene.time.limit);
     let mut stepping = Duration::ZERO;
     files.push(0.0, step, |frame| moment::capture(&world, frame))?;
-    while !over(scene.time.until, world.finished()) && world.time() + step * 0.5 < limit && !interrupt::asked() {
+    while !scene.time.over(&world) && !interrupt::asked() {
         let start = Instant::now();
         world.step();
         stepping += start.elapsed();
         files.push(world.time(), step, |frame| moment::capture(&world, frame))?;
-        let arrived = watch.step(&world);
-        progress.show(&world, arrived, watch.total());
+        watch.step(&world);
+        progress.show(&world);
     }
     progress.done();
     files.finish(world.time(), |frame| moment::capture(&world, frame))?;
-    let summary = world.summary();
     Ok(Report {
         scene: name.clone(),
-        verdict: watch.verdict(&summary),
-        summary,
+        verdict: watch.verdict(&world),
+        summary: world.summary(),
         stranded: world.stranded().iter().map(|(number, why)| (*number, why.to_string())).collect(),
         wall: begin.elapsed(),
         stepping,
@@ -98,15 +98,6 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         interrupted: interrupt::asked(),
         files: paths,
     })
-}
-
-/// Whether the scene is over before its limit. A scene that ends when nobody is left also ends when all who are left
-/// have arrived or cannot: nothing would ever change.
-fn over(until: Until, finished: bool) -> bool {
-    match until {
-        Until::Arrived | Until::Empty => finished,
-        Until::Limit => false,
-    }
 }
 
 fn outputs(args: &RunArgs, name: &str) -> Vec<PathBuf> {

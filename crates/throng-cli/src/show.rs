@@ -20,7 +20,7 @@ pub fn show(args: &ShowArgs, out: &mut Out) -> Result<(), Failure> {
         let text = format!("{}: `show` draws one picture", path.display());
         return Err(Failure::hint(text, "end the name in .png or .svg; `throng run` writes everything else"));
     }
-    let (world, built) = loaded.scene.build()?;
+    let (world, built) = loaded.build()?;
     let style = Style { trails: 0.0, ..args.look.style(&loaded.scene, built.bounds)? };
     let title = if loaded.scene.title.is_empty() { &loaded.name } else { &loaded.scene.title };
     let mut frame = Frame::default();

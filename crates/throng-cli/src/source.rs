@@ -3,7 +3,8 @@
 use crate::failure::Failure;
 use clap::Args;
 use std::path::{Path, PathBuf};
-use throng_scene::{Scene, gallery, import};
+use throng::World;
+use throng_scene::{Built, Kind, Scene, gallery, import};
 
 /// Which scene, and what of it is changed.
 #[derive(Args, Debug)]
@@ -45,6 +46,26 @@ pub struct Loaded {
     pub scene: Scene,
     /// What the importer left out or changed, a sentence each.
     pub notes: Vec<String>,
+    /// What it was read from.
+    path: PathBuf,
+    /// Whether that is a floor plan, and the rest of the scene is from the command line.
+    plan: bool,
+}
+
+impl Loaded {
+    /// Makes the world. What is wrong is said with the file's name, and with the option it comes from.
+    ///
+    /// # Errors
+    /// Those of [`Scene::build`].
+    pub fn build(&self) -> Result<(World, Built), Failure> {
+        self.scene.build().map_err(|mut error| {
+            if self.plan && matches!(error.kind, Kind::NoRoom | Kind::Count) {
+                error.hint = Some("change --people".into());
+            }
+            error.file.get_or_insert_with(|| self.path.display().to_string().into());
+            error.into()
+        })
+    }
 }
 
 impl SceneArgs {
@@ -60,19 +81,30 @@ impl SceneArgs {
         if let Some(seed) = self.seed {
             scene.seed = seed;
         }
-        Ok(Loaded { name: self.name(), scene, notes })
+        Ok(Loaded { name: self.name(), scene, notes, path: self.scene.clone(), plan: self.is_plan() })
+    }
+
+    fn is_plan(&self) -> bool {
+        self.scene.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("wkt"))
     }
 
     fn read(&self) -> Result<(Scene, Vec<String>), Failure> {
-        let is_plan = self.scene.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("wkt"));
-        if is_plan && let (Some(exit), Some(people)) = (self.exit, self.people) {
+        if self.is_plan()
+            && let (Some(exit), Some(people)) = (self.exit, self.people)
+        {
             if exit[2] <= 0.0 || exit[3] <= 0.0 {
                 let text = format!("--exit: the exit is {} m wide and {} m high", exit[2], exit[3]);
                 return Err(Failure::hint(text, "give x,y,width,height, the last two greater than 0"));
             }
-            return Ok((import::wkt::evacuation(&self.scene, exit, people)?, vec![]));
+            let scene = import::wkt::evacuation(&self.scene, exit, people).map_err(|mut error| {
+                if error.kind == Kind::GoalInWall {
+                    error.hint = Some("change --exit: x,y,width,height, x and y of the lower left corner".into());
+                }
+                error
+            })?;
+            return Ok((scene, vec![]));
         }
-        if !is_plan && (self.exit.is_some() || self.people.is_some()) {
+        if !self.is_plan() && (self.exit.is_some() || self.people.is_some()) {
             let text = format!("--exit and --people are for floor plans (.wkt), not for {}", self.scene.display());
             return Err(Failure::hint(text, "change the goal and the count with --set, or in the scene file"));
         }

@@ -13,7 +13,7 @@ use throng_record::{Frame, Setting};
 pub(crate) struct Layout {
     width: f32,
     height: f32,
-    /// Everything scales with this: 1 for a picture 480 pixels high.
+    /// Everything scales with this: 1 for a picture 640 pixels wide, less only where it is very low.
     pub unit: f32,
     /// Size of the type.
     size: f32,
@@ -23,7 +23,7 @@ pub(crate) struct Layout {
 impl Layout {
     pub(crate) fn new(style: &Style) -> Self {
         let (width, height) = (style.width as f32, style.height as f32);
-        let unit = (width / 640.0).min(height / 480.0).clamp(0.75, 4.0);
+        let unit = (width / 640.0).min(height / 300.0).clamp(0.75, 4.0);
         Self { width, height, unit, size: 13.0 * unit, margin: 14.0 * unit }
     }
 

@@ -14,6 +14,8 @@ pub(crate) struct Look {
     /// What edges go towards: dark on light ground, light on dark.
     rim: Color,
     fastest: f32,
+    /// The colours of groups that have their own.
+    groups: Vec<Option<Color>>,
     /// The colour of each goal.
     goals: Vec<Color>,
 }
@@ -38,13 +40,14 @@ impl Look {
             ground: style.theme.ground,
             rim: style.theme.text,
             fastest,
+            groups: style.groups.clone(),
             goals: goal_colors(&setting.goals),
         }
     }
 
     /// The colour of a group.
     pub(crate) fn group(&self, index: usize) -> Color {
-        palette(index)
+        self.groups.get(index).copied().flatten().unwrap_or_else(|| palette(index))
     }
 
     /// The speed at the end of the ramp, m/s.

@@ -17,7 +17,7 @@ const TRAIL_HALF_WIDTH: f32 = 0.42;
 /// Points of a trail are this far apart, pixels.
 const TRAIL_SPACING: f32 = 4.5;
 /// The least radius an agent is drawn with, pixels.
-const LEAST_RADIUS: f32 = 1.3;
+const LEAST_RADIUS: f32 = 1.5;
 
 /// Paints the moments of one recording, one after the other.
 ///
@@ -68,7 +68,7 @@ impl Painter {
         let camera = Camera::fit(view, low, high);
         let look = Look::new(setting, style, first);
         let mut typeface = Type::new();
-        let place = place::marks(setting, style, &camera, layout.unit);
+        let place = place::marks(setting, style, &camera, layout.unit, first);
         let legend = if style.legend { layout.fixed(setting, style, &look, &camera, &typeface) } else { Vec::new() };
         let base = if setting.walkable.is_empty() { style.theme.ground } else { style.theme.outside };
         let mut background = Image::new(width, height, base);

@@ -4,13 +4,15 @@ use crate::mark::{Mark, Stroke};
 use crate::{Camera, Style};
 use glam::{DVec2, Vec2};
 use throng::{Goal, Obstacle};
-use throng_record::Setting;
+use throng_record::{Frame, Setting};
 
 /// More point goals than this are drawn faint, so that a goal for each agent does not fill the picture.
 const MANY_GOALS: usize = 40;
+/// Where bodies are smaller than this, pixels, that many goals are not drawn: rings that small are specks.
+const SMALL_BODY: f32 = 2.0;
 
-/// Everything that does not change, from the ground up.
-pub(crate) fn marks(setting: &Setting, style: &Style, camera: &Camera, unit: f32) -> Vec<Mark> {
+/// Everything that does not change, from the ground up. `first` is the first moment.
+pub(crate) fn marks(setting: &Setting, style: &Style, camera: &Camera, unit: f32, first: &Frame) -> Vec<Mark> {
     let mut marks = Vec::new();
     ground(setting, style, camera, unit, &mut marks);
     if style.goals {
@@ -18,7 +20,7 @@ pub(crate) fn marks(setting: &Setting, style: &Style, camera: &Camera, unit: f32
     }
     obstacles(setting, style, camera, unit, &mut marks);
     if style.goals {
-        goal_points(setting, style, camera, unit, &mut marks);
+        goal_points(setting, style, camera, unit, first, &mut marks);
     }
     marks
 }
@@ -29,25 +31,28 @@ fn pixels(camera: &Camera, points: &[DVec2]) -> Vec<Vec2> {
 
 fn ground(setting: &Setting, style: &Style, camera: &Camera, unit: f32, marks: &mut Vec<Mark>) {
     let theme = &style.theme;
-    for walkable in &setting.walkable {
+    let edge = Stroke::plain(1.2 * unit, theme.edge);
+    // An area may lie in a hole of a larger one.
+    let mut areas: Vec<_> = setting.walkable.iter().map(|area| (size(&area.outer), area)).collect();
+    areas.sort_by(|a, b| b.0.total_cmp(&a.0));
+    for (_, walkable) in areas {
         let rings: Vec<_> = std::iter::once(&walkable.outer)
             .chain(&walkable.holes)
             .filter(|ring| ring.len() >= 3)
             .map(|ring| pixels(camera, ring))
             .collect();
-        marks.push(Mark::Area { rings, fill: theme.ground });
-    }
-    // Edges of areas that share a side would cross the ground between them: only a single area has a full outline.
-    let edge = Stroke::plain(1.2 * unit, theme.edge);
-    for walkable in &setting.walkable {
-        if setting.walkable.len() == 1 {
-            marks.push(Mark::Line { points: pixels(camera, &walkable.outer), closed: true, stroke: edge });
+        for hole in rings.iter().skip(1) {
+            marks.push(Mark::Area { rings: vec![hole.clone()], fill: theme.obstacle });
         }
-        for hole in &walkable.holes {
-            marks.push(Mark::Area { rings: vec![pixels(camera, hole)], fill: theme.obstacle });
-            marks.push(Mark::Line { points: pixels(camera, hole), closed: true, stroke: edge });
-        }
+        marks.push(Mark::Area { rings: rings.clone(), fill: theme.ground });
+        marks.extend(rings.into_iter().map(|points| Mark::Line { points, closed: true, stroke: edge }));
     }
+}
+
+/// The area of a polygon.
+fn size(corners: &[DVec2]) -> f64 {
+    let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+    0.5 * edges.map(|(a, b)| a.perp_dot(*b)).sum::<f64>().abs()
 }
 
 fn obstacles(setting: &Setting, style: &Style, camera: &Camera, unit: f32, marks: &mut Vec<Mark>) {
@@ -90,12 +95,23 @@ fn goal_areas(setting: &Setting, style: &Style, camera: &Camera, unit: f32, mark
     }
 }
 
-fn goal_points(setting: &Setting, style: &Style, camera: &Camera, unit: f32, marks: &mut Vec<Mark>) {
+fn goal_points(setting: &Setting, style: &Style, camera: &Camera, unit: f32, first: &Frame, marks: &mut Vec<Mark>) {
+    // Where somebody stands already, waiting to set off, is nobody's goal to look at.
+    let mut waits = vec![false; setting.goals.len()];
+    for body in &first.bodies {
+        let goal = body.goal.map(|goal| goal as usize).filter(|&goal| goal < waits.len());
+        if let Some(goal) = goal
+            && let Goal::Point { at, tolerance } = &setting.goals[goal]
+        {
+            waits[goal] |= at.distance(body.position) <= f64::from(*tolerance);
+        }
+    }
     let mut rings: Vec<(Vec2, f32)> = setting
         .goals
         .iter()
-        .filter_map(|goal| match goal {
-            Goal::Point { at, tolerance } => Some((camera.pixel(*at), camera.length(f64::from(*tolerance)))),
+        .zip(waits)
+        .filter_map(|(goal, waits)| match goal {
+            Goal::Point { at, tolerance } if !waits => Some((camera.pixel(*at), camera.length(f64::from(*tolerance)))),
             _ => None,
         })
         .filter(|(center, radius)| center.is_finite() && radius.is_finite())
@@ -104,13 +120,20 @@ fn goal_points(setting: &Setting, style: &Style, camera: &Camera, unit: f32, mar
     rings.sort_by(|a, b| a.0.x.total_cmp(&b.0.x).then(a.0.y.total_cmp(&b.0.y)).then(a.1.total_cmp(&b.1)));
     rings.dedup();
     let many = rings.len() > MANY_GOALS;
+    // Rings step back behind bodies: they look no larger.
+    let body = first.bodies.iter().map(|body| camera.length(f64::from(body.radius))).fold(0.0, f32::max);
+    if many && body > 0.0 && body < SMALL_BODY {
+        return;
+    }
+    let most = if body > 0.0 { (0.8 * body).max(1.8) } else { f32::INFINITY };
     let opacity = if many { 0.35 } else { 0.9 };
     let stroke = Stroke::plain(if many { 0.9 } else { 1.3 } * unit, style.theme.goal.alpha(opacity));
     let least = if many { 1.8 } else { 4.0 } * unit;
     for (center, radius) in rings {
-        let radius = radius.max(least);
+        // a tolerance larger than a body is worth seeing
+        let radius = radius.max(least.min(most));
         marks.push(Mark::Ring { center, radius, stroke });
-        if !many {
+        if !many && radius > 3.0 * unit {
             marks.push(Mark::Disc { center, radius: 1.1 * unit, fill: style.theme.goal.alpha(opacity) });
         }
     }

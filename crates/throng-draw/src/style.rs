@@ -15,6 +15,8 @@ pub struct Style {
     pub trails: f32,
     /// What the colour of an agent says.
     pub color_by: ColorBy,
+    /// The colours of groups, by index; where there is none, the palette's.
+    pub groups: Vec<Option<Color>>,
     /// Whether agents have a notch that shows their heading.
     pub headings: bool,
     /// Whether goals are drawn.
@@ -33,6 +35,7 @@ impl Default for Style {
             view: None,
             trails: 1.5,
             color_by: ColorBy::Group,
+            groups: Vec::new(),
             headings: true,
             goals: true,
             legend: true,

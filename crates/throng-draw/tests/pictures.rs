@@ -199,3 +199,51 @@ fn an_svg_is_well_formed_and_holds_everybody() {
     }
     assert!(!svg.contains("NaN") && !svg.contains("inf"));
 }
+
+#[test]
+fn a_group_can_have_a_colour_of_its_own() {
+    let (frame, red) = (moment(0), Color::rgb(0xcc3333));
+    let (painter, image) = paint(&setting(), &Style { groups: vec![Some(red)], ..style() }, &frame);
+    assert_eq!(at(&painter, &image, frame.bodies[0].position), red);
+    assert_eq!(at(&painter, &image, frame.bodies[1].position), palette(1));
+}
+
+#[test]
+fn goals_are_drawn_only_where_somebody_has_to_go_and_can_see_them() {
+    let drawn = |setting: &Setting, frame: &Frame| {
+        let with = paint(setting, &style(), frame).1;
+        let without = paint(setting, &Style { goals: false, ..style() }, frame).1;
+        with != without
+    };
+    assert!(drawn(&setting(), &moment(0)));
+    // who stands at its goal waits there
+    let mut waiting = moment(0);
+    waiting.bodies.truncate(1);
+    waiting.bodies[0].position = DVec2::new(4.0, -4.0);
+    assert!(!drawn(&setting(), &waiting));
+    // a goal for each of a hundred, each body a speck
+    let at = |k: u32| DVec2::new(f64::from(k % 10) - 4.5, f64::from(k / 10) - 4.5);
+    let goals = (0..100).map(|k| throng::Goal::Point { at: at(k), tolerance: 0.1 }).collect();
+    let many = Setting { goals, ..setting() };
+    assert!(drawn(&many, &moment(0)));
+    let mut small = moment(0);
+    small.bodies.iter_mut().for_each(|body| body.radius = 0.1);
+    assert!(!drawn(&many, &small));
+}
+
+#[test]
+fn areas_in_holes_are_ground() {
+    let square = |half: f64| [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| DVec2::new(x, y) * half);
+    let area = |outer: f64, holes: &[f64]| throng::Walkable {
+        outer: square(outer).to_vec(),
+        holes: holes.iter().map(|&half| square(half).to_vec()).collect(),
+    };
+    let walkable = vec![area(1.0, &[]), area(4.0, &[3.0])];
+    let setting = Setting { walkable, obstacles: vec![], goals: vec![], ..setting() };
+    let frame = Frame::default();
+    let (painter, image) = paint(&setting, &style(), &frame);
+    let theme = Theme::light();
+    for (x, color) in [(0.0, theme.ground), (2.0, theme.obstacle), (3.5, theme.ground), (4.5, theme.outside)] {
+        assert_eq!(at(&painter, &image, DVec2::new(x, 0.0)), color, "at {x}");
+    }
+}

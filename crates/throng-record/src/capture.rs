@@ -36,10 +36,10 @@ impl Frame {
     /// Becomes the frame of `world` now; the memory for the bodies is used again.
     pub fn capture(&mut self, world: &World) {
         let (agents, origin) = (world.agents(), world.settings().origin);
-        let summary = world.summary();
+        let counts = world.counts();
         self.time = world.time();
-        self.arrived = summary.arrived;
-        self.total = summary.agents;
+        self.arrived = counts.arrived;
+        self.total = counts.agents;
         self.bodies.clear();
         self.bodies.extend((0..agents.len()).map(|row| Body {
             number: agents.number[row],

@@ -8,7 +8,8 @@ use throng::{Goal, Obstacle, Status, Walkable};
 pub struct Setting {
     /// Title of the scene.
     pub title: String,
-    /// Areas that can be walked on; empty: everywhere but on obstacles.
+    /// Areas that can be walked on, apart from each other (a world keeps the union of what it is given); empty:
+    /// everywhere but on obstacles.
     pub walkable: Vec<Walkable>,
     /// What is solid.
     pub obstacles: Vec<Obstacle>,

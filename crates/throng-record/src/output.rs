@@ -35,6 +35,15 @@ pub enum OutputError {
         /// The file.
         path: PathBuf,
     },
+    /// The file has reached the greatest size that is allowed.
+    #[error(
+        "cannot write {}: a file may not grow larger here; raise the limit (`ulimit -f`), or write to another disk",
+        path.display()
+    )]
+    TooLarge {
+        /// The file.
+        path: PathBuf,
+    },
     /// Anything else the system reports.
     #[error("cannot write {}: {source}", path.display())]
     Io {
@@ -53,6 +62,7 @@ impl OutputError {
             io::ErrorKind::NotFound => Self::FolderMissing { folder: folder_of(&path), path },
             io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => Self::Denied { path },
             io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => Self::Full { path },
+            io::ErrorKind::FileTooLarge => Self::TooLarge { path },
             io::ErrorKind::IsADirectory => Self::IsFolder { path },
             _ => Self::Io { path, source },
         }
@@ -65,6 +75,7 @@ impl OutputError {
             | Self::IsFolder { path }
             | Self::Denied { path }
             | Self::Full { path }
+            | Self::TooLarge { path }
             | Self::Io { path, .. } => path,
         }
     }

@@ -1,6 +1,6 @@
-//! Runs scenes of the gallery (all, or those named) and prints their figures.
+//! Runs scenes of the gallery (all, or those named) and prints their figures and what came of their `[expect]`.
 #![allow(clippy::print_stdout)]
-use throng_scene::gallery;
+use throng_scene::{Watch, gallery};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let wanted: Vec<String> = std::env::args().skip(1).collect();
@@ -10,19 +10,19 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
         let scene = gallery::scene(name)?;
         let (mut world, _) = scene.build()?;
-        let limit = scene.time.limit;
+        let mut watch = Watch::new(&scene.expect, &world);
         let start = std::time::Instant::now();
-        while !world.finished() && world.time() < limit {
+        while !scene.time.over(&world) {
             world.step();
+            watch.step(&world);
         }
         let wall = start.elapsed().as_secs_f64();
         let s = world.summary();
         println!(
-            "{name}: {}/{} in {:.1} s (limit {limit}, within {:?}), sep {:.5} walls {:.5} overlaps {} guard {:.2}% turn {:.1} time x{:.2} path x{:.2} stuck {} | {:.2} s wall, {:.0} ns",
+            "{name}: {}/{} in {:.2} s, sep {:.5} walls {:.5} overlaps {} guard {:.2}% turn {:.1} time x{:.2} path x{:.2} stuck {} | {:.2} s wall, {:.0} ns",
             s.arrived,
             s.agents,
             s.time,
-            scene.expect.within,
             s.least_separation,
             s.least_wall_separation,
             s.overlaps,
@@ -34,6 +34,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             wall,
             wall * 1e9 / s.agent_steps as f64
         );
+        for check in watch.verdict(&world).checks.iter().filter(|check| !check.passed) {
+            println!("   {check}");
+        }
         for (n, why) in world.stranded().iter().take(2) {
             println!("   stranded {n}: {why}");
         }

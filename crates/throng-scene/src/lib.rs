@@ -42,6 +42,7 @@
 //! | change one value, as the program's `--set` does | [`Scene::set`] |
 //! | make the world | [`Scene::build`] |
 //! | look at what would be built | [`Scene::plan`] |
+//! | check what the scene expects | [`Watch`], [`Verdict`] |
 //! | the scenes that come with the project | [`gallery`] |
 //! | a floor plan, a JuPedSim scenario | [`import`] |
 //! | the JSON schema of scene files | [`schema()`] |
@@ -54,12 +55,14 @@ mod geometry;
 pub mod import;
 mod random;
 mod scene;
+mod watch;
 
 pub use build::{Built, BuiltGroup, MAX_AGENTS, Plan, PlannedAgent, PlannedJourney};
 pub use error::{Error, Kind};
 pub use import::open;
 pub use random::{Purpose, Random};
 pub use scene::*;
+pub use watch::{Check, Figure, Verdict, Watch};
 
 /// The examples of the README, compiled and run as tests.
 #[cfg(doctest)]

@@ -101,3 +101,51 @@ fn the_origin_is_in_the_middle() {
     );
     assert_eq!(plan.settings.origin.to_array(), [-1800.0, 400.0]);
 }
+
+#[test]
+fn everybody_faces_the_way_they_will_go() {
+    let heading = |text: &str| {
+        let (world, _) = text.parse::<Scene>().unwrap().build().unwrap_or_else(|error| panic!("{error}"));
+        world.agents().heading[0].to_degrees()
+    };
+    let start = "[[group]]\nplace.point = [0, 0]\ngoal.point = [0, 5]\n";
+    assert_eq!(heading(start), 90.0);
+    // the first stop, where they wait, is where they stand
+    assert_eq!(heading(&format!("{start}wait = 3\n")), 90.0);
+    // a wall from the left that ends at (2, 2): round its end, not through it
+    let wall = "[[obstacle]]\nshape.wall = [[-20, 2], [2, 2]]\n";
+    for wait in ["", "wait = 3\n"] {
+        let found = heading(&format!("{start}{wait}{wall}"));
+        assert!((30.0..45.0).contains(&found), "{found}");
+    }
+    assert_eq!(heading(&format!("{start}heading = -10\n{wall}")), -10.0);
+    assert_eq!(heading("[[group]]\nplace.point = [0, 0]\n"), 0.0);
+}
+
+#[test]
+fn the_nearest_goal_is_the_nearest_on_foot() {
+    let chosen = |walls: &str, first: &str| {
+        let plan =
+            plan(&format!("[[group]]\nplace.point = [0, 0]\ngoal.nearest = [{first}, {{ point = [0, -6] }}]\n{walls}"));
+        plan.journeys[plan.agents[0].journey.unwrap()].stops[0].0
+    };
+    let wall = "[[obstacle]]\nshape.wall = [[-9, 2], [9, 2]]\n";
+    let cell = "[[obstacle]]\nshape.wall = [[-1, 2], [1, 2], [1, 4], [-1, 4], [-1, 2]]\n";
+    for first in ["{ point = [0, 3] }", "{ area.disc = { center = [0, 3], radius = 0.5 } }"] {
+        assert_eq!(chosen("", first), 0, "in the open");
+        assert_eq!(chosen(wall, first), 1, "round the wall it is farther");
+        assert_eq!(chosen(cell, first), 1, "there is no way in");
+    }
+}
+
+#[test]
+fn groups_share_a_goal_they_both_name() {
+    let one = |name: &str, x: f64| {
+        format!(
+            "[[group]]\nname = \"{name}\"\nplace.point = [{x}, 0]\n\
+             goal.exit.rectangle = {{ center = [9, 0], size = [1, 1] }}\n"
+        )
+    };
+    let plan = plan(&(one("a", 0.0) + &one("b", 2.0)));
+    assert_eq!((plan.goals.len(), plan.journeys.len()), (1, 1));
+}

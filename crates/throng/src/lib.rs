@@ -41,5 +41,5 @@ pub use agent::{Agent, AgentId, GoalId, Group, GroupId, JourneyId, ObstacleId, S
 pub use error::Error;
 pub use navigate::{Goal, Journey, Stop};
 pub use space::{Obstacle, Walkable};
-pub use summary::Summary;
+pub use summary::{Counts, Summary};
 pub use world::{Settings, SubSteps, World};

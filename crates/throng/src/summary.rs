@@ -3,6 +3,19 @@
 use crate::agent::Trip;
 use serde::{Deserialize, Serialize};
 
+/// How many agents there are, and how many have arrived.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Counts {
+    /// Agents in all: present, removed by exits, and still to enter.
+    pub agents: usize,
+    /// Agents that came to the end of their journeys, those removed by exits included.
+    pub arrived: usize,
+    /// Agents that exits removed.
+    pub removed: usize,
+    /// Agents that are there now.
+    pub present: usize,
+}
+
 /// How a run went, in figures.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {

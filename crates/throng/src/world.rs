@@ -11,7 +11,7 @@ use crate::guard::{Contacts, Guard};
 use crate::navigate::{Goal, Journey, Meshes, Unreachable};
 use crate::perceive::{Grid, Near};
 use crate::space::{Place, Walls};
-use crate::summary::{Ended, Summary, Tally};
+use crate::summary::{Counts, Ended, Summary, Tally};
 use glam::{DVec2, Vec2};
 use schedule::Schedule;
 use serde::{Deserialize, Serialize};
@@ -223,6 +223,18 @@ impl World {
         }
         pairs.sort_by_key(|&(a, b, _)| (a, b));
         pairs
+    }
+
+    /// How many there are and how many have arrived: cheap, for every frame of a recording.
+    pub fn counts(&self) -> Counts {
+        let (present, removed) = (self.agents.len(), self.tally.removed.len());
+        Counts {
+            agents: present + self.schedule.len() + removed,
+            // whoever an exit removed had arrived at it
+            arrived: removed + self.agents.trip.iter().filter(|trip| trip.arrived.is_some()).count(),
+            removed,
+            present,
+        }
     }
 
     /// How the run went so far.

@@ -1,6 +1,8 @@
 //! Tests of the program `throng`, as a user runs it.
 
 mod commands;
+#[cfg(target_os = "linux")]
+mod errors;
 #[cfg(unix)]
 mod interrupt;
 mod mistakes;

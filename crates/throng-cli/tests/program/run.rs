@@ -121,7 +121,7 @@ fn a_seed_changes_what_is_random_and_nothing_else_does() {
 fn an_expectation_that_fails_gives_exit_code_1() {
     let folder = folder();
     let failed = call(folder.path(), "run headon --no-files --set expect.within=1").code(1);
-    assert!(stdout(&failed).contains("within FAILED: expected 1.0, found 7.8"), "{}", stdout(&failed));
+    assert!(stdout(&failed).contains("within FAILED: expected 1, found 7.8"), "{}", stdout(&failed));
     call(folder.path(), "run headon --no-files --set expect.within=1 --no-expect").success();
     let report = call(folder.path(), "run headon --no-files --json --set expect.within=1").code(1);
     let report: Value = serde_json::from_str(&stdout(&report)).unwrap();
@@ -135,13 +135,18 @@ fn an_expectation_that_fails_gives_exit_code_1() {
 #[test]
 fn every_kind_of_expectation_is_measured() {
     let folder = folder();
-    let expect = "[expect]\narrived = 1\nwithin = 9\nleast_separation = 0.0\nheading_change = 90.0\nmean_speed = 1.0\n\
+    let expect = "[expect]\narrived = 1\nwithin = 9\nleast_separation = 1.0\nleast_wall_separation = 1.0\n\
+                  heading_change = 90.0\nmean_speed = 1.0\n\
                   flow = [{ from = [2.0, -1.0], to = [2.0, 1.0], at_most = 1.0 }]\n";
     std::fs::write(folder.path().join("walk.toml"), format!("{WALK}{expect}")).unwrap();
     let report = json(folder.path(), "run walk.toml --no-files");
     let checks = report["expect"]["checks"].as_array().unwrap();
     let names: Vec<&str> = checks.iter().map(|check| check["name"].as_str().unwrap()).collect();
-    assert_eq!(names, ["arrived", "within", "least_separation", "heading_change", "mean_speed", "flow.0.at_most"]);
+    let separations = ["least_separation", "least_wall_separation"];
+    let all = [&["arrived", "within"][..], &separations, &["heading_change", "mean_speed", "flow.0.at_most"]].concat();
+    assert_eq!(names, all);
+    // a single person in the open comes near nobody
+    assert!(checks[2]["found"].is_null() && checks[2]["passed"] == true, "{}", checks[2]);
     call(folder.path(), "run walk.toml --no-files --set expect.mean_speed=1.4").code(1);
     call(folder.path(), "run walk.toml --no-files --set expect.arrived=2").code(1);
 }
@@ -176,4 +181,29 @@ fn a_goal_out_of_reach_is_told() {
     assert!(stdout(&report).contains("agent 0 cannot reach its goal: there is no way"), "{}", stdout(&report));
     let checked = call(folder.path(), "check walk.toml").success();
     assert!(stdout(&checked).contains("agent 0 of a cannot reach its goal: there is no way"), "{}", stdout(&checked));
+}
+
+/// Width and height of a PNG file.
+fn size(path: &Path) -> (u32, u32) {
+    let bytes = std::fs::read(path).unwrap();
+    let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
+    (number(16), number(20))
+}
+
+#[test]
+fn the_scene_says_how_it_is_seen_and_options_come_first() {
+    let folder = folder();
+    let path = folder.path();
+    let view = "view = { size = [320, 200], fps = 10 }\n";
+    let scene = format!("{view}{}colour = \"#00ff00\"\n", WALK.replace("[5.0", "[1.0"));
+    std::fs::write(path.join("walk.toml"), scene).unwrap();
+    let run = |options: &str| call(path, &format!("run walk.toml -q --duration 1 {options}")).success();
+    run("-o a.png -o a.svg -o a/");
+    assert_eq!((size(&path.join("a.png")), names(&path.join("a")).len()), ((320, 200), 11));
+    assert!(std::fs::read_to_string(path.join("a.svg")).unwrap().contains("#00ff00"));
+    run("-o b.png -o b/ --size 160x120 --fps 5");
+    assert_eq!((size(&path.join("b.png")), names(&path.join("b")).len()), ((160, 120), 6));
+    // the labs' video
+    call(path, "show circle").success();
+    assert_eq!(size(&path.join("circle.png")), (640, 480));
 }

@@ -270,13 +270,18 @@ fn check_view(view: &View) -> Checked {
     {
         return Err(Problem::new(&path.key("max"), Kind::OutOfRange, "view.max must lie above and right of view.min"));
     }
+    for (i, pixels) in view.size.iter().flatten().enumerate() {
+        check(&path.key("size").index(i), f64::from(*pixels), Limit::Between(16.0, 16384.0))?;
+    }
+    check_some(&path.key("fps"), view.fps, Limit::Between(0.001, 1000.0))?;
     check_some(&path.key("trails"), view.trails, Limit::NotNegative)
 }
 
 fn check_expect(expect: &Expect) -> Checked {
     let path = Path::of("expect");
     check_some(&path.key("within"), expect.within, Limit::Positive)?;
-    check_some(&path.key("least_separation"), expect.least_separation, Limit::Finite)?;
+    check_some(&path.key("least_separation"), expect.least_separation, Limit::NotNegative)?;
+    check_some(&path.key("least_wall_separation"), expect.least_wall_separation, Limit::NotNegative)?;
     check_some(&path.key("heading_change"), expect.heading_change, Limit::Positive)?;
     check_some(&path.key("mean_speed"), expect.mean_speed, Limit::NotNegative)?;
     for (i, flow) in expect.flow.iter().enumerate() {

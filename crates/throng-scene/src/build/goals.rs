@@ -4,10 +4,11 @@ use super::ground::{has_room, obstacle_name, short, show};
 use super::plan::PlannedJourney;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
-use crate::geometry::{DVec2, Solid, Touch, contains, distance_to_segment, outline_of_region};
+use crate::geometry::{DVec2, Solid, Touch, bounds, contains, distance_to_segment, outline_of_region};
 use crate::random::{Purpose, Random};
 use crate::scene::{Goal, Number, Region, Scene, Stop};
 use std::collections::HashMap;
+use throng::navigate::{Area, NavMesh, Search};
 
 /// A goal of a scene, made ready for its group: what is shared is a goal of the plan already.
 enum Target {
@@ -36,8 +37,11 @@ enum Rule {
 pub(super) struct Goals<'a> {
     pub scene: &'a Scene,
     pub solid: &'a Solid,
+    pub place: Place<'a>,
     pub goals: Vec<throng::Goal>,
     pub journeys: Vec<PlannedJourney>,
+    /// Goals that are not one agent's own.
+    shared: Vec<usize>,
     known: HashMap<(Vec<(usize, u32)>, bool), usize>,
 }
 
@@ -50,9 +54,12 @@ struct Walker {
     wait: Random,
 }
 
+/// Ground and obstacles, as the world takes them.
+pub(super) type Place<'a> = (&'a [throng::Walkable], &'a [throng::Obstacle]);
+
 impl<'a> Goals<'a> {
-    pub fn new(scene: &'a Scene, solid: &'a Solid) -> Self {
-        Self { scene, solid, goals: vec![], journeys: vec![], known: HashMap::new() }
+    pub fn new(scene: &'a Scene, solid: &'a Solid, place: Place<'a>) -> Self {
+        Self { scene, solid, place, goals: vec![], journeys: vec![], shared: vec![], known: HashMap::new() }
     }
 
     /// The journeys of a group's agents (`None`: stay). `middle` is that of the group's place.
@@ -68,6 +75,7 @@ impl<'a> Goals<'a> {
         let path = Path::of("group").index(i).key("goal");
         let largest = radii.iter().fold(0.0_f64, |most, r| most.max(*r));
         let target = self.prepare(goal, &path, largest, middle, starts.len())?;
+        let mut ways = target.chooses_nearest().then(|| Ways::new(self.place, largest, starts, &self.goals)).flatten();
         let mut out = Vec::with_capacity(starts.len());
         for (k, (start, radius)) in starts.iter().zip(radii).enumerate() {
             let random = |purpose| Random::new(self.scene.seed, i as u64, k as u64, purpose);
@@ -84,7 +92,7 @@ impl<'a> Goals<'a> {
                 let tolerance = (*radius).max(0.1) as f32;
                 stops.push((self.add(throng::Goal::Point { at: *start, tolerance }), first as f32));
             }
-            let repeat = self.resolve(&target, &mut walker, 0.0, &mut stops)?;
+            let repeat = self.resolve(&target, &mut walker, &mut ways, 0.0, &mut stops)?;
             out.push(Some(self.journey(stops, repeat)));
         }
         Ok(out)
@@ -93,6 +101,16 @@ impl<'a> Goals<'a> {
     fn add(&mut self, goal: throng::Goal) -> usize {
         self.goals.push(goal);
         self.goals.len() - 1
+    }
+
+    /// Adds a goal of many agents, once.
+    fn add_shared(&mut self, goal: throng::Goal) -> Target {
+        let known = self.shared.iter().copied().find(|&known| self.goals[known] == goal);
+        Target::Shared(known.unwrap_or_else(|| {
+            let added = self.add(goal);
+            self.shared.push(added);
+            added
+        }))
     }
 
     fn journey(&mut self, stops: Vec<(usize, f32)>, repeat: bool) -> usize {
@@ -109,15 +127,15 @@ impl<'a> Goals<'a> {
             Goal::Point(point) => {
                 let at = DVec2::from_array(point.at);
                 self.check_point(&path.key("point"), at, point.tolerance, radius, "the goal")?;
-                Target::Shared(self.add(throng::Goal::Point { at, tolerance: point.tolerance as f32 }))
+                self.add_shared(throng::Goal::Point { at, tolerance: point.tolerance as f32 })
             }
             Goal::Area(region) => {
                 let corners = self.check_region(&path.key("area"), region, radius, "the goal's area")?;
-                Target::Shared(self.add(throng::Goal::Area { corners }))
+                self.add_shared(throng::Goal::Area { corners })
             }
             Goal::Exit(region) => {
                 let corners = self.check_region(&path.key("exit"), region, radius, "the exit")?;
-                Target::Shared(self.add(throng::Goal::Exit { corners }))
+                self.add_shared(throng::Goal::Exit { corners })
             }
             Goal::Points(points) => {
                 if points.at.len() != n {
@@ -183,6 +201,7 @@ impl<'a> Goals<'a> {
         &mut self,
         target: &Target,
         walker: &mut Walker,
+        ways: &mut Option<Ways>,
         wait: f32,
         stops: &mut Vec<(usize, f32)>,
     ) -> Result<bool, Problem> {
@@ -197,47 +216,64 @@ impl<'a> Goals<'a> {
             Target::Stops(list, repeat) => {
                 for (target, wait) in list {
                     let wait = wait.map_or(0.0, |wait| walker.wait.draw(&wait)) as f32;
-                    self.resolve(target, walker, wait, stops)?;
+                    self.resolve(target, walker, ways, wait, stops)?;
                 }
                 return Ok(*repeat);
             }
             Target::Nearest(targets) => {
-                let distance = |target: &&Target| self.distance(target, walker);
-                let nearest = targets.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+                // where nobody can walk to any, the crow decides
+                let mut least = (f64::INFINITY, f64::INFINITY);
+                let mut nearest = targets.first();
+                for target in targets {
+                    let straight = self.distance(target, walker, &mut None);
+                    let far = (self.distance(target, walker, ways), straight);
+                    if far < least {
+                        (least, nearest) = (far, Some(target));
+                    }
+                }
                 if let Some(target) = nearest {
-                    return self.resolve(target, walker, wait, stops);
+                    return self.resolve(target, walker, ways, wait, stops);
                 }
             }
             Target::Choice(targets) => {
                 let drawn = walker.choice.unit() * targets.last().map_or(0.0, |(_, sum)| *sum);
                 if let Some((target, _)) = targets.iter().find(|(_, sum)| drawn < *sum).or(targets.last()) {
-                    return self.resolve(target, walker, wait, stops);
+                    return self.resolve(target, walker, ways, wait, stops);
                 }
             }
         }
         Ok(false)
     }
 
-    /// From an agent's start to a target, as the crow flies.
-    fn distance(&self, target: &Target, walker: &Walker) -> f64 {
+    /// From an agent's start to a target: along `ways` round walls, or as the crow flies.
+    fn distance(&self, target: &Target, walker: &Walker, ways: &mut Option<Ways>) -> f64 {
         match target {
-            Target::Shared(goal) => match &self.goals[*goal] {
-                throng::Goal::Point { at, .. } => at.distance(walker.start),
-                throng::Goal::Area { corners } | throng::Goal::Exit { corners } => {
+            Target::Shared(goal) => match (&self.goals[*goal], ways) {
+                (throng::Goal::Point { at, .. }, Some(ways)) => ways.length_to_point(walker.start, *at),
+                (throng::Goal::Point { at, .. }, None) => at.distance(walker.start),
+                (throng::Goal::Area { corners } | throng::Goal::Exit { corners }, ways) => {
                     if contains(corners, walker.start) {
                         return 0.0;
+                    }
+                    if let Some(ways) = ways {
+                        return ways.length_to_area(walker.start, *goal, corners);
                     }
                     let ends = corners.iter().zip(corners.iter().cycle().skip(1));
                     ends.fold(f64::INFINITY, |least, (a, b)| least.min(distance_to_segment(walker.start, *a, *b)))
                 }
             },
-            Target::Point(each) => each.at(walker).distance(walker.start),
-            Target::Stops(list, _) => list.first().map_or(f64::INFINITY, |(first, _)| self.distance(first, walker)),
+            Target::Point(each) => match ways {
+                Some(ways) => ways.length_to_point(walker.start, each.at(walker)),
+                None => each.at(walker).distance(walker.start),
+            },
+            Target::Stops(list, _) => {
+                list.first().map_or(f64::INFINITY, |(first, _)| self.distance(first, walker, ways))
+            }
             Target::Nearest(targets) => {
-                targets.iter().map(|target| self.distance(target, walker)).fold(f64::INFINITY, f64::min)
+                targets.iter().map(|target| self.distance(target, walker, ways)).fold(f64::INFINITY, f64::min)
             }
             Target::Choice(targets) => {
-                targets.iter().map(|(target, _)| self.distance(target, walker)).fold(f64::INFINITY, f64::min)
+                targets.iter().map(|(target, _)| self.distance(target, walker, ways)).fold(f64::INFINITY, f64::min)
             }
         }
     }
@@ -290,6 +326,50 @@ impl<'a> Goals<'a> {
             problem(format!("{what} lies in a wall or off the walkable ground"))
                 .hint("move it, or make it reach onto the ground")
         })
+    }
+}
+
+impl Target {
+    /// Whether agents choose the nearest of several goals somewhere in it.
+    fn chooses_nearest(&self) -> bool {
+        match self {
+            Self::Shared(_) | Self::Point(_) => false,
+            Self::Stops(list, _) => list.iter().any(|(target, _)| target.chooses_nearest()),
+            Self::Nearest(_) => true,
+            Self::Choice(list) => list.iter().any(|(target, _)| target.chooses_nearest()),
+        }
+    }
+}
+
+/// The ways of bodies of one size.
+struct Ways {
+    mesh: NavMesh,
+    search: Search,
+    /// The areas of goals on the mesh, by their position.
+    areas: HashMap<usize, Option<Area>>,
+}
+
+impl Ways {
+    /// None where nothing is in the way, or no ground is left to walk on.
+    fn new((walkable, obstacles): Place, radius: f64, starts: &[DVec2], goals: &[throng::Goal]) -> Option<Self> {
+        if walkable.is_empty() && obstacles.is_empty() {
+            return None;
+        }
+        let [low, high] = bounds(starts.iter().copied().chain(goals.iter().map(throng::Goal::middle)))?;
+        // as the world has it: a millimetre wider than the body
+        let mesh = NavMesh::build(walkable, obstacles, radius + 0.001, (low, high)).ok()?;
+        Some(Self { mesh, search: Search::new(), areas: HashMap::new() })
+    }
+
+    fn length_to_point(&mut self, from: DVec2, to: DVec2) -> f64 {
+        self.mesh.path(&mut self.search, from, to).map_or(f64::INFINITY, |path| path.length)
+    }
+
+    fn length_to_area(&mut self, from: DVec2, goal: usize, corners: &[DVec2]) -> f64 {
+        let Self { mesh, search, areas } = self;
+        let area = areas.entry(goal).or_insert_with(|| mesh.area(corners).ok());
+        let path = area.as_ref().and_then(|area| mesh.path_to(search, from, area).ok());
+        path.map_or(f64::INFINITY, |path| path.length)
     }
 }
 

@@ -96,7 +96,7 @@ impl Scene {
         let ground = Ground { scene: self, solid: &solid, areas: &walkable, radii: &radii, enters: &enters };
         let starts = ground.place()?;
 
-        let mut goals = Goals::new(self, &solid);
+        let mut goals = Goals::new(self, &solid, (&walkable, &obstacles));
         let mut agents = Vec::with_capacity(radii.iter().map(Vec::len).sum());
         for (i, count) in counts.iter().enumerate() {
             let middle = middle(&self.groups[i].place, &starts[i]);

@@ -61,16 +61,23 @@ impl Scene {
             world.add_journey(Journey { stops: stops.collect(), repeat: journey.repeat })
         })?;
         let built = self.built(&plan, &groups, &goals);
+        let mut unturned = vec![];
         for planned in plan.agents {
             let mut agent = planned.agent;
             agent.group = groups[planned.group];
             agent.journey = planned.journey.map_or(JourneyId::STAY, |journey| journeys[journey]);
+            let given = agent.heading.is_some();
             let added = match planned.enters {
                 Some(time) => world.schedule_agent(time, agent),
-                None => world.add_agent(agent).map(|_| ()),
+                None => world.add_agent(agent).map(|id| {
+                    if !given {
+                        unturned.push(id)
+                    }
+                }),
             };
             added.map_err(|error| self.refused("group", Some(planned.group), &error))?;
         }
+        world.face_ways(&unturned);
         Ok((world, built))
     }
 

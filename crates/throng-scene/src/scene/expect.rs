@@ -16,10 +16,14 @@ pub struct Expect {
     /// By when, seconds. Without it, by the scene's end. Limit: > 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub within: Option<f64>,
-    /// The least distance between two bodies at any time, metres; below 0 they overlap.
+    /// The least distance between two centres at any time, over the sum of the radii: 1 is touching, below it they
+    /// overlap. Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub least_separation: Option<f64>,
-    /// No agent turns its heading faster than this, degrees a second. Limit: > 0.
+    /// The least distance between a centre and a wall at any time, over the radius: 1 is touching. Limit: >= 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub least_wall_separation: Option<f64>,
+    /// How much headings turn on the way, the mean over agents, degrees a second: at most this. Limit: > 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heading_change: Option<f64>,
     /// The mean speed of those on their way, over the whole scene, is at least this, m/s. Limit: >= 0.

@@ -30,7 +30,7 @@ pub enum Goal {
     Journey(Vec<Stop>),
     /// One goal after the other, for ever.
     Cycle(Vec<Stop>),
-    /// For each the goal that is nearest to its start, as the crow flies.
+    /// For each the goal that is nearest to its start, on foot.
     Nearest(Vec<Goal>),
     /// For each one of these, drawn by weight.
     Choice(Vec<Weighted>),

@@ -25,6 +25,19 @@ impl Default for Time {
     }
 }
 
+impl Time {
+    /// Whether the scene is over: at its limit, or when [`until`](Self::until) says. A scene that ends when nobody is
+    /// left also ends when all who are left have arrived or cannot: nothing would ever change.
+    pub fn over(&self, world: &throng::World) -> bool {
+        let done = match self.until {
+            Until::Arrived | Until::Empty => world.finished(),
+            Until::Limit => false,
+        };
+        // the step nearest to the limit is the last
+        done || world.time() + self.step * 0.5 >= self.limit
+    }
+}
+
 /// When a scene ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

@@ -15,6 +15,12 @@ pub struct View {
     /// Upper right corner of what the camera sees.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<Point>,
+    /// Width and height of the picture, pixels. Limit: 16 to 16384 each.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub size: Option<[u32; 2]>,
+    /// Pictures a second of video. Limit: 0.001 to 1000.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fps: Option<f64>,
     /// Colour of what cannot be walked on.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub background: Option<Colour>,

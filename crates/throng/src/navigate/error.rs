@@ -108,7 +108,7 @@ pub enum NavError {
 #[non_exhaustive]
 pub enum Unreachable {
     /// The start is not on the mesh, nor near enough to be set on it.
-    #[error("the start ({:.3}, {:.3}) is inside a wall, {distance:.3} m from where one can stand", at.x, at.y)]
+    #[error("the start ({:.3}, {:.3}) is inside a wall, {} from where one can stand", at.x, at.y, away(*distance))]
     StartInWall {
         /// The start.
         at: DVec2,
@@ -116,7 +116,7 @@ pub enum Unreachable {
         distance: f64,
     },
     /// The goal is not on the mesh, nor within a radius of it.
-    #[error("the goal ({:.3}, {:.3}) is inside a wall, {distance:.3} m from where one can stand", at.x, at.y)]
+    #[error("the goal ({:.3}, {:.3}) is inside a wall, {} from where one can stand", at.x, at.y, away(*distance))]
     GoalInWall {
         /// The goal, or a corner of the goal area.
         at: DVec2,
@@ -124,7 +124,7 @@ pub enum Unreachable {
         distance: f64,
     },
     /// Start and goal lie on different islands of the mesh.
-    #[error("there is no way: the start is on island {from} of the ground, the goal on island {to}")]
+    #[error("there is no way: walls, or gaps narrower than the body, close off the goal")]
     NoWay {
         /// Island of the start.
         from: u32,
@@ -134,4 +134,9 @@ pub enum Unreachable {
     /// A coordinate is infinite or not a number.
     #[error("a coordinate of the start or the goal is not finite")]
     NotFinite,
+}
+
+/// A distance in messages; infinite is farther than looked.
+fn away(distance: f64) -> String {
+    if distance.is_finite() { format!("{distance:.3} m") } else { "more than a body's radius".into() }
 }

@@ -3,7 +3,7 @@
 use super::{Settings, Slots, StepMemory, SubSteps, World};
 use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, Status};
 use crate::navigate::{Goal, Journey, Meshes, union};
-use crate::space::{Obstacle, Place, Walkable, Walls, check_polygon};
+use crate::space::{Obstacle, Place, Walkable, Walls, check_polygon, is_inside};
 use crate::summary::Tally;
 use crate::{Error, world::schedule::Schedule};
 use glam::DVec2;
@@ -206,9 +206,11 @@ impl World {
         let row = self.agents.len() as u32;
         self.slots.rows[slot as usize].1 = Some(row);
         let heading = agent.heading.map(within_a_turn).unwrap_or_else(|| {
-            let first = self.journeys[agent.journey.index()].stops.first();
-            let towards = first.map(|stop| self.goals[stop.goal.index()].middle() - agent.position);
-            towards.map_or(0.0, |towards| libm::atan2f(towards.y as f32, towards.x as f32))
+            let towards = self.first_leg(agent.journey, agent.position).and_then(|leg| {
+                let stop = self.journeys[agent.journey.index()].stops[leg as usize];
+                direction(self.goals[stop.goal.index()].middle() - agent.position)
+            });
+            towards.unwrap_or(0.0)
         });
         self.agents.push(agent, self.settings.origin, slot, number, heading, now);
         let status = self.first_status(agent.journey);
@@ -217,6 +219,16 @@ impl World {
             self.agents.trip[row as usize].arrived = Some(now);
         }
         AgentId { slot, generation: self.slots.rows[slot as usize].0 }
+    }
+
+    /// The first leg of a journey that leads away from `at`: a stop to wait at where one stands does not.
+    pub(super) fn first_leg(&self, journey: JourneyId, at: DVec2) -> Option<u32> {
+        let stops = &self.journeys[journey.index()].stops;
+        let leads_away = |goal: &Goal| match goal {
+            Goal::Point { at: goal, tolerance } => goal.distance(at) > f64::from(*tolerance),
+            Goal::Area { corners } | Goal::Exit { corners } => !is_inside(corners, at),
+        };
+        stops.iter().position(|stop| leads_away(&self.goals[stop.goal.index()])).map(|leg| leg as u32)
     }
 
     fn check(&self, agent: &Agent) -> Result<(), Error> {
@@ -286,6 +298,11 @@ impl World {
         }
         self.stranded.clear();
     }
+}
+
+/// The heading along a vector; none for one that has no length.
+pub(super) fn direction(along: DVec2) -> Option<f32> {
+    (along != DVec2::ZERO).then(|| libm::atan2f(along.y as f32, along.x as f32))
 }
 
 fn known(what: &'static str, index: usize, count: usize) -> Result<(), Error> {

@@ -1,7 +1,8 @@
 //! Planning ways: for those who have none, and for those whose way no longer holds. Everybody else keeps theirs.
 
 use super::World;
-use crate::agent::Status;
+use super::build::direction;
+use crate::agent::{AgentId, Status};
 use crate::navigate::{Goal, Heading, Meshes, Route, Search, Travel, Unreachable};
 use crate::parallel;
 use glam::DVec2;
@@ -44,6 +45,26 @@ impl World {
             self.stranded.sort_by_key(|&(number, _)| number);
         }
         self.agents.travel = travels;
+    }
+
+    /// Turns agents to where their ways begin: round walls to the first corner, else straight to the goal. Those who
+    /// are gone, have nowhere to go, or cannot get there, keep their headings. Meant for the start: agents that were
+    /// added without a heading face their goals, even through walls.
+    pub fn face_ways(&mut self, agents: &[AgentId]) {
+        let leg = |row: usize| self.first_leg(self.agents.journey[row], self.world_position(row));
+        let rows = agents.iter().filter_map(|&id| self.row(id));
+        let mut ways: Vec<Planned> =
+            rows.filter_map(|row| Some(Planned { row, leg: leg(row)?, outcome: None })).collect();
+        self.prepare_meshes(&ways);
+        let world = &*self;
+        parallel::rows(&mut ways, 1, Search::default, |search, _, way| world.plan_one(search, &mut way[0]));
+        for way in ways {
+            let Some(Ok((route, ..))) = way.outcome else { continue };
+            let at = self.world_position(way.row);
+            if let Some(heading) = route.corners().find_map(|corner| direction(corner - at)) {
+                self.agents.heading[way.row] = heading;
+            }
+        }
     }
 
     /// Lets an agent look where it is on its way; a way that no longer holds is given up.

@@ -2,6 +2,7 @@
 
 use super::super::Imported;
 use super::distribution::{Distribution, number_of};
+use super::notes::Notes;
 use crate::build::has_room;
 use crate::error::{Error, Kind};
 use crate::geometry::{DVec2, Solid, grown, points};
@@ -12,11 +13,11 @@ use crate::scene::{
 use serde_json::{Map, Value};
 
 pub(super) fn convert(config: &Value, mut areas: Vec<Area>) -> Result<Imported, Error> {
-    let mut notes = vec![];
+    let mut notes = Notes::default();
     let settings = &config["config"]["simulation_settings"];
     let parameters = &settings["simulationParams"];
     let model = parameters["model_type"].as_str().or(config["model_type"].as_str()).unwrap_or("unnamed");
-    notes.push(format!("the model {model} and its parameters are left out: agents avoid each other by ORCA"));
+    notes.whole(format!("the model {model} and its parameters are left out: agents avoid each other by ORCA"));
 
     let mut distributions = vec![];
     for (id, value) in table(&config["distributions"]) {
@@ -34,7 +35,7 @@ pub(super) fn convert(config: &Value, mut areas: Vec<Area>) -> Result<Imported, 
     for (distribution, corners) in distributions {
         let goal = routes.goal(config, &distribution.id, &mut notes);
         if distribution.count == 0 {
-            notes.push(format!("distribution {} has no agents and is left out", distribution.id));
+            notes.about(&distribution.id, "nobody in this distribution: left out");
             continue;
         }
         groups.push(Group {
@@ -67,30 +68,30 @@ pub(super) fn convert(config: &Value, mut areas: Vec<Area>) -> Result<Imported, 
         },
         ..Scene::default()
     };
-    Ok(Imported { scene, notes })
+    Ok(Imported { scene, notes: notes.lines() })
 }
 
 /// What a scene cannot say.
-fn left_out(config: &Value, notes: &mut Vec<String>) {
+fn left_out(config: &Value, notes: &mut Notes) {
     for (id, zone) in table(&config["zones"]) {
         let factor = zone["speed_factor"].as_f64().unwrap_or(1.0);
         if factor != 1.0 {
-            notes.push(format!("zone {id} changes the speed by a factor of {factor}: left out"));
+            notes.about(id, format!("zone with {factor} times the speed: left out"));
         }
     }
     for kind in ["exits", "checkpoints"] {
         for (id, value) in table(&config[kind]) {
             if value["enable_throughput_throttling"].as_bool() == Some(true) {
-                notes.push(format!("{id} lets only {} people a second pass: left out", value["max_throughput"]));
+                notes.about(id, format!("at most {} people a second may pass: left out", value["max_throughput"]));
             }
             let factor = value["speed_factor"].as_f64().unwrap_or(1.0);
             if factor != 1.0 {
-                notes.push(format!("{id} changes the speed by a factor of {factor}: left out"));
+                notes.about(id, format!("{factor} times the speed there: left out"));
             }
         }
     }
     if config["transitions"].as_array().is_some_and(|list| !list.is_empty()) {
-        notes.push("`transitions` are left out: journeys follow their lists of stages".into());
+        notes.whole("`transitions` are left out: journeys follow their lists of stages");
     }
 }
 
@@ -103,14 +104,14 @@ struct Routes {
 }
 
 impl Routes {
-    fn read(config: &Value, solid: &Solid, radius: f64, notes: &mut Vec<String>) -> Result<Self, Error> {
+    fn read(config: &Value, solid: &Solid, radius: f64, notes: &mut Notes) -> Result<Self, Error> {
         let mut roomy = |id: &str, value: &Value| -> Result<Region, Error> {
             let corners = points(&corners_of(id, value)?);
             let enough = has_room(solid, &corners, radius);
             let larger = if enough { corners.clone() } else { grown(&corners, radius * 1.1) };
             if !enough {
-                let how = if has_room(solid, &larger, radius) { "it is made larger" } else { "nobody can enter it" };
-                notes.push(format!("{id} leaves no room for the centre of a body of radius {radius}: {how}"));
+                let how = if has_room(solid, &larger, radius) { "made larger" } else { "nobody can enter" };
+                notes.about(id, format!("no room for the centre of a body of radius {radius}: {how}"));
             }
             Ok(Region::Polygon(larger.iter().map(DVec2::to_array).collect()))
         };
@@ -145,13 +146,13 @@ impl Routes {
     }
 
     /// Where the people of a distribution go.
-    fn goal(&mut self, config: &Value, distribution: &str, notes: &mut Vec<String>) -> Option<Goal> {
+    fn goal(&mut self, config: &Value, distribution: &str, notes: &mut Notes) -> Option<Goal> {
         let weights = config["distributions"][distribution]["journey_weights"].as_array();
         let weighted = weights.into_iter().flatten().filter_map(|entry| {
             let id = entry["journey_id"].as_str()?;
             let stages = self.journeys.iter().find(|(known, _)| known == id).map(|(_, stages)| stages);
             if stages.is_none() {
-                notes.push(format!("{distribution} names the journey {id}, which there is not"));
+                notes.about(distribution, format!("there is no journey {id}: left out"));
             }
             Some((stages?.clone(), entry["weight"].as_f64().unwrap_or(1.0)))
         });
@@ -172,21 +173,21 @@ impl Routes {
     }
 
     /// Without a journey people leave by the nearest exit.
-    fn nearest(&self, distribution: &str, notes: &mut Vec<String>) -> Option<Goal> {
+    fn nearest(&self, distribution: &str, notes: &mut Notes) -> Option<Goal> {
         match self.exits.len() {
             0 => {
-                notes.push(format!("{distribution} has nowhere to go: its people stay"));
+                notes.about(distribution, "nowhere to go: people stay");
                 None
             }
             1 => Some(self.exits[0].1.clone()),
             _ => {
-                notes.push(format!("{distribution} has no journey: everybody leaves by the exit nearest by air"));
+                notes.about(distribution, "no journey: everybody leaves by the nearest exit");
                 Some(Goal::Nearest(self.exits.iter().map(|(_, goal)| goal.clone()).collect()))
             }
         }
     }
 
-    fn sequence(&self, stages: &[String], notes: &mut Vec<String>) -> Option<Goal> {
+    fn sequence(&self, stages: &[String], notes: &mut Notes) -> Option<Goal> {
         let mut stops: Vec<Stop> = vec![];
         for id in stages {
             if let Some((_, goal)) = self.exits.iter().find(|(known, _)| known == id) {
@@ -194,7 +195,7 @@ impl Routes {
             } else if let Some((_, goal, wait)) = self.checkpoints.iter().find(|(known, ..)| known == id) {
                 stops.push(Stop { goal: goal.clone(), wait: *wait });
             } else {
-                notes.push(format!("the stage {id} is neither an exit nor a checkpoint: left out"));
+                notes.about(id, "stage that is neither an exit nor a checkpoint: left out");
             }
         }
         match stops.len() {

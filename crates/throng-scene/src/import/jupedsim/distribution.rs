@@ -1,6 +1,7 @@
 //! Distributions: where how many people start, with what bodies and speeds.
 
 use super::convert::corners_or_none;
+use super::notes::Notes;
 use crate::geometry::{points, signed_area};
 use crate::scene::{Normal, Number, Source};
 use serde_json::Value;
@@ -18,7 +19,7 @@ pub(super) struct Distribution {
 }
 
 impl Distribution {
-    pub fn read(id: &str, value: &Value, notes: &mut Vec<String>) -> Self {
+    pub fn read(id: &str, value: &Value, notes: &mut Notes) -> Self {
         let parameters = &value["parameters"];
         let radius = number_of(parameters, "radius", 0.2, 0.05, id, notes);
         let speed = number_of(parameters, "v0", 1.3, 0.0, id, notes);
@@ -29,7 +30,7 @@ impl Distribution {
             let area = corners_or_none(value).map_or(0.0, |corners| signed_area(&points(&corners)).abs());
             let mean = (radius.bounds()[0] + radius.bounds()[1]) * 0.5;
             count = (share * RANDOM_COVER * area / (std::f64::consts::PI * mean * mean)).floor() as u64;
-            notes.push(format!("{id} is filled to {} percent: taken as {count} people", share * 100.0));
+            notes.about(id, format!("filled to {} percent: taken as {count} people", share * 100.0));
         }
         let flowing = parameters["use_flow_spawning"].as_bool() == Some(true);
         let source = flowing.then(|| Source {
@@ -43,41 +44,32 @@ impl Distribution {
 }
 
 /// The time people stand before they set off.
-fn premovement(id: &str, parameters: &Value, notes: &mut Vec<String>) -> Option<Number> {
+fn premovement(id: &str, parameters: &Value, notes: &mut Notes) -> Option<Number> {
     if parameters["use_premovement"].as_bool() != Some(true) {
         return None;
     }
     let kind = parameters["premovement_distribution"].as_str().unwrap_or_default();
     let (Some(a), Some(b)) = (parameters["premovement_param_a"].as_f64(), parameters["premovement_param_b"].as_f64())
     else {
-        notes.push(format!("{id} has premovement times without parameters: left out"));
+        notes.about(id, "premovement times without parameters: left out");
         return None;
     };
     match kind {
         "uniform" => Some(Number::Uniform([a.min(b).max(0.0), a.max(b).max(0.0)])),
         "normal" | "gaussian" => Some(normal(a, b, 0.0)),
         "gamma" => {
-            notes.push(format!(
-                "{id} has gamma premovement times: a normal distribution of the same mean and deviation"
-            ));
+            notes.about(id, "gamma premovement times: a normal distribution of the same mean and deviation");
             Some(normal(a * b, a.max(0.0).sqrt() * b, 0.0))
         }
         _ => {
-            notes.push(format!("{id} has premovement times of the kind `{kind}`: left out"));
+            notes.about(id, format!("premovement times of the kind `{kind}`: left out"));
             None
         }
     }
 }
 
 /// A value that may be a distribution: `key`, `key_distribution` and `key_std`. Never less than `least`.
-pub(super) fn number_of(
-    value: &Value,
-    key: &str,
-    standard: f64,
-    least: f64,
-    id: &str,
-    notes: &mut Vec<String>,
-) -> Number {
+pub(super) fn number_of(value: &Value, key: &str, standard: f64, least: f64, id: &str, notes: &mut Notes) -> Number {
     let mean = value[key].as_f64().unwrap_or(standard).max(least);
     let kind = value[format!("{key}_distribution")].as_str().unwrap_or("constant");
     match kind {
@@ -86,7 +78,7 @@ pub(super) fn number_of(
             Some(deviation) if deviation > 0.0 => normal(mean, deviation, least),
             Some(_) => Number::Constant(mean),
             None => {
-                notes.push(format!("{id} has a {kind} {key} without a deviation: everybody gets {mean}"));
+                notes.about(id, format!("{kind} {key} without a deviation: everybody gets {mean}"));
                 Number::Constant(mean)
             }
         },
@@ -95,13 +87,13 @@ pub(super) fn number_of(
             match (bound("min"), bound("max")) {
                 (Some(low), Some(high)) if low <= high => Number::Uniform([low.max(least), high.max(least)]),
                 _ => {
-                    notes.push(format!("{id} has a uniform {key} without bounds: everybody gets {mean}"));
+                    notes.about(id, format!("uniform {key} without bounds: everybody gets {mean}"));
                     Number::Constant(mean)
                 }
             }
         }
         other => {
-            notes.push(format!("{id} has a {key} of the kind `{other}`: everybody gets {mean}"));
+            notes.about(id, format!("{key} of the kind `{other}`: everybody gets {mean}"));
             Number::Constant(mean)
         }
     }

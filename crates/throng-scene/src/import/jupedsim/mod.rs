@@ -7,6 +7,7 @@
 
 mod convert;
 mod distribution;
+mod notes;
 mod parts;
 
 use super::Imported;

@@ -1,0 +1,56 @@
+//! What of a scenario was left out or changed.
+
+/// Notes, each about a part of the scenario or about the whole.
+#[derive(Debug, Default)]
+pub(super) struct Notes(Vec<(Vec<String>, String)>);
+
+/// More parts than this with the same note are counted, not named.
+const NAMED: usize = 3;
+
+impl Notes {
+    /// A note about the whole scenario, a sentence.
+    pub fn whole(&mut self, text: impl Into<String>) {
+        self.0.push((vec![], text.into()));
+    }
+
+    /// A note about a part. The text goes for several parts as well as for one.
+    pub fn about(&mut self, id: &str, text: impl Into<String>) {
+        let text = text.into();
+        let same = self.0.iter_mut().find(|(ids, known)| !ids.is_empty() && *known == text);
+        match same {
+            Some((ids, _)) if ids.iter().any(|known| known == id) => {}
+            Some((ids, _)) => ids.push(id.to_owned()),
+            None => self.0.push((vec![id.to_owned()], text)),
+        }
+    }
+
+    /// The notes, a line each.
+    pub fn lines(self) -> Vec<String> {
+        let line = |(ids, text): (Vec<String>, String)| match ids.as_slice() {
+            [] => text,
+            [one] => format!("{one}: {text}"),
+            [some @ .., last] if ids.len() <= NAMED => format!("{} and {last}: {text}", some.join(", ")),
+            [first, second, rest @ ..] => format!("{first}, {second} and {} more: {text}", rest.len()),
+        };
+        self.0.into_iter().map(line).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_with_the_same_note_share_it() {
+        let lines = |ids: &[&str]| {
+            let mut notes = Notes::default();
+            notes.whole("all");
+            ids.iter().for_each(|id| notes.about(id, "left out"));
+            notes.about("z", "made larger");
+            notes.lines()
+        };
+        assert_eq!(lines(&["a", "a"]), ["all", "a: left out", "z: made larger"]);
+        assert_eq!(lines(&["a", "b", "c"])[1], "a, b and c: left out");
+        assert_eq!(lines(&["a", "b", "c", "d", "e"])[1], "a, b and 3 more: left out");
+    }
+}

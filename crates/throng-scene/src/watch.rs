@@ -1,0 +1,282 @@
+//! Checking what a scene's `[expect]` says.
+
+use crate::geometry::DVec2;
+use crate::scene::{Arrived, Expect, FlowExpect};
+use serde::Serialize;
+use std::fmt;
+use throng::{Status, World};
+
+/// Watches a run, step by step, for what a scene's `[expect]` says.
+///
+/// ```
+/// use throng_scene::{Watch, gallery};
+///
+/// let scene = gallery::scene("headon")?;
+/// let (mut world, _) = scene.build()?;
+/// let mut watch = Watch::new(&scene.expect, &world);
+/// while !scene.time.over(&world) {
+///     world.step();
+///     watch.step(&world);
+/// }
+/// let verdict = watch.verdict(&world);
+/// assert!(verdict.passed, "{verdict}");
+/// # Ok::<(), throng_scene::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Watch {
+    expect: Expect,
+    /// When enough had arrived.
+    reached: Option<f64>,
+    /// Sum and number of the speeds of those on their way.
+    speed: (f64, u64),
+    /// Where everybody was, by number; not finite before they entered.
+    positions: Vec<DVec2>,
+    flows: Vec<Flow>,
+}
+
+/// What came of the checks.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Verdict {
+    /// Whether all checks passed.
+    pub passed: bool,
+    /// The checks, in the order of the keys of `[expect]`.
+    pub checks: Vec<Check>,
+}
+
+/// One check.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Check {
+    /// The key of `[expect]`: `arrived`, `within`, `least_separation`, `least_wall_separation`, `heading_change`,
+    /// `mean_speed`, `flow.0.at_least` and the like.
+    pub name: String,
+    /// The bound: a count, seconds, a ratio, degrees a second, m/s, agents a second.
+    pub expected: Figure,
+    /// What the run showed, in the same unit; `None` where there was nothing to measure.
+    pub found: Option<Figure>,
+    /// Whether it is within the bound.
+    pub passed: bool,
+}
+
+/// A figure of a check.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Figure {
+    /// How many.
+    Count(usize),
+    /// How much; finite.
+    Measure(f64),
+}
+
+/// Crossings of a line.
+#[derive(Clone, Copy, Debug)]
+struct Flow {
+    line: FlowExpect,
+    count: u64,
+    first: f64,
+    last: f64,
+}
+
+impl Watch {
+    /// Begins to watch a world, best before its first step.
+    pub fn new(expect: &Expect, world: &World) -> Self {
+        let flow = |line: &FlowExpect| Flow { line: *line, count: 0, first: 0.0, last: 0.0 };
+        let mut watch = Self {
+            flows: expect.flow.iter().map(flow).collect(),
+            expect: expect.clone(),
+            reached: None,
+            speed: (0.0, 0),
+            positions: Vec::new(),
+        };
+        watch.arrivals(world);
+        watch.crossings(world);
+        watch
+    }
+
+    /// Takes in the world after a step.
+    pub fn step(&mut self, world: &World) {
+        self.arrivals(world);
+        self.crossings(world);
+        if self.expect.mean_speed.is_some() {
+            let agents = world.agents();
+            for row in (0..agents.len()).filter(|&row| agents.status[row] == Status::Walking) {
+                self.speed.0 += f64::from(agents.velocity[row].length());
+                self.speed.1 += 1;
+            }
+        }
+    }
+
+    /// How many of so many agents must arrive, if that is checked.
+    fn needed(&self, agents: usize) -> Option<usize> {
+        match (self.expect.arrived, self.expect.within) {
+            (None, None) => None,
+            (None | Some(Arrived::All), _) => Some(agents),
+            (Some(Arrived::Number(number)), _) => Some(usize::try_from(number).unwrap_or(usize::MAX)),
+            // a share of 0.9 of 10 agents is 9, whatever rounding makes of it
+            (Some(Arrived::Fraction(share)), _) => Some((share * agents as f64 - 1e-9).ceil() as usize),
+        }
+    }
+
+    fn arrivals(&mut self, world: &World) {
+        let counts = world.counts();
+        if self.reached.is_none() && self.needed(counts.agents).is_some_and(|needed| counts.arrived >= needed) {
+            self.reached = Some(world.time());
+        }
+    }
+
+    fn crossings(&mut self, world: &World) {
+        if self.flows.is_empty() {
+            return;
+        }
+        let (agents, origin) = (world.agents(), world.settings().origin);
+        for row in 0..agents.len() {
+            let number = agents.number[row] as usize;
+            if number >= self.positions.len() {
+                self.positions.resize(number + 1, DVec2::NAN);
+            }
+            let now = agents.position[row].as_dvec2() + origin;
+            let before = std::mem::replace(&mut self.positions[number], now);
+            if !before.is_finite() {
+                continue;
+            }
+            for flow in &mut self.flows {
+                if crosses(before, now, (flow.line.from.into(), flow.line.to.into())) {
+                    flow.first = if flow.count == 0 { world.time() } else { flow.first };
+                    flow.last = world.time();
+                    flow.count += 1;
+                }
+            }
+        }
+    }
+
+    /// What came of it.
+    pub fn verdict(&self, world: &World) -> Verdict {
+        let (expect, summary) = (&self.expect, world.summary());
+        let mut checks = Vec::new();
+        let mut check = |name: String, expected: Figure, found: Option<Figure>, passed: bool| {
+            checks.push(Check { name, expected, found, passed });
+        };
+        if let Some(needed) = self.needed(summary.agents) {
+            let arrived = summary.arrived;
+            check("arrived".into(), Figure::Count(needed), Some(Figure::Count(arrived)), arrived >= needed);
+        }
+        let mean_speed = self.speed.0 / self.speed.1 as f64; // NaN for nobody on the way: no bound holds
+        let bounds = [
+            ("within", expect.within, self.reached.unwrap_or(f64::INFINITY), at_most as Holds),
+            ("least_separation", expect.least_separation, summary.least_separation, at_least),
+            ("least_wall_separation", expect.least_wall_separation, summary.least_wall_separation, at_least),
+            ("heading_change", expect.heading_change, summary.heading_change_deg_per_s, at_most),
+            ("mean_speed", expect.mean_speed, mean_speed, at_least),
+        ];
+        for (name, bound, found, holds) in bounds {
+            if let Some(bound) = bound {
+                check(name.into(), Figure::Measure(bound), Figure::measure(found), holds(found, bound));
+            }
+        }
+        for (index, flow) in self.flows.iter().enumerate() {
+            let (rate, FlowExpect { at_least: least, at_most: most, .. }) = (flow.rate(), flow.line);
+            let found = rate.and_then(Figure::measure);
+            if let Some(least) = least {
+                check(
+                    format!("flow.{index}.at_least"),
+                    Figure::Measure(least),
+                    found,
+                    at_least(rate.unwrap_or(0.0), least),
+                );
+            }
+            if let Some(most) = most {
+                check(
+                    format!("flow.{index}.at_most"),
+                    Figure::Measure(most),
+                    found,
+                    at_most(rate.unwrap_or(0.0), most),
+                );
+            }
+        }
+        Verdict { passed: checks.iter().all(|check| check.passed), checks }
+    }
+}
+
+/// Whether what was found is within a bound.
+type Holds = fn(found: f64, bound: f64) -> bool;
+
+/// Bounds are written in decimals: what rounding makes of them does not count.
+fn at_least(found: f64, least: f64) -> bool {
+    found >= least - 1e-9
+}
+
+fn at_most(found: f64, most: f64) -> bool {
+    found <= most + 1e-9
+}
+
+impl Figure {
+    /// A figure; none for what is infinite or not known.
+    fn measure(value: f64) -> Option<Self> {
+        value.is_finite().then_some(Self::Measure(value))
+    }
+}
+
+impl fmt::Display for Figure {
+    /// At most four decimals.
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Count(count) => count.fmt(f),
+            Self::Measure(value) => ((value * 1e4).round() / 1e4).fmt(f),
+        }
+    }
+}
+
+impl fmt::Display for Check {
+    /// `within passed: expected 15.1, found 13.4`.
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { name, expected, passed, .. } = self;
+        write!(f, "{name} {}: expected {expected}, found ", if *passed { "passed" } else { "FAILED" })?;
+        match &self.found {
+            Some(found) => found.fmt(f),
+            None => f.write_str("nothing"),
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    /// The checks, a line each.
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let lines: Vec<String> = self.checks.iter().map(Check::to_string).collect();
+        f.write_str(&lines.join("\n"))
+    }
+}
+
+impl Flow {
+    /// Agents a second between the first and the last crossing; `None` for fewer than two.
+    fn rate(&self) -> Option<f64> {
+        (self.count > 1 && self.last > self.first).then(|| (self.count - 1) as f64 / (self.last - self.first))
+    }
+}
+
+/// Whether the way from `a` to `b` crosses the line. Its start counts to the side it lies on, so that a way that
+/// touches the line is counted once.
+fn crosses(a: DVec2, b: DVec2, (from, to): (DVec2, DVec2)) -> bool {
+    let side = |p: DVec2| (to - from).perp_dot(p - from);
+    let (before, after) = (side(a), side(b));
+    if (before < 0.0) == (after < 0.0) {
+        return false;
+    }
+    let at = a + (b - a) * (before / (before - after));
+    let along = (at - from).dot(to - from);
+    (0.0..=(to - from).length_squared()).contains(&along)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_way_crosses_a_line_only_between_its_ends_and_once() {
+        let at = DVec2::new;
+        let line = (at(0.0, -1.0), at(0.0, 1.0));
+        assert!(crosses(at(-1.0, 0.0), at(1.0, 0.5), line));
+        assert!(crosses(at(1.0, 0.0), at(-1.0, 0.5), line));
+        assert!(!crosses(at(-1.0, 2.0), at(1.0, 2.0), line));
+        let (a, touch, b) = (at(-1.0, 0.0), at(0.0, 0.0), at(1.0, 0.0));
+        assert_eq!(u8::from(crosses(a, touch, line)) + u8::from(crosses(touch, b, line)), 1);
+    }
+}

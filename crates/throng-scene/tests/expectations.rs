@@ -1,0 +1,128 @@
+//! Every scene of the gallery shows what its `[expect]` says: as it stands, and with other seeds.
+
+use std::sync::Mutex;
+use throng_scene::{Arrived, As, Scene, Shape, Verdict, Watch, gallery};
+
+/// Runs a scene to its end.
+fn run(scene: &Scene) -> Verdict {
+    let (mut world, _) = scene.build().unwrap_or_else(|error| panic!("{error}"));
+    let mut watch = Watch::new(&scene.expect, &world);
+    while !scene.time.over(&world) {
+        world.step();
+        watch.step(&world);
+    }
+    watch.verdict(&world)
+}
+
+/// Runs a scene with this many seeds from its own on; what failed.
+fn failures(name: &str, seeds: u64) -> Vec<String> {
+    let scene = gallery::scene(name).unwrap_or_else(|error| panic!("{error}"));
+    let run = |seed| (seed, run(&Scene { seed, ..scene.clone() }));
+    (scene.seed..scene.seed + seeds)
+        .map(run)
+        .filter(|(_, verdict)| !verdict.passed)
+        .map(|(seed, verdict)| format!("{name} with seed {seed}:\n{verdict}\n"))
+        .collect()
+}
+
+#[test]
+fn every_scene_shows_what_it_expects() {
+    // from the back: the longest first
+    let names: Vec<&str> = gallery::names().filter(|name| *name != LONG).collect();
+    let (queue, failed) = (Mutex::new(names), Mutex::new(vec![]));
+    std::thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| {
+                loop {
+                    let next = queue.lock().unwrap().pop();
+                    let Some(name) = next else { break };
+                    let found = failures(name, 3);
+                    failed.lock().unwrap().extend(found);
+                }
+            });
+        }
+    });
+    let failed = failed.into_inner().unwrap();
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+}
+
+/// The scene that takes as long as all others together.
+const LONG: &str = "ring-1000";
+
+#[test]
+#[ignore = "takes half a minute; .ci/run runs it"]
+fn the_longest_scene_shows_what_it_expects() {
+    let failed = failures(LONG, 1);
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+}
+
+#[test]
+fn every_scene_says_what_the_project_promises() {
+    for name in gallery::names() {
+        let expect = gallery::scene(name).unwrap().expect;
+        assert_eq!(expect.arrived, Some(Arrived::All), "{name}");
+        for least in [expect.least_separation, expect.least_wall_separation] {
+            assert!(least >= Some(0.9999), "{name}");
+        }
+        assert!(expect.heading_change.is_some_and(|most| most <= 30.0), "{name}");
+        assert!(expect.within.is_some(), "{name}");
+    }
+}
+
+/// The seed labs took the circle round the bounding box of every obstacle.
+#[test]
+fn the_labs_way_with_obstacles_works_too() {
+    for name in ["box", "pillars"] {
+        let mut scene = gallery::scene(name).unwrap();
+        scene.obstacles.iter_mut().for_each(|obstacle| obstacle.solid_as = As::Circle);
+        let solid = scene.plan().unwrap().obstacles;
+        for (obstacle, solid) in scene.obstacles.iter().zip(&solid) {
+            let throng::Obstacle::Circle { radius, .. } = solid else { panic!("{name}: {solid:?}") };
+            let round = match &obstacle.shape {
+                Shape::Rectangle(r) => 0.5 * r.size[0].hypot(r.size[1]),
+                Shape::Circle(circle) => circle.radius,
+                other => panic!("{name}: {other:?}"),
+            };
+            assert!((radius - round).abs() < 1e-12, "{name}: {radius} {round}");
+        }
+        let verdict = run(&scene);
+        assert!(verdict.passed, "{name}:\n{verdict}");
+    }
+}
+
+const WALK: &str = "[[group]]\nplace.point = [0, 0]\ngoal.exit.disc = { center = [5, 0], radius = 1 }\n\
+                    source = { count = 2, rate = 1 }\n";
+
+fn verdict(expect: &str) -> Verdict {
+    run(&format!("{WALK}[expect]\n{expect}").parse().unwrap_or_else(|error| panic!("{error}")))
+}
+
+#[test]
+fn those_who_leave_and_those_who_come_later_count() {
+    let checks = verdict("within = 10").checks;
+    let shown: Vec<String> = checks.iter().map(ToString::to_string).collect();
+    assert_eq!(shown[0], "arrived passed: expected 2, found 2");
+    assert!(shown[1].starts_with("within passed: expected 10, found 4"), "{}", shown[1]);
+    assert!(!verdict("within = 3").passed, "the second enters after a second");
+    assert!(verdict("arrived = 1\nwithin = 4").passed);
+    assert!(verdict("arrived = 0.5\nwithin = 4").passed);
+    assert!(!verdict("arrived = 3").passed);
+}
+
+#[test]
+fn every_bound_can_fail() {
+    let failing = [
+        "least_separation = 4",
+        "heading_change = 0.001", // everybody keeps a little to the right
+        "mean_speed = 1.31",
+        "flow = [{ from = [2, -1], to = [2, 1], at_least = 1.1 }]",
+    ];
+    for expect in failing {
+        let verdict = verdict(expect);
+        assert!(!verdict.passed && verdict.checks.len() == 1, "{verdict}");
+    }
+    // nobody came near a wall: nothing to hold against them
+    assert!(verdict("least_wall_separation = 4").passed);
+    assert!(verdict("flow = [{ from = [2, -1], to = [2, 1], at_least = 0.9, at_most = 1.1 }]").passed);
+    assert_eq!(verdict(""), Verdict { passed: true, checks: vec![] });
+}
