@@ -8,6 +8,7 @@
 pub(crate) enum Purpose {
     DetourAngle = 1,
     DetourTime,
+    DetourSide,
     Coincident,
 }
 

@@ -14,6 +14,10 @@ const NEAR: f64 = 0.25;
 /// How many of the corners dropped last it may go back to: a rounded corner of a wall is some of them.
 const BACK: usize = 8;
 
+/// How much longer than the straight line the way by such a corner may be, in radii. Who would really have to turn back
+/// plans again: else it might drift off and turn back for ever.
+const BACK_DETOUR: f64 = 0.25;
+
 /// What an agent should head for.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Heading {
@@ -29,7 +33,8 @@ pub enum Heading {
 ///
 /// It looks only now and then, when the agent has moved or is near a corner: two rays on the mesh. A corner is dropped
 /// as soon as the one after it is in view. When the next corner has gone out of view (the agent was pushed round a
-/// corner) and one of those dropped before is in view, the agent goes back to that; else the route is lost.
+/// corner) and one of those dropped before is in view and not out of the way, the agent goes by that; else the route is
+/// lost.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Route {
     /// All corners of the path, its end last.
@@ -78,11 +83,20 @@ impl Route {
         }
         if furthest > next || sees(next) {
             self.next = furthest as u32;
-        } else if let Some(back) = (next.saturating_sub(BACK)..next).rev().find(|&corner| sees(corner)) {
+        } else if let Some(back) = (next.saturating_sub(BACK)..next).rev().find(|&corner| sees(corner))
+            && self.detour(eye, back) < BACK_DETOUR * mesh.radius()
+        {
             self.next = back as u32;
         } else {
             self.lost = true;
         }
+    }
+
+    /// How much longer the way to the next corner is by one of those before it.
+    fn detour(&self, eye: DVec2, back: usize) -> f64 {
+        let way = &self.corners[back..=self.next as usize];
+        let along: f64 = way.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
+        way[0].distance(eye) + along - way[way.len() - 1].distance(eye)
     }
 
     /// The points still ahead, the next one first.

@@ -1,8 +1,8 @@
 //! How an agent's journey goes: the leg it is on, and what it does when the crowd leaves it no progress.
 //!
 //! MODELS 1.9 (the stop rule) and 1.10 (deadlock): keep-right breaks the symmetry of meetings; an agent that others
-//! block for a while steps aside for a moment, to the right, by a random angle held for a random time; one that
-//! queues behind others who go the same way just waits.
+//! block for a while steps aside for a moment, to the right, by a random angle held for a random time, and to
+//! either side when that has not helped for a while; one that queues behind others who go the same way just waits.
 
 use super::Route;
 use crate::random::{Purpose, between};
@@ -15,6 +15,8 @@ const AVERAGE: f32 = 0.3;
 const NO_PROGRESS: f32 = 0.15;
 /// Seconds without progress after which an agent counts as blocked.
 const PATIENCE: f32 = 0.7;
+/// Seconds without progress after which detours go to either side: on the right there may be a wall.
+const EITHER_SIDE: f32 = 4.0;
 /// Range of the angle of a detour, radians: 30 to 120 degrees.
 const DETOUR_ANGLE: (f32, f32) = (std::f32::consts::FRAC_PI_6, 4.0 * std::f32::consts::FRAC_PI_6);
 /// Range of the time a detour is held, seconds.
@@ -33,7 +35,7 @@ pub struct Travel {
     pub blocked: f32,
     /// Seconds without progress, detours included.
     pub without_progress: f32,
-    /// Angle of the detour it makes, radians to the right.
+    /// Angle of the detour it makes, radians to the right; negative to the left.
     pub detour: f32,
     /// Seconds it still makes it.
     pub detour_left: f32,
@@ -94,7 +96,9 @@ impl Travel {
             if queues() {
                 self.blocked = 0.0;
             } else {
-                self.detour = dice.between(DETOUR_ANGLE, Purpose::DetourAngle);
+                let left = self.without_progress > EITHER_SIDE && dice.between((0.0, 1.0), Purpose::DetourSide) < 0.5;
+                let angle = dice.between(DETOUR_ANGLE, Purpose::DetourAngle);
+                self.detour = if left { -angle } else { angle };
                 self.detour_left = dice.between(DETOUR_TIME, Purpose::DetourTime);
             }
         }

@@ -28,6 +28,8 @@ const FOLLOW_TIME: f32 = 0.05;
 /// Cosine of the angle within which somebody is ahead: on the way to the same goal, and to another.
 const AHEAD: f32 = 0.3;
 const RIGHT_AHEAD: f32 = 0.7;
+/// Seconds without progress after which twice the distance to a point that others have taken is near enough.
+const CONTENT_TIME: f32 = 3.0;
 /// Seconds in which an agent that was pushed off its goal comes back.
 const RETURN_TIME: f32 = 0.5;
 /// Part of the smallest radius that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
@@ -157,10 +159,11 @@ impl World {
         let dice = Dice { seed: self.settings.seed, number: agents.number[row], step: self.tally.sub_steps };
         let detour =
             if group.detour { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
-        // coming to a point: as slow as stopping there takes, and never past it
+        // coming to a point: as slow as stopping there takes, half of the acceleration left to turn with, and never
+        // past it
         let arriving = match goal {
             Goal::Point { .. } if self.is_last(row, travel.leg) => {
-                (2.0 * agents.max_acceleration[row] * remaining).sqrt().min(remaining / seconds)
+                (agents.max_acceleration[row] * remaining).sqrt().min(remaining / seconds)
             }
             _ => f32::INFINITY,
         };
@@ -563,11 +566,14 @@ impl World {
         }
     }
 
-    /// Arrival by contact (MODELS 1.9): near enough to a point that others have taken, and touching one of them.
+    /// Arrival by contact (MODELS 1.9): near enough to a point that others have taken, and touching one of them. Who
+    /// gets no nearer for a while is content with less: crowds gather in uneven discs.
     fn arrives_by_contact(&self, row: usize, goal: crate::GoalId, distance: f64, arrived: u32) -> bool {
         let agents = &self.agents;
         let radius = f64::from(agents.radius[row]);
-        if arrived == 0 || distance > 1.25 * radius * f64::from(arrived + 1).sqrt() + 2.0 * radius {
+        let enough = 1.25 * radius * f64::from(arrived + 1).sqrt() + 2.0 * radius;
+        let content = 1.0 + f64::from(agents.travel[row].without_progress / CONTENT_TIME);
+        if arrived == 0 || distance > enough * content {
             return false;
         }
         self.step.contacts.of(row).iter().any(|&other| {

@@ -61,7 +61,6 @@ fn in_random_rooms_everybody_arrives() {
 /// A defect, the only one of the first 120 rooms: the way leads round the end of a wall on the right, and somebody
 /// rests there. Detours go to the right only, into the wall; to the left all is free.
 #[test]
-#[ignore = "detours go to the right even where a wall is: to be mended in `Travel::detour`"]
 fn whose_right_is_walled_steps_aside_to_the_left() {
     assert_everybody_arrives(118);
 }
@@ -69,7 +68,6 @@ fn whose_right_is_walled_steps_aside_to_the_left() {
 /// A defect: who stands on another's goal does not make way; the other circles it for ever. With a keep-right of 0 all
 /// of these pass; letting it fade near the goal is not enough.
 #[test]
-#[ignore = "who rests on another's goal is circled by who comes"]
 fn who_rests_on_anothers_goal_makes_way() {
     for off in [0.05, 0.15, 0.3] {
         for direction in 0..6 {
