@@ -1,10 +1,15 @@
 //! The world: what is there, and the step that moves it on.
 
+mod advance;
+mod arrive;
+mod avoid;
 mod build;
+mod intend;
+mod perceive;
 mod plan;
+mod queue;
 mod schedule;
 mod snapshot;
-mod stages;
 
 use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
 use crate::guard::{Contacts, Guard};

@@ -1,0 +1,154 @@
+//! Arriving: who is there, who waits, who goes on, who leaves.
+
+use super::World;
+use crate::agent::{JourneyId, Status};
+use crate::navigate::{Goal, nearest_on_ring};
+use crate::space::is_inside;
+use crate::summary::Ended;
+
+/// Seconds without progress after which twice the distance to a point that others have taken is near enough.
+const CONTENT_TIME: f32 = 3.0;
+/// Metres beyond the gap before an area in a wall that count as there.
+const GAP_TOLERANCE: f64 = 0.05;
+
+impl World {
+    pub(super) fn stop(&self, row: usize, leg: u32) -> Option<crate::Stop> {
+        self.journeys[self.agents.journey[row].index()].stops.get(leg as usize).copied()
+    }
+
+    pub(super) fn is_last(&self, row: usize, leg: u32) -> bool {
+        let journey = &self.journeys[self.agents.journey[row].index()];
+        !journey.repeat && leg as usize + 1 == journey.stops.len()
+    }
+
+    pub(super) fn first_status(&self, journey: JourneyId) -> Status {
+        if self.journeys[journey.index()].stops.is_empty() { Status::Arrived } else { Status::Walking }
+    }
+
+    /// Arrivals, waits, exits.
+    pub(super) fn arrive(&mut self, seconds: f32, now: f64) {
+        let mut arrived = std::mem::take(&mut self.step.arrivals);
+        arrived.clear();
+        arrived.resize(self.goals.len(), 0);
+        for row in 0..self.agents.len() {
+            if self.agents.status[row] == Status::Arrived
+                && let Some(goal) = self.goal_of(row)
+            {
+                arrived[goal.index()] += 1;
+            }
+        }
+        let mut next = Vec::with_capacity(self.agents.len());
+        for row in 0..self.agents.len() {
+            next.push(self.next_status(row, seconds, &arrived));
+        }
+        self.step.arrivals = arrived;
+        let mut gone = Vec::new();
+        for (row, status) in next.into_iter().enumerate() {
+            let before = self.agents.status[row];
+            if before == Status::Waiting {
+                self.agents.travel[row].wait -= seconds;
+            }
+            if status == Status::Arrived && before == Status::Walking {
+                self.agents.travel[row].at_point = self.is_at_point(row);
+            }
+            let status = match status {
+                // there: the next leg, the end, or the way out
+                Status::Arrived if before == Status::Walking => {
+                    let wait = self.stop(row, self.agents.travel[row].leg).map_or(0.0, |stop| stop.wait);
+                    let exits =
+                        self.goal_of(row).is_some_and(|goal| matches!(self.goals[goal.index()], Goal::Exit { .. }));
+                    if exits {
+                        gone.push(row);
+                        Status::Arrived
+                    } else if wait > 0.0 {
+                        self.agents.travel[row].wait = wait;
+                        Status::Waiting
+                    } else {
+                        self.next_leg(row)
+                    }
+                }
+                Status::Walking if before == Status::Waiting => self.next_leg(row),
+                status => status,
+            };
+            if status == Status::Arrived && self.agents.trip[row].arrived.is_none() {
+                let trip = &mut self.agents.trip[row];
+                trip.arrived = Some(now);
+                // whoever arrives by contact has not the whole way to go
+                trip.shortest -= f64::from(self.agents.travel[row].remaining);
+            }
+            self.agents.status[row] = status;
+        }
+        for &row in gone.iter().rev() {
+            let ended = Ended { trip: self.agents.trip[row], preferred_speed: self.agents.preferred_speed[row] };
+            self.tally.removed.push((self.agents.number[row], ended));
+            self.remove_row(row);
+        }
+    }
+
+    fn next_leg(&mut self, row: usize) -> Status {
+        let journey = &self.journeys[self.agents.journey[row].index()];
+        let leg = self.agents.travel[row].leg + 1;
+        let travel = &mut self.agents.travel[row];
+        if (leg as usize) < journey.stops.len() {
+            travel.begin(leg);
+            Status::Walking
+        } else if journey.repeat {
+            travel.begin(0);
+            Status::Walking
+        } else {
+            Status::Arrived
+        }
+    }
+
+    fn next_status(&self, row: usize, seconds: f32, arrived: &[u32]) -> Status {
+        let agents = &self.agents;
+        match agents.status[row] {
+            Status::Waiting if agents.travel[row].wait <= seconds => Status::Walking,
+            Status::Walking => {
+                let Some(stop) = self.stop(row, agents.travel[row].leg) else { return Status::Arrived };
+                let at = agents.position[row].as_dvec2() + self.settings.origin;
+                let there = match &self.goals[stop.goal.index()] {
+                    Goal::Point { at: goal, tolerance } => {
+                        let distance = at.distance(*goal);
+                        distance <= f64::from(*tolerance)
+                            || self.arrives_by_contact(row, stop.goal, distance, arrived[stop.goal.index()])
+                    }
+                    Goal::Area { corners } | Goal::Exit { corners } => {
+                        let gap = f64::from(agents.travel[row].gap);
+                        is_inside(corners, at)
+                            || gap > 0.0 && nearest_on_ring(corners, at).distance(at) <= gap + GAP_TOLERANCE
+                    }
+                };
+                if there { Status::Arrived } else { Status::Walking }
+            }
+            status => status,
+        }
+    }
+
+    /// Whether an agent is at the very point it was on its way to.
+    fn is_at_point(&self, row: usize) -> bool {
+        match self.goal_of(row).map(|goal| &self.goals[goal.index()]) {
+            Some(Goal::Point { at, tolerance }) => at.distance(self.world_position(row)) <= f64::from(*tolerance),
+            _ => false,
+        }
+    }
+
+    /// Arrival by contact (MODELS 1.9): near enough to a point that others have taken, and touching one of them. Who
+    /// gets no nearer for a while is content with less: crowds gather in uneven discs.
+    fn arrives_by_contact(&self, row: usize, goal: crate::GoalId, distance: f64, arrived: u32) -> bool {
+        let agents = &self.agents;
+        let radius = f64::from(agents.radius[row]);
+        let enough = 1.25 * radius * f64::from(arrived + 1).sqrt() + 2.0 * radius;
+        let content = 1.0 + f64::from(agents.travel[row].without_progress / CONTENT_TIME);
+        if arrived == 0 || distance > enough * content {
+            return false;
+        }
+        self.step.contacts.of(row).iter().any(|&other| {
+            let other = other as usize;
+            let touch = (agents.radius[row] + agents.radius[other]) * 1.1;
+            agents.status[other] == Status::Arrived
+                && self.goal_of(other) == Some(goal)
+                && agents.position[row].distance(agents.position[other]) <= touch
+        })
+    }
+}

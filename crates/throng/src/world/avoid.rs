@@ -1,0 +1,145 @@
+//! 3. What is safe: the local models choose velocities, bodies limit them.
+
+use super::World;
+use crate::agent::Status;
+use crate::avoid::{MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, View, Workspace};
+use crate::motion::{Limits, limit};
+use crate::parallel;
+use crate::random::{Purpose, unit};
+use crate::space::{Disc, Edge, NearWalls};
+use glam::{DVec2, Vec2};
+
+/// How much of the avoiding, beyond its half, falls on who has more way to go to the same goal, and on who rests.
+const YIELD_TO_FIRST: f32 = 0.15;
+const YIELD_AT_REST: f32 = 0.3;
+/// How much of the change of velocity that somebody with the right of way would like is granted in advance, over
+/// the share that falls on who yields.
+const GRANT: f32 = 2.0;
+
+/// What a thread keeps while it goes through agents.
+#[derive(Default)]
+struct Scratch {
+    near: NearWalls,
+    neighbours: Vec<Neighbour>,
+    edges: Vec<NearEdge>,
+    discs: Vec<NearDisc>,
+    workspace: Workspace,
+}
+
+impl World {
+    /// 3. What is safe: the local models choose velocities, bodies limit them.
+    pub(super) fn avoid(&mut self, seconds: f32) {
+        let mut wishes = std::mem::take(&mut self.step.wishes);
+        wishes.clear();
+        wishes.resize(self.agents.len(), Vec2::ZERO);
+        let world = &*self;
+        parallel::rows(&mut wishes, 1, Scratch::default, |scratch, row, wish| {
+            wish[0] = world.chosen_velocity(row, seconds, scratch);
+        });
+        self.step.wishes = wishes;
+    }
+
+    fn chosen_velocity(&self, row: usize, seconds: f32, scratch: &mut Scratch) -> Vec2 {
+        let agents = &self.agents;
+        let group = &self.groups[agents.group[row].index()];
+        let Scratch { near, neighbours, edges, discs, workspace } = scratch;
+        let at = agents.position[row].as_dvec2();
+        let range = group.model.wall_range(agents.radius[row], agents.max_speed[row]);
+        self.walls.near(at, f64::from(range), near);
+        let to_local = |p: DVec2| (p - at).as_vec2();
+        edges.clear();
+        edges.extend(near.edges.iter().map(|&(_, index)| {
+            let edge: Edge = self.walls.edges()[index as usize];
+            NearEdge { start: to_local(edge.start), end: to_local(edge.end), edge }
+        }));
+        discs.clear();
+        discs.extend(near.discs.iter().map(|&(_, index)| {
+            let disc: Disc = self.walls.discs()[index as usize];
+            NearDisc { offset: to_local(disc.center), disc }
+        }));
+        neighbours.clear();
+        let margin = 1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN };
+        for near in self.neighbours(row) {
+            let neighbour = self.neighbour(row, near.row as usize, margin);
+            if !edges.iter().any(|edge| hides(edge, neighbour.offset)) {
+                neighbours.push(neighbour);
+            }
+        }
+        let wish = group.model.velocity(
+            &View {
+                velocity: agents.velocity[row],
+                preferred: self.step.preferred[row],
+                radius: agents.radius[row],
+                max_speed: agents.max_speed[row],
+                step: seconds,
+                neighbours,
+                edges,
+                discs,
+            },
+            workspace,
+        );
+        let limits = Limits {
+            speed: agents.max_speed[row],
+            change: agents.max_acceleration[row] * seconds,
+            turn: agents.max_turn_rate[row] * seconds,
+        };
+        limit(wish, agents.velocity[row], agents.heading[row], limits)
+    }
+
+    fn neighbour(&self, row: usize, other: usize, margin: f32) -> Neighbour {
+        let agents = &self.agents;
+        let yields = self.yields(row, other);
+        let (share, room) = if agents.avoids(other, row) {
+            let priority = 0.5 * (agents.priority[other] - agents.priority[row]);
+            let share = (0.5 + priority + yields).clamp(0.0, 1.0);
+            (share, 1.0 - share)
+        } else {
+            (1.0, 1.0)
+        };
+        let offset = agents.position[other] - agents.position[row];
+        let velocity = agents.velocity[other];
+        let wanted = self.step.preferred[other] - velocity;
+        let granted = if wanted.dot(offset) < 0.0 { wanted * (GRANT * yields.max(0.0)) } else { Vec2::ZERO };
+        Neighbour {
+            offset,
+            velocity: velocity + granted,
+            radii: (agents.radius[row] + agents.radius[other]) * margin,
+            share,
+            room,
+            aside: if offset == Vec2::ZERO { self.aside(row, other) } else { Vec2::X },
+        }
+    }
+
+    /// How much more than its half of the avoiding falls on an agent; the opposite for the other. Who walks goes
+    /// before who rests, unless it is at the goal of both; of two on their way to the same goal, who has less way to
+    /// go: at doors somebody goes first, instead of an arch that nobody breaks.
+    fn yields(&self, row: usize, other: usize) -> f32 {
+        let agents = &self.agents;
+        let (mine, theirs) = (&self.step.ways[row], &self.step.ways[other]);
+        let walks = |row: usize| agents.status[row] == Status::Walking;
+        match (walks(row), walks(other), mine.goal == theirs.goal) {
+            (true, true, true) => {
+                let lead = mine.remaining - theirs.remaining;
+                YIELD_TO_FIRST * (lead / (agents.radius[row] + agents.radius[other])).clamp(-1.0, 1.0)
+            }
+            (false, true, false) => YIELD_AT_REST,
+            (true, false, false) => -YIELD_AT_REST,
+            _ => 0.0,
+        }
+    }
+
+    /// A direction for two agents in one place to part along, drawn for the pair; opposite for the other.
+    fn aside(&self, row: usize, other: usize) -> Vec2 {
+        let (a, b) = (self.agents.number[row], self.agents.number[other]);
+        let draw = unit(self.settings.seed, a.min(b), u64::from(a.max(b)), Purpose::Coincident);
+        let (sin, cos) = libm::sincosf(draw * std::f32::consts::TAU);
+        if a < b { Vec2::new(cos, sin) } else { -Vec2::new(cos, sin) }
+    }
+}
+
+/// Whether an edge lies between the agent and what is at `offset`.
+fn hides(edge: &NearEdge, offset: Vec2) -> bool {
+    let along = edge.end - edge.start;
+    offset.perp_dot(edge.start) * offset.perp_dot(edge.end) < 0.0
+        && along.perp_dot(-edge.start) * along.perp_dot(offset - edge.start) < 0.0
+}

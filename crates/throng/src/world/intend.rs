@@ -1,0 +1,112 @@
+//! 2. What would I like: the preferred velocity of everybody.
+
+use super::{Way, World};
+use crate::agent::Status;
+use crate::navigate::{Dice, Goal, Travel, turned_right};
+use crate::parallel;
+use glam::{DVec2, Vec2};
+
+/// Seconds in which an agent that was pushed off its goal comes back.
+const RETURN_TIME: f32 = 0.5;
+
+impl World {
+    /// 2. What would I like: the preferred velocity of everybody.
+    pub(super) fn intend(&mut self, seconds: f32) {
+        self.plan();
+        self.show_ways();
+        self.step.preferred.clear();
+        self.step.preferred.resize(self.agents.len(), Vec2::ZERO);
+        let mut travels = std::mem::take(&mut self.agents.travel);
+        let mut preferred = std::mem::take(&mut self.step.preferred);
+        let mut out: Vec<(&mut Travel, &mut Vec2)> = travels.iter_mut().zip(&mut preferred).collect();
+        let world = &*self;
+        parallel::rows(
+            &mut out,
+            1,
+            || (),
+            |(), row, out| {
+                let (travel, preferred) = &mut out[0];
+                **preferred = world.preferred_velocity(row, travel, seconds);
+            },
+        );
+        self.agents.travel = travels;
+        self.step.preferred = preferred;
+    }
+
+    /// Notes where everybody wants to go, for others to see.
+    fn show_ways(&mut self) {
+        let mut ways = std::mem::take(&mut self.step.ways);
+        ways.clear();
+        ways.extend(self.agents.travel.iter().enumerate().map(|(row, travel)| Way {
+            goal: self.goal_of(row),
+            direction: match self.agents.status[row] {
+                Status::Walking => self.towards(row, travel).normalize_or_zero(),
+                _ => Vec2::ZERO,
+            },
+            remaining: travel.remaining,
+        }));
+        self.step.ways = ways;
+    }
+
+    fn preferred_velocity(&self, row: usize, travel: &mut Travel, seconds: f32) -> Vec2 {
+        let agents = &self.agents;
+        if agents.status[row] == Status::Arrived {
+            return self.back_to_goal(row, travel);
+        }
+        if agents.status[row] != Status::Walking {
+            return Vec2::ZERO;
+        }
+        let Some(goal) = self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]) else {
+            return Vec2::ZERO;
+        };
+        let towards = self.towards(row, travel);
+        let (distance, remaining) = (towards.length(), travel.remaining);
+        let direction = towards.normalize_or_zero();
+        let speed = agents.preferred_speed[row];
+        let group = &self.groups[agents.group[row].index()];
+        let made = if speed > 0.0 { agents.velocity[row].dot(direction) / speed } else { 1.0 };
+        let dice = Dice { seed: self.settings.seed, number: agents.number[row], step: self.tally.sub_steps };
+        let detour =
+            if group.detour { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
+        // coming to a point: as slow as stopping there takes, half of the acceleration left to turn with, and never
+        // past it
+        let arriving = match goal {
+            Goal::Point { .. } if self.is_last(row, travel.leg) => {
+                (agents.max_acceleration[row] * remaining).sqrt().min(remaining / seconds)
+            }
+            _ => f32::INFINITY,
+        };
+        let bias = if distance > 2.0 * agents.radius[row] { group.keep_right } else { 0.0 };
+        let following = if detour == 0.0 { self.following_speed(row, direction) } else { f32::INFINITY };
+        turned_right(direction, bias + detour) * speed.min(arriving).min(following)
+    }
+
+    /// From an agent to what it heads for.
+    pub(super) fn towards(&self, row: usize, travel: &Travel) -> Vec2 {
+        (travel.aim - self.world_position(row)).as_vec2()
+    }
+
+    /// What an agent would like that has arrived: to rest, or to come gently back to its point if it was pushed away
+    /// and nobody else has taken it.
+    fn back_to_goal(&self, row: usize, travel: &Travel) -> Vec2 {
+        match self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]) {
+            Some(Goal::Point { at, tolerance }) if travel.at_point && !self.is_taken(row, *at) => {
+                let offset = (*at - self.world_position(row)).as_vec2();
+                let beyond = offset.length() - tolerance;
+                let speed = (beyond / RETURN_TIME).min(0.5 * self.agents.preferred_speed[row]);
+                offset.normalize_or_zero() * speed.max(0.0)
+            }
+            _ => Vec2::ZERO,
+        }
+    }
+
+    /// Whether somebody who has arrived at the same goal is nearer to it.
+    fn is_taken(&self, row: usize, point: DVec2) -> bool {
+        let agents = &self.agents;
+        let goal = |row: usize| self.step.ways[row].goal;
+        let distance = |row: usize| self.world_position(row).distance_squared(point);
+        self.neighbours(row).iter().map(|near| near.row as usize).any(|other| {
+            agents.status[other] == Status::Arrived && goal(other) == goal(row) && distance(other) < distance(row)
+        })
+    }
+}
