@@ -146,3 +146,42 @@ fn goals_that_are_taken_count_as_reached_next_to_those_who_took_them() {
     }
     assert_all_arrive(&mut world, 30.0, "one goal");
 }
+
+/// The way leads round the end of a wall on the right, and right there stands somebody who gives way to nobody. Detours
+/// to the right lead into the wall: only the left is free.
+#[test]
+fn who_has_a_wall_on_the_right_gets_by_on_the_left() {
+    for (case, angle) in [0.0, 0.9, 2.2, 3.8, 5.1].into_iter().enumerate() {
+        let mut world = world(0.05, DVec2::new(1300.0, -900.0));
+        let origin = world.settings().origin;
+        let turn = |x: f64, y: f64| origin + DVec2::from_angle(angle).rotate(DVec2::new(x, y));
+        world.add_obstacle(Obstacle::Wall { points: vec![turn(0.0, 0.0), turn(0.0, -30.0)] }).unwrap();
+        // 1 cm off the wall's end, on the way
+        let off = DVec2::from_angle(2.2 + 0.1 * case as f64) * 0.21;
+        world.add_agent(Agent { position: turn(off.x, off.y), avoids: 0, ..Agent::default() }).unwrap();
+        let agent = walker(&mut world, turn(-4.0, -1.0), turn(4.0, -1.0));
+        world.add_agent(agent).unwrap();
+        assert_all_arrive(&mut world, 60.0, &format!("an end of a wall at {angle} rad"));
+    }
+}
+
+/// A crowd that gathers at the end of a passage, three abreast: most can't come as near as in an open place.
+#[test]
+fn a_crowd_arrives_in_a_dead_end_too() {
+    for (angle, width, seed) in [(0.0, 1.3, 1), (0.8, 1.7, 2), (2.6, 1.0, 3)] {
+        let mut draw = Draw::new(seed);
+        let mut world = world(0.05, DVec2::new(-40.0, 5500.0));
+        let origin = world.settings().origin;
+        let turn = |x: f64, y: f64| origin + DVec2::from_angle(angle).rotate(DVec2::new(x, y));
+        let half = 0.5 * width;
+        let points = vec![turn(-40.0, half), turn(0.5, half), turn(0.5, -half), turn(-40.0, -half)];
+        world.add_obstacle(Obstacle::Wall { points }).unwrap();
+        let journey = journey_to(&mut world, origin);
+        for k in 0..40 {
+            let y = (half - 0.25) * if k % 2 == 0 { 1.0 } else { -1.0 };
+            let position = turn(-2.0 - 0.35 * f64::from(k) + draw.between(-0.1, 0.1), y);
+            world.add_agent(Agent { position, journey, ..Agent::default() }).unwrap();
+        }
+        assert_all_arrive(&mut world, 60.0, &format!("a passage of {width} m"));
+    }
+}
