@@ -51,7 +51,7 @@ impl World {
             let accept = |near: &Near| near.row as usize != row && agents.avoids(row, near.row as usize);
             let at = agents.position[row];
             grid.nearest(at, group.neighbours, group.neighbour_distance, accept, found);
-            places[..found.len()].copy_from_slice(&found);
+            places[..found.len()].copy_from_slice(found);
             if let Some(end) = places.get_mut(found.len()) {
                 // marks the end: nobody is their own neighbour
                 *end = Near { row: row as u32, ..Near::default() };
