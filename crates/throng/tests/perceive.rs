@@ -148,10 +148,10 @@ fn a_hundred_thousand_in_exactly_one_place() {
     let mut grid = Grid::default();
     grid.rebuild(&points, &numbers, 1.0);
     let mut found = Vec::new();
-    for row in 0..points.len() {
+    for (row, own) in numbers.iter().enumerate() {
         let accept = |near: &Near| near.row as usize != row;
         grid.nearest(spot, 10, 5.0, accept, &mut found);
-        let expected = sorted.iter().copied().filter(|&number| number != numbers[row]).take(10);
+        let expected = sorted.iter().copied().filter(|number| number != own).take(10);
         assert!(found.iter().map(|near| near.number).eq(expected), "row {row}: {found:?}");
     }
     for from in [spot + Vec2::new(3.0, 4.0), spot - Vec2::new(3.0, 4.0)] {
