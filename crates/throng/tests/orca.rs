@@ -11,6 +11,11 @@ fn view<'a>(velocity: Vec2, preferred: Vec2, max_speed: f32, neighbours: &'a [Ne
     View { velocity, preferred, radius: 0.2, max_speed, step: 0.02, neighbours, edges: &[], discs: &[] }
 }
 
+/// Another, avoided for a share, with the room that goes with it.
+fn other(offset: Vec2, velocity: Vec2, radii: f32, share: f32) -> Neighbour {
+    Neighbour { offset, velocity, radii, share, room: 1.0 - share, aside: Vec2::X }
+}
+
 fn vector(range: f32) -> impl Strategy<Value = Vec2> {
     (-range..range, -range..range).prop_map(|(x, y)| Vec2::new(x, y))
 }
@@ -30,11 +35,66 @@ proptest! {
         prop_assume!(offset.length() > radii * 1.01);
         let orca = Orca { time_horizon: HORIZON, ..Orca::default() };
         let mut workspace = Workspace::default();
-        let seen = |offset, velocity, share| [Neighbour { offset, velocity, radii, share, room: 1.0 - share, aside: Vec2::X }];
+        let seen = |offset, velocity, share| [other(offset, velocity, radii, share)];
         // no limit of speed that could take a velocity out of the half-plane
         let new_a = orca.velocity(&view(a, wish_a, 100.0, &seen(offset, b, share)), &mut workspace);
         let new_b = orca.velocity(&view(b, wish_b, 100.0, &seen(-offset, a, 1.0 - share)), &mut workspace);
         prop_assert!(nearest_approach(offset, new_a - new_b) >= radii * (1.0 - 2e-3));
+    }
+
+    /// On no collision course it is the room that is split, and what both use of it together never brings them on one.
+    #[test]
+    fn a_free_pair_that_wants_to_meet_stays_free(
+        offset in vector(6.0), a in vector(2.0), b in vector(2.0), speed in 0.0f32..4.0, aim in vector(0.5),
+        share in 0.0f32..=1.0, radii in 0.2f32..1.0,
+    ) {
+        prop_assume!(offset.length() > radii * 1.01);
+        prop_assume!(nearest_approach(offset, a - b) > radii * 1.001);
+        let orca = Orca { time_horizon: HORIZON, ..Orca::default() };
+        let mut workspace = Workspace::default();
+        let towards = (offset + aim).normalize() * speed;
+        let seen = |offset, velocity, share| [other(offset, velocity, radii, share)];
+        let new_a = orca.velocity(&view(a, towards, 100.0, &seen(offset, b, share)), &mut workspace);
+        let new_b = orca.velocity(&view(b, -towards, 100.0, &seen(-offset, a, 1.0 - share)), &mut workspace);
+        prop_assert!(nearest_approach(offset, new_a - new_b) >= radii * (1.0 - 2e-3));
+    }
+
+    /// In a scene of many with shares of all sizes: whenever two both took a velocity of the half-plane that the other
+    /// leaves them, they are free, on a collision course before or not.
+    #[test]
+    fn in_a_scene_all_who_keep_their_half_planes_are_free(
+        agents in prop::collection::vec((vector(4.0), vector(1.5), vector(1.5)), 2..9),
+        draws in prop::collection::vec(0.0f32..=1.0, 36),
+        radii in 0.2f32..0.8,
+    ) {
+        let share = |i: usize, j: usize| {
+            let draw = draws[i.min(j) + 9 * (i.max(j) % 4)];
+            if i < j { draw } else { 1.0 - draw }
+        };
+        let orca = Orca { time_horizon: HORIZON, ..Orca::default() };
+        let mut workspace = Workspace::default();
+        let seen = |i: usize, j: usize| other(agents[j].0 - agents[i].0, agents[j].1, radii, share(i, j));
+        let others = |i: usize| (0..agents.len()).filter(move |&j| j != i);
+        let chosen: Vec<Vec2> = (0..agents.len())
+            .map(|i| {
+                let neighbours: Vec<Neighbour> = others(i).map(|j| seen(i, j)).collect();
+                orca.velocity(&view(agents[i].1, agents[i].2, 3.0, &neighbours), &mut workspace)
+            })
+            .collect();
+        // what is permitted is chosen when it is what is wanted
+        let mut keeps = |i: usize, j: usize| {
+            let alone = orca.velocity(&view(agents[i].1, chosen[i], 100.0, &[seen(i, j)]), &mut workspace);
+            alone.distance(chosen[i]) < 1e-4
+        };
+        for i in 0..agents.len() {
+            for j in others(i).filter(|&j| j < i) {
+                let offset = agents[j].0 - agents[i].0;
+                if offset.length() > radii * 1.01 && keeps(i, j) && keeps(j, i) {
+                    let least = nearest_approach(offset, chosen[i] - chosen[j]);
+                    prop_assert!(least >= radii * (1.0 - 2e-3), "{i} and {j}: {least} of {radii}");
+                }
+            }
+        }
     }
 
     /// Nothing in it depends on the direction of the axes.
@@ -43,7 +103,7 @@ proptest! {
         prop_assume!(offset.length() > 0.45);
         let orca = Orca::default();
         let mut workspace = Workspace::default();
-        let seen = [Neighbour { offset, velocity: b, radii: 0.4, share: 0.5, room: 0.5, aside: Vec2::X }];
+        let seen = [other(offset, b, 0.4, 0.5)];
         let straight = orca.velocity(&view(a, wish, 2.0, &seen), &mut workspace);
         let seen = [Neighbour { offset: offset.perp(), velocity: b.perp(), ..seen[0] }];
         let turned = orca.velocity(&view(a.perp(), wish.perp(), 2.0, &seen), &mut workspace);
@@ -109,4 +169,17 @@ fn who_does_not_give_way_keeps_its_velocity() {
     let chosen = orca.velocity(&view(Vec2::X, Vec2::X, 1.5, &meeting), &mut workspace);
     // on the very edge of the half-plane, give or take rounding
     assert!(chosen.distance(Vec2::X) < 1e-5, "{chosen}");
+}
+
+/// Two who stand 4 m apart and want to meet: 1.8 m/s is what the horizon leaves them together.
+#[test]
+fn room_is_used_to_the_end() {
+    let orca = Orca { time_horizon: HORIZON, ..Orca::default() };
+    let mut workspace = Workspace::default();
+    let offset = Vec2::new(4.0, 0.0);
+    for (share, room) in [(0.0, 1.0), (0.35, 0.65), (0.5, 0.5), (1.0, 0.0), (1.0, 1.0)] {
+        let seen = [Neighbour { offset, velocity: Vec2::ZERO, radii: 0.4, share, room, aside: Vec2::X }];
+        let chosen = orca.velocity(&view(Vec2::ZERO, offset, 100.0, &seen), &mut workspace);
+        assert!(chosen.distance(Vec2::new(1.8 * room, 0.0)) < 1e-5, "{share} {room}: {chosen}");
+    }
 }

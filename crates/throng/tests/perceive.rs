@@ -18,11 +18,37 @@ fn brute_force(points: &[Vec2], numbers: &[u32], from: Vec2, range: f32) -> Vec<
     all
 }
 
+/// A k-d tree of others' making (kiddo), for distances: of ties it takes any.
+struct Tree(ImmutableKdTree<f32, 2>);
+
+impl Tree {
+    fn new(points: &[Vec2]) -> Self {
+        let entries: Vec<[f32; 2]> = points.iter().map(|p| [p.x, p.y]).collect();
+        Self(ImmutableKdTree::new_from_slice(&entries).unwrap())
+    }
+
+    /// Fails if these are not the `k` nearest to `from`, or all of them within `range`.
+    fn check(&self, found: &[Near], from: Vec2, k: usize, range: f32) {
+        let most = NonZero::new(k).unwrap();
+        let nearest = self.0.query(&[from.x, from.y]).nearest_n::<SquaredEuclidean<f32>>(most).execute();
+        // whether a point at the very range is within depends on rounding
+        let limit = range * range;
+        let sure = nearest.iter().take_while(|near| near.distance < limit * (1.0 - 1e-5)).count();
+        let possible = nearest.iter().take_while(|near| near.distance <= limit * (1.0 + 1e-5)).count();
+        assert!((sure..=possible).contains(&found.len()), "{} of {sure} to {possible} near {from}", found.len());
+        for (near, expected) in found.iter().zip(nearest) {
+            let (near, expected) = (near.distance_squared, expected.distance);
+            assert!((near - expected).abs() <= 1e-5 * expected.max(1e-6), "{near} instead of {expected} from {from}");
+        }
+    }
+}
+
 fn check(points: &[Vec2], cell: f32, k: usize, range: f32, queries: impl Iterator<Item = Vec2>) {
     // numbers that have nothing to do with the order of rows
     let numbers: Vec<u32> = (0..points.len() as u32).map(|i| i.wrapping_mul(2_654_435_761)).collect();
     let mut grid = Grid::default();
     grid.rebuild(points, &numbers, cell);
+    let tree = Tree::new(points);
     let mut found = Vec::new();
     for from in queries {
         let expected = brute_force(points, &numbers, from, range);
@@ -32,6 +58,7 @@ fn check(points: &[Vec2], cell: f32, k: usize, range: f32, queries: impl Iterato
         for near in &found {
             assert_eq!(numbers[near.row as usize], near.number);
         }
+        tree.check(&found, from, k, range);
         let mut within: Vec<(f32, u32)> = Vec::new();
         grid.within(from, range, |near: Near| within.push((near.distance_squared, near.number)));
         within.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -69,6 +96,23 @@ proptest! {
             .collect();
         check(&points, cell, k, 1.5, points.iter().copied().step_by(7));
     }
+
+    /// Seven powers of ten: most in a spot, some far and farther away.
+    #[test]
+    fn very_uneven_sets(
+        spokes in prop::collection::vec((-3.0f32..4.0, 0.0f32..std::f32::consts::TAU), 1..400),
+        spot in 0usize..300, center in point(5000.0),
+        cell in 0.1f32..20.0, k in 1usize..20, range in -2.0f32..4.0,
+    ) {
+        let spoke = |(i, &(power, angle)): (usize, &(f32, f32))| {
+            let length = if i < spot { 1e-3 * (i % 7) as f32 } else { libm::powf(10.0, power) };
+            center + Vec2::from_angle(angle) * length
+        };
+        let points: Vec<Vec2> = spokes.iter().enumerate().map(spoke).collect();
+        let beside = points.iter().map(|&p| p + Vec2::splat(0.7)).step_by(17);
+        let queries = points.iter().copied().step_by(11).chain(beside);
+        check(&points, cell, k, libm::powf(10.0, range), queries);
+    }
 }
 
 #[test]
@@ -93,6 +137,48 @@ fn a_hundred_thousand_in_one_spot_and_a_few_far_away() {
     }
 }
 
+/// Nothing divides these but their numbers.
+#[test]
+fn a_hundred_thousand_in_exactly_one_place() {
+    let spot = Vec2::new(-812.25, 3.5);
+    let points = vec![spot; 100_000];
+    let numbers: Vec<u32> = (0..100_000u32).map(|i| i.wrapping_mul(2_654_435_761)).collect();
+    let mut sorted = numbers.clone();
+    sorted.sort_unstable();
+    let mut grid = Grid::default();
+    grid.rebuild(&points, &numbers, 1.0);
+    let mut found = Vec::new();
+    for (row, own) in numbers.iter().enumerate() {
+        let accept = |near: &Near| near.row as usize != row;
+        grid.nearest(spot, 10, 5.0, accept, &mut found);
+        let expected = sorted.iter().copied().filter(|number| number != own).take(10);
+        assert!(found.iter().map(|near| near.number).eq(expected), "row {row}: {found:?}");
+    }
+    for from in [spot + Vec2::new(3.0, 4.0), spot - Vec2::new(3.0, 4.0)] {
+        grid.nearest(from, 3, 5.0, |_| true, &mut found);
+        assert!(found.iter().map(|near| near.number).eq(sorted[..3].iter().copied()), "at the very range: {found:?}");
+        let mut within = 0;
+        grid.within(from, 5.0, |_| within += 1);
+        assert_eq!(within, 100_000);
+    }
+}
+
+/// Half of them within a centimetre, with a k-d tree's answers.
+#[test]
+fn a_hundred_thousand_close_together_are_as_a_kd_tree_has_them() {
+    let spread = |i: u32| Vec2::new((i * 7919 % 10_007) as f32, (i * 104_729 % 10_009) as f32);
+    let points: Vec<Vec2> = (0..100_000).map(|i| spread(i % 30_000) * if i % 2 == 0 { 1e-6 } else { 1e-3 }).collect();
+    let numbers: Vec<u32> = (0..100_000).rev().collect();
+    let mut grid = Grid::default();
+    grid.rebuild(&points, &numbers, 0.5);
+    let tree = Tree::new(&points);
+    let mut found = Vec::new();
+    for &from in points.iter().step_by(101) {
+        grid.nearest(from, 10, 0.3, |_| true, &mut found);
+        tree.check(&found, from, 10, 0.3);
+    }
+}
+
 #[test]
 fn distances_are_those_of_a_kd_tree() {
     let points: Vec<Vec2> = (0..5_000)
@@ -104,17 +190,11 @@ fn distances_are_those_of_a_kd_tree() {
     let numbers: Vec<u32> = (0..5_000).collect();
     let mut grid = Grid::default();
     grid.rebuild(&points, &numbers, 1.0);
-    let entries: Vec<[f32; 2]> = points.iter().map(|p| [p.x, p.y]).collect();
-    let tree = ImmutableKdTree::new_from_slice(&entries).unwrap();
+    let tree = Tree::new(&points);
     let mut found = Vec::new();
     for from in points.iter().step_by(13).map(|&p| p + Vec2::new(0.013, -0.007)) {
         grid.nearest(from, 12, 100.0, |_| true, &mut found);
-        let expected =
-            tree.query(&[from.x, from.y]).nearest_n::<SquaredEuclidean<f32>>(NonZero::new(12).unwrap()).execute();
-        assert_eq!(found.len(), expected.len());
-        for (near, expected) in found.iter().zip(expected) {
-            assert!((near.distance_squared - expected.distance).abs() <= 1e-5 * expected.distance.max(1e-3));
-        }
+        tree.check(&found, from, 12, 100.0);
     }
 }
 

@@ -111,3 +111,44 @@ pub(crate) fn turned_right(direction: Vec2, angle: f32) -> Vec2 {
     let (sin, cos) = libm::sincosf(angle);
     Vec2::new(cos * direction.x + sin * direction.y, cos * direction.y - sin * direction.x)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// When somebody whom others block begins detours, seconds after it was stopped, and their angles.
+    fn detours(number: u32, seconds: f32, queues: bool) -> Vec<(f32, f32)> {
+        const STEP: f32 = 0.02;
+        let mut travel = Travel::default();
+        let (mut begun, mut before) = (Vec::new(), 0.0);
+        for step in 0..(seconds / STEP) as u64 {
+            let angle = travel.detour(0.0, STEP, Dice { seed: 3, number, step }, || queues);
+            if angle != 0.0 && before == 0.0 {
+                begun.push((step as f32 * STEP, angle));
+            }
+            before = angle;
+        }
+        begun
+    }
+
+    #[test]
+    fn detours_go_to_the_right_first_and_later_to_either_side() {
+        let all: Vec<(f32, f32)> = (0..300).flat_map(|number| detours(number, 20.0, false)).collect();
+        let (early, late): (Vec<_>, Vec<_>) = all.iter().partition(|(time, _)| *time < EITHER_SIDE - 0.1);
+        assert!(early.len() > 400 && early.iter().all(|(_, angle)| *angle > 0.0), "the right first");
+        let lefts = late.iter().filter(|(time, angle)| *time > EITHER_SIDE + 0.1 && *angle < 0.0).count();
+        let share = lefts as f64 / late.len() as f64;
+        assert!(late.len() > 1000 && (share - 0.5).abs() < 0.05, "{share} of {} to the left", late.len());
+        assert!(all.iter().all(|(_, angle)| (DETOUR_ANGLE.0..=DETOUR_ANGLE.1).contains(&angle.abs())));
+    }
+
+    #[test]
+    fn who_queues_makes_no_detour_and_who_gets_on_neither() {
+        assert_eq!(detours(1, 60.0, true), []);
+        let mut travel = Travel::default();
+        travel.begin(0);
+        for step in 0..1000 {
+            assert_eq!(travel.detour(0.5, 0.05, Dice { seed: 1, number: 1, step }, || false), 0.0);
+        }
+    }
+}

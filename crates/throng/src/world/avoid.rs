@@ -143,3 +143,73 @@ fn hides(edge: &NearEdge, offset: Vec2) -> bool {
     offset.perp_dot(edge.start) * offset.perp_dot(edge.end) < 0.0
         && along.perp_dot(-edge.start) * along.perp_dot(offset - edge.start) < 0.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::world::{Settings, Way};
+    use crate::{Agent, GoalId};
+    use proptest::prelude::*;
+
+    type One = (f32, Option<u32>, f32, f32, f32, usize);
+
+    fn one() -> impl Strategy<Value = One> {
+        (
+            0.05f32..3.0,
+            prop::option::of(0u32..2),
+            prop_oneof![Just(0.0f32), 0.0f32..3.0],
+            -1.0f32..1.0,
+            -2.0f32..2.0,
+            0usize..4,
+        )
+    }
+
+    fn pair(both: [One; 2]) -> World {
+        let mut world = World::new(Settings::default()).unwrap();
+        for (radius, _, _, priority, x, _) in both {
+            let position = DVec2::new(x.into(), 0.0);
+            world.add_agent(Agent { radius, priority, position, ..Agent::default() }).unwrap();
+        }
+        let statuses = [Status::Walking, Status::Waiting, Status::Arrived, Status::Stranded];
+        world.agents.status = both.iter().map(|one| statuses[one.5]).collect();
+        world.step.ways = both
+            .iter()
+            .map(|&(_, goal, remaining, ..)| Way { goal: goal.map(GoalId), direction: Vec2::X, remaining })
+            .collect();
+        world.step.preferred = vec![Vec2::ZERO; 2];
+        world
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+
+        #[test]
+        fn what_one_yields_the_other_gains(a in one(), b in one()) {
+            let world = pair([a, b]);
+            prop_assert_eq!(world.yields(0, 1), -world.yields(1, 0));
+            let [of_a, of_b] = [(0, 1), (1, 0)].map(|(row, other)| world.neighbour(row, other, 1.0));
+            // what the pair's freedom rests on: all of the avoiding is done, no more than all of the room is used
+            prop_assert!((of_a.share + of_b.share - 1.0).abs() < 1e-6);
+            prop_assert!((of_a.room + of_b.room - 1.0).abs() < 1e-6);
+        }
+    }
+
+    /// What falls on the first of two, beyond its half.
+    fn yields(status: [usize; 2], goals: [u32; 2], remaining: [f32; 2]) -> f32 {
+        let one = |k: usize| (0.2, Some(goals[k]), remaining[k], 0.0, k as f32, status[k]);
+        pair([one(0), one(1)]).yields(0, 1)
+    }
+
+    #[test]
+    fn the_nearer_goes_first_and_who_walks_goes_before_who_rests() {
+        const WALKS: usize = 0;
+        const RESTS: usize = 2;
+        assert!(yields([WALKS; 2], [0, 0], [3.0, 2.0]) > 0.0, "who has farther to go yields");
+        assert!(yields([WALKS; 2], [0, 0], [2.0, 2.1]) < 0.0, "who is nearer goes first");
+        assert_eq!(yields([WALKS; 2], [0, 0], [2.0, 2.0]), 0.0, "equals share");
+        assert_eq!(yields([WALKS; 2], [0, 1], [3.0, 2.0]), 0.0, "who is bound elsewhere is not ahead");
+        assert!(yields([RESTS, WALKS], [0, 1], [0.0, 2.0]) > 0.0, "who rests makes way");
+        assert_eq!(yields([RESTS, WALKS], [0, 0], [0.0, 2.0]), 0.0, "not at the goal of both");
+        assert_eq!(yields([RESTS; 2], [0, 1], [0.0, 0.0]), 0.0);
+    }
+}

@@ -3,6 +3,7 @@
 use crate::oracle::{Dice, Scene};
 use glam::DVec2;
 use throng::navigate::{Heading, NavMesh, Route, Search};
+use throng::{Obstacle, Walkable};
 
 /// Walks at 1.3 m/s with pushes; returns how often it planned, and how far it went.
 fn walk(mesh: &NavMesh, from: DVec2, to: DVec2, push: f64, dice: &mut Dice) -> Option<(u32, f64)> {
@@ -99,4 +100,98 @@ fn a_route_survives_saving() {
     route.advance(&mesh, from);
     let saved = postcard::to_allocvec(&route).unwrap();
     assert_eq!(postcard::from_bytes::<Route>(&saved).unwrap(), route);
+}
+
+/// What carries a walker off its line: the whole of it, or its direction turned.
+#[derive(Clone, Copy, Debug)]
+enum Drift {
+    /// A current, as a part of the walking speed.
+    Current(DVec2),
+    /// Walks at this angle to where it wants to go, as who keeps right does, radians.
+    Turned(f64),
+}
+
+/// Walks with a drift, planning again when lost; how far it went, or `None` if it did not get there in the time that
+/// three times the way would take.
+fn drift(mesh: &NavMesh, from: DVec2, to: DVec2, drift: Drift) -> Option<f64> {
+    const STEP: f64 = 1.3 / 25.0;
+    let mut search = Search::new();
+    let path = mesh.path(&mut search, from, to).ok()?;
+    let mut route = Route::new(&path);
+    let (mut at, mut length) = (from, 0.0);
+    for _ in 0..(3.0 * path.length / STEP) as usize + 50 {
+        let aim = match route.advance(mesh, at) {
+            Heading::Lost => {
+                route = Route::new(&mesh.path(&mut search, at, to).ok()?);
+                continue;
+            }
+            Heading::End(end) if end.distance(at) < 0.15 => return Some(length),
+            Heading::End(aim) | Heading::Corner(aim) => aim,
+        };
+        // nobody slows down for a corner
+        let step = (aim - at).normalize_or_zero() * STEP;
+        let step = match drift {
+            Drift::Current(current) => step + current * STEP,
+            Drift::Turned(angle) => DVec2::from_angle(angle).rotate(step),
+        };
+        let next = mesh.nearest(at + step);
+        length += next.distance(at);
+        at = next;
+    }
+    None
+}
+
+/// Round the end of a wall and on past a pillar that stands close to the line: whoever drifts to its side has the next
+/// corner hidden behind it, and nothing in view but the corner that it has passed.
+#[test]
+fn who_drifts_behind_a_pillar_goes_on_and_not_back() {
+    for turned in 0..8 {
+        let angle = 0.1 + 0.8 * f64::from(turned);
+        let place = |x: f64, y: f64| DVec2::new(310.0, -4200.0) + DVec2::from_angle(angle).rotate(DVec2::new(x, y));
+        for side in [1.0, -1.0] {
+            for (off, ahead) in [(0.45, 3.0), (0.6, 4.0), (0.8, 5.0)] {
+                let outer = [(-4.0, -9.0), (12.0, -9.0), (12.0, 9.0), (-4.0, 9.0)].map(|(x, y)| place(x, y)).to_vec();
+                let wall = Obstacle::Wall { points: vec![place(0.0, 0.2 * side), place(0.0, 9.0 * side)] };
+                let pillar = Obstacle::rectangle(place(ahead, -(off + 0.1) * side), DVec2::new(0.3, 0.6), angle);
+                let ground = [Walkable { outer, holes: vec![] }];
+                let mesh = NavMesh::build(&ground, &[wall, pillar], 0.2, (DVec2::ZERO, DVec2::ZERO)).unwrap();
+                let (from, to) = (place(-0.5, 4.0 * side), place(9.0, 0.0));
+                let shortest = mesh.path(&mut Search::new(), from, to).unwrap().length;
+                let across = DVec2::from_angle(angle).perp() * -side;
+                let drifts = [0.1, 0.2, 0.3, 0.4].map(|part| Drift::Current(across * part)).into_iter();
+                for kind in drifts.chain([0.1, 0.2, 0.3].map(|turn| Drift::Turned(-side * turn))) {
+                    let walked = drift(&mesh, from, to, kind);
+                    let label = || format!("{kind:?}, side {side}, pillar {off} {ahead}, turned {angle}");
+                    let walked = walked.unwrap_or_else(|| panic!("never there: {}", label()));
+                    assert!(walked < 1.3 * shortest, "{walked} of {shortest} m: {}", label());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn in_random_rooms_who_drifts_gets_there_without_detours() {
+    for seed in 0..40 {
+        let scene = Scene::random(seed);
+        let mesh = scene.mesh(0.2);
+        let mut dice = Dice(seed + 7000);
+        for walk in 0..6 {
+            let (from, to) = (scene.free_point(&mesh, &mut dice), scene.free_point(&mesh, &mut dice));
+            let Ok(path) = mesh.path(&mut Search::new(), from, to) else { continue };
+            let kind = if walk % 2 == 0 {
+                Drift::Current(DVec2::from_angle(dice.between(0.0, std::f64::consts::TAU)) * dice.between(0.05, 0.4))
+            } else {
+                Drift::Turned(dice.between(-0.35, 0.35))
+            };
+            let walked = drift(&mesh, from, to, kind);
+            let walked = walked.unwrap_or_else(|| panic!("never there: seed {seed}, {from} -> {to}, {kind:?}"));
+            // on a short way a drift is a large part
+            assert!(
+                walked < 1.3 * path.length + 0.5,
+                "seed {seed}, {from} -> {to}: {walked} of {} m, {kind:?}",
+                path.length
+            );
+        }
+    }
 }

@@ -6,6 +6,7 @@ mod calm;
 mod changes;
 mod common;
 mod determinism;
+mod doors;
 mod entry;
 mod journeys;
 mod limits;

@@ -1,0 +1,51 @@
+//! ORCA: the half-planes that ten neighbours leave, and the best velocity in them. An item is an agent.
+
+use crate::scenes::{Dice, points};
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use glam::{DVec2, Vec2};
+use throng::avoid::{LocalModel, Neighbour, Orca, View, Workspace};
+use throng::perceive::Grid;
+
+/// Everybody of a crowd, with the ten nearest; velocities and wishes at random, up to walking speed.
+#[divan::bench(args = [0.5, 2.0])]
+fn ten_neighbours(bencher: Bencher, density: f64) {
+    let (points, numbers) = points(1_000, density);
+    let (mut grid, mut found, mut dice) = (Grid::default(), Vec::new(), Dice(3));
+    grid.rebuild(&points, &numbers, 1.0);
+    let mut velocities = || -> Vec<Vec2> {
+        points.iter().map(|_| dice.point(DVec2::splat(-0.9), DVec2::splat(0.9)).as_vec2()).collect()
+    };
+    let (velocities, wishes) = (velocities(), velocities());
+    let mut seen = Vec::new();
+    for (row, &from) in points.iter().enumerate() {
+        grid.nearest(from, 10, 20.0, |near| near.row as usize != row, &mut found);
+        let neighbour = |row: usize| Neighbour {
+            offset: points[row] - from,
+            velocity: velocities[row],
+            radii: 0.412,
+            share: 0.5,
+            room: 0.5,
+            aside: Vec2::X,
+        };
+        seen.push(found.iter().map(|near| neighbour(near.row as usize)).collect::<Vec<_>>());
+    }
+    let (orca, mut workspace) = (Orca::default(), Workspace::default());
+    bencher.counter(ItemsCount::new(points.len())).bench_local(|| {
+        let mut sum = Vec2::ZERO;
+        for (row, neighbours) in seen.iter().enumerate() {
+            let view = View {
+                velocity: velocities[row],
+                preferred: wishes[row],
+                radius: 0.2,
+                max_speed: 1.8,
+                step: 0.02,
+                neighbours,
+                edges: &[],
+                discs: &[],
+            };
+            sum += orca.velocity(&view, &mut workspace);
+        }
+        sum
+    });
+}

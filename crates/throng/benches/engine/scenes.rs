@@ -1,0 +1,144 @@
+//! What is measured: crowds that never end, so that every step is like the one before, and floors of rooms.
+
+use glam::{DVec2, Vec2};
+use throng::{Agent, Goal, Journey, JourneyId, Obstacle, Settings, Stop, Walkable, World};
+
+/// A small generator of numbers that look random (splitmix64).
+pub struct Dice(pub u64);
+
+impl Dice {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        low + (high - low) * (((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+
+    pub fn point(&mut self, low: DVec2, high: DVec2) -> DVec2 {
+        DVec2::new(self.between(low.x, high.x), self.between(low.y, high.y))
+    }
+}
+
+/// Places on a loose grid, so many to the square metre, round the origin; none two nearer than 0.43 m at 2 per m2.
+pub fn crowd(count: usize, density: f64) -> Vec<DVec2> {
+    let mut dice = Dice(7);
+    let spacing = density.sqrt().recip();
+    let side = (count as f64).sqrt().ceil();
+    let place = |k: usize| DVec2::new(k as f64 % side, (k as f64 / side).floor()) - 0.5 * (side - 1.0);
+    (0..count).map(|k| (place(k) + dice.point(DVec2::splat(-0.19), DVec2::splat(0.19))) * spacing).collect()
+}
+
+/// The same in `f32`, with numbers.
+pub fn points(count: usize, density: f64) -> (Vec<Vec2>, Vec<u32>) {
+    (crowd(count, density).iter().map(|p| p.as_vec2()).collect(), (0..count as u32).collect())
+}
+
+/// A world in steps of 1/60 s, divided as it chooses.
+fn world() -> World {
+    World::new(Settings { step: 1.0 / 60.0, ..Settings::default() }).expect("these are valid")
+}
+
+/// A round without end through goals.
+fn round(world: &mut World, goals: impl IntoIterator<Item = Goal>) -> JourneyId {
+    let stops = goals.into_iter().map(|goal| Stop { goal: world.add_goal(goal).expect("a valid goal"), wait: 0.0 });
+    let stops = stops.collect();
+    world.add_journey(Journey { stops, repeat: true }).expect("goals that are there")
+}
+
+fn point(at: DVec2) -> Goal {
+    Goal::Point { at, tolerance: 0.5 }
+}
+
+/// People in the open who go to and fro, each between two places of their own.
+pub fn open(count: usize, density: f64) -> World {
+    let (mut world, mut dice) = (world(), Dice(8));
+    let half = DVec2::splat(0.5 * (count as f64 / density).sqrt());
+    for position in crowd(count, density) {
+        let goals = [0, 1].map(|_| point(dice.point(-half, half)));
+        let journey = round(&mut world, goals);
+        world.add_agent(Agent { position, journey, ..Agent::default() }).expect("there is room");
+    }
+    settle(&mut world, 10.0);
+    world
+}
+
+/// People on a ring, 0.65 m apart, who all go to the opposite side and back: measured as they meet in the middle.
+pub fn ring(count: usize) -> World {
+    let mut world = world();
+    let radius = 0.65 * count as f64 / std::f64::consts::TAU;
+    for k in 0..count {
+        let position = DVec2::from_angle(std::f64::consts::TAU * k as f64 / count as f64) * radius;
+        let journey = round(&mut world, [point(-position), point(position)]);
+        world.add_agent(Agent { position, journey, ..Agent::default() }).expect("there is room");
+    }
+    settle(&mut world, radius / 1.3);
+    world
+}
+
+/// A corridor of 60 by 6 m with two streams of 200.
+pub fn corridor() -> World {
+    let (mut world, mut dice) = (world(), Dice(9));
+    let end = |x: f64| {
+        let corners = [(x - 1.5, -3.0), (x + 1.5, -3.0), (x + 1.5, 3.0), (x - 1.5, 3.0)];
+        Goal::Area { corners: corners.map(DVec2::from).to_vec() }
+    };
+    let points = [(-30.0, -3.0), (30.0, -3.0), (30.0, 3.0), (-30.0, 3.0), (-30.0, -3.0)].map(DVec2::from).to_vec();
+    world.add_obstacle(Obstacle::Wall { points }).expect("a wall");
+    for side in [-1.0, 1.0] {
+        let journey = round(&mut world, [end(28.0 * side), end(-28.0 * side)]);
+        for k in 0..200 {
+            let at = DVec2::new(-side * (3.0 + 0.68 * f64::from(k / 8)), 0.7 * f64::from(k % 8) - 2.45);
+            let position = at + dice.point(DVec2::splat(-0.1), DVec2::splat(0.1));
+            world.add_agent(Agent { position, journey, ..Agent::default() }).expect("there is room");
+        }
+    }
+    settle(&mut world, 20.0);
+    world
+}
+
+fn settle(world: &mut World, seconds: f64) {
+    while world.time() < seconds {
+        world.step();
+    }
+}
+
+/// A floor of `side` by `side` rooms, 5 by 4 m, with a door to every neighbour but one in five, and a desk and a pillar
+/// in each.
+pub fn floor(side: u32) -> (Vec<Walkable>, Vec<Obstacle>) {
+    let mut dice = Dice(u64::from(side));
+    let (size, room) = (f64::from(side), DVec2::new(5.0, 4.0));
+    let outer = [(0.0, 0.0), (size, 0.0), (size, size), (0.0, size)].map(|p| DVec2::from(p) * room).to_vec();
+    let mut obstacles = Vec::new();
+    let mut wall = |from: DVec2, to: DVec2, dice: &mut Dice| {
+        let along = (to - from).normalize();
+        if dice.between(0.0, 1.0) < 0.2 {
+            obstacles.push(Obstacle::Wall { points: vec![from, to] });
+        } else {
+            let door = from + along * dice.between(0.3, from.distance(to) - 1.3);
+            obstacles.push(Obstacle::Wall { points: vec![from, door] });
+            obstacles.push(Obstacle::Wall { points: vec![door + along, to] });
+        }
+    };
+    for (x, y) in (0..side).flat_map(|x| (0..side).map(move |y| (f64::from(x), f64::from(y)))) {
+        let corner = |dx: f64, dy: f64| DVec2::new(x + dx, y + dy) * room;
+        if x + 1.0 < size {
+            wall(corner(1.0, 0.0), corner(1.0, 1.0), &mut dice);
+        }
+        if y + 1.0 < size {
+            wall(corner(0.0, 1.0), corner(1.0, 1.0), &mut dice);
+        }
+    }
+    for (x, y) in (0..side).flat_map(|x| (0..side).map(move |y| (f64::from(x), f64::from(y)))) {
+        let inside = |dice: &mut Dice| (DVec2::new(x, y) + dice.point(DVec2::splat(0.3), DVec2::splat(0.7))) * room;
+        let desk = DVec2::new(1.6, 0.8);
+        obstacles.push(Obstacle::rectangle(inside(&mut dice), desk, dice.between(0.0, 3.0)));
+        obstacles.push(Obstacle::Circle { center: inside(&mut dice), radius: 0.25 });
+    }
+    (vec![Walkable { outer, holes: vec![] }], obstacles)
+}
+
+/// A place on a floor.
+pub fn on_floor(side: u32, dice: &mut Dice) -> DVec2 {
+    dice.point(DVec2::splat(0.3), DVec2::new(5.0, 4.0) * f64::from(side) - 0.3)
+}
