@@ -4,6 +4,9 @@ use glam::{DVec2, Vec2};
 use throng::{Goal, Obstacle};
 use throng_record::{Frame, Setting};
 
+/// How far people stray from where they start and where they go, over their radius, where nothing bounds the ground.
+const GIVING_WAY: f64 = 3.0;
+
 /// A rectangle of the world, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorldBox {
@@ -14,7 +17,8 @@ pub struct WorldBox {
 }
 
 impl WorldBox {
-    /// The smallest box that holds the place and everybody in `frame`; `None` if there is nothing.
+    /// The smallest box that holds the place and everybody in `frame`, with a little room round it where nothing
+    /// bounds the ground, because people give way; `None` if there is nothing.
     pub fn of(setting: &Setting, frame: &Frame) -> Option<Self> {
         let mut all = Self { min: DVec2::INFINITY, max: DVec2::NEG_INFINITY };
         setting.walkable.iter().flat_map(|w| &w.outer).for_each(|&p| all.add(p, 0.0));
@@ -33,6 +37,11 @@ impl WorldBox {
             }
         }
         frame.bodies.iter().for_each(|b| all.add(b.position, f64::from(b.radius)));
+        if setting.walkable.is_empty() {
+            let radii = frame.bodies.iter().map(|b| f64::from(b.radius)).filter(|r| r.is_finite());
+            let room = GIVING_WAY * radii.fold(0.0, f64::max);
+            (all.min, all.max) = (all.min - room, all.max + room);
+        }
         (all.min.cmple(all.max).all()).then_some(all)
     }
 

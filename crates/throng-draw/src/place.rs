@@ -11,6 +11,10 @@ const MANY_GOALS: usize = 40;
 /// Where bodies are smaller than this, pixels, that many goals are not drawn: rings that small are specks.
 const SMALL_BODY: f32 = 2.0;
 
+/// Goal areas smaller than this, in units of the layout, get a ring round them: an exit of some metres in the plan of
+/// a station is a speck.
+const SMALL_AREA: f32 = 12.0;
+
 /// Everything that does not change, from the ground up. `first` is the first moment.
 pub(crate) fn marks(setting: &Setting, style: &Style, camera: &Camera, unit: f32, first: &Frame) -> Vec<Mark> {
     let mut marks = Vec::new();
@@ -90,8 +94,14 @@ fn goal_areas(setting: &Setting, style: &Style, camera: &Camera, unit: f32, mark
         };
         let points = pixels(camera, corners);
         marks.push(Mark::Area { rings: vec![points.clone()], fill: color.alpha(tint) });
+        let low = points.iter().copied().fold(Vec2::INFINITY, Vec2::min);
+        let high = points.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
         let stroke = Stroke { width: 1.1 * unit, color: color.alpha(0.8), dash: Some(4.0 * unit) };
         marks.push(Mark::Line { points, closed: true, stroke });
+        if (high - low).max_element() < SMALL_AREA * unit {
+            let stroke = Stroke::plain(1.6 * unit, color);
+            marks.push(Mark::Ring { center: (low + high) * 0.5, radius: 0.75 * SMALL_AREA * unit, stroke });
+        }
     }
 }
 

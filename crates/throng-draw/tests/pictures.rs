@@ -5,7 +5,7 @@ mod common;
 use common::{moment, setting, style};
 use glam::{DVec2, Vec2};
 use throng::Status;
-use throng_draw::{Color, ColorBy, Error, Image, Painter, Style, Theme, palette, ramp};
+use throng_draw::{Color, ColorBy, Error, Image, Painter, Style, Theme, WorldBox, palette, ramp};
 use throng_record::{Frame, Setting};
 
 fn paint(setting: &Setting, style: &Style, frame: &Frame) -> (Painter, Image) {
@@ -117,6 +117,29 @@ fn everything_is_in_the_picture_of_the_automatic_view() {
         let pixel = painter.camera().pixel(point);
         assert!(pixel.cmpge(Vec2::ZERO).all() && pixel.cmple(Vec2::new(640.0, 480.0)).all(), "{point} at {pixel}");
     }
+}
+
+#[test]
+fn open_ground_leaves_room_for_those_who_give_way() {
+    let frame = moment(0);
+    let room = |setting: &Setting| WorldBox::of(setting, &frame).unwrap().max.x - frame.bodies[1].position.x;
+    assert!(room(&setting()) > 1.0, "more than a body beside the outermost: {}", room(&setting()));
+    let corners = [(-9.0, -9.0), (6.0, -9.0), (6.0, 9.0), (-9.0, 9.0)];
+    let outer = corners.map(|(x, y)| DVec2::new(x, y)).to_vec();
+    let walled = Setting { walkable: vec![throng::Walkable { outer, holes: Vec::new() }], ..setting() };
+    assert_eq!(room(&walled), 1.0, "up to the wall");
+}
+
+#[test]
+fn a_small_goal_area_gets_a_ring() {
+    let ink = |half: f64| {
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let corners = corners.map(|(x, y)| DVec2::new(x, y) * half).to_vec();
+        let setting = Setting { goals: vec![throng::Goal::Exit { corners }], obstacles: vec![], ..setting() };
+        let (_, image) = paint(&setting, &style(), &Frame::default());
+        image.data().chunks_exact(4).filter(|p| p[0] < 0xc0).count()
+    };
+    assert!(ink(0.1) > 30, "an exit of 2 pixels leaves {} dark pixels", ink(0.1));
 }
 
 #[test]
