@@ -124,15 +124,25 @@ fn check_group(path: &Path, group: &Group) -> Checked {
             check(&path.key(key).index(i), f64::from(*layer), Limit::Between(0.0, 31.0))?;
         }
     }
-    match &group.avoid {
-        Avoid::Orca(orca) => {
-            let path = path.key("avoid.orca");
-            check(&path.key("time_horizon"), orca.time_horizon, Limit::Positive)?;
-            check(&path.key("time_horizon_obstacles"), orca.time_horizon_obstacles, Limit::Positive)?;
-            check(&path.key("neighbours"), f64::from(orca.neighbours), Limit::Between(1.0, 1000.0))?;
-            check(&path.key("neighbour_distance"), orca.neighbour_distance, Limit::Positive)
+    check_avoid(path, &group.avoid)
+}
+
+fn check_avoid(path: &Path, avoid: &Avoid) -> Checked {
+    let (name, horizons) = match avoid {
+        Avoid::Orca(model) => ("avoid.orca", [model.time_horizon, model.time_horizon_obstacles]),
+        Avoid::Vo(model) => ("avoid.vo", [model.time_horizon, model.time_horizon_obstacles]),
+        Avoid::Rvo(model) => {
+            check(&path.key("avoid.rvo.weight"), model.weight, Limit::Positive)?;
+            ("avoid.rvo", [model.time_horizon, model.time_horizon_obstacles])
         }
-    }
+        Avoid::None(_) => return Ok(()),
+    };
+    let path = path.key(name);
+    let (neighbours, distance) = avoid.sight();
+    check(&path.key("time_horizon"), horizons[0], Limit::Positive)?;
+    check(&path.key("time_horizon_obstacles"), horizons[1], Limit::Positive)?;
+    check(&path.key("neighbours"), f64::from(neighbours), Limit::Between(1.0, 1000.0))?;
+    check(&path.key("neighbour_distance"), distance, Limit::Positive)
 }
 
 fn check_place(path: &Path, place: &Place) -> Checked {

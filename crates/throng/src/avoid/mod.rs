@@ -4,12 +4,21 @@
 //! the step, and answers with a velocity; it keeps no state. What it answers need not be safe: the
 //! [guard](crate::guard) makes it so.
 
+mod collision;
 mod half_plane;
+mod none;
 mod obstacle_lines;
 mod orca;
+mod rvo;
+mod sampling;
+mod vo;
 
+pub use collision::{time_to_disc, time_to_segment};
 pub use half_plane::{Line, closest_velocity, least_violation};
+pub use none::Unavoiding;
 pub use orca::Orca;
+pub use rvo::Rvo;
+pub use vo::Vo;
 
 use crate::space::{Disc, Edge};
 use glam::Vec2;
