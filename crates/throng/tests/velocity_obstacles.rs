@@ -4,7 +4,10 @@
 use glam::Vec2;
 use proptest::prelude::*;
 use std::sync::Arc;
-use throng::avoid::{LocalModel, Neighbour, Rvo, Unavoiding, View, Vo, Workspace, time_to_disc, time_to_segment};
+use throng::avoid::{
+    Forbidden, Hrvo, Line, LocalModel, Neighbour, Rvo, Unavoiding, View, Vo, Workspace, closest_outside, time_to_disc,
+    time_to_segment,
+};
 use throng::{Agent, Goal, Group, Journey, Settings, Stop, World};
 
 fn vector(range: f32) -> impl Strategy<Value = Vec2> {
@@ -72,6 +75,58 @@ proptest! {
             }
         }
     }
+}
+
+proptest! {
+    /// ClearPath against a dense search over velocities.
+    #[test]
+    fn clearpath_finds_the_best_of_all(
+        cones in prop::collection::vec((vector(1.5), 0.0f32..6.28, 0.2f32..2.8), 0..6),
+        planes in prop::collection::vec((0.0f32..6.28, -1.0f32..0.5), 0..3),
+        preferred in vector(1.5),
+    ) {
+        let cones = cones.into_iter().map(|(apex, axis, opening)| Forbidden::Cone {
+            apex,
+            right: Vec2::from_angle(axis - opening / 2.0),
+            left: Vec2::from_angle(axis + opening / 2.0),
+        });
+        let planes = planes.into_iter().map(|(angle, distance)| {
+            let direction = Vec2::from_angle(angle);
+            Forbidden::RightOf(Line { point: direction.perp() * distance, direction })
+        });
+        let regions: Vec<Forbidden> = planes.chain(cones).collect();
+        let chosen = closest_outside(&regions, 1.5, preferred);
+        let preferred = preferred.clamp_length_max(1.5);
+        let free = |v: Vec2| regions.iter().all(|region| region.depth(v) <= 0.0);
+        let grid = (-75..=75).flat_map(|i| (-75..=75).map(move |j| Vec2::new(i as f32, j as f32) * 0.02));
+        let best = grid.filter(|&v| v.length() <= 1.5 && free(v)).map(|v| v.distance(preferred)).fold(f32::INFINITY, f32::min);
+        prop_assert!(chosen.length() <= 1.5 * 1.001);
+        if best.is_finite() {
+            prop_assert!(regions.iter().all(|region| region.depth(chosen) <= 2e-4), "{chosen} is forbidden");
+            prop_assert!(chosen.distance(preferred) <= best + 1e-3, "{} {best}", chosen.distance(preferred));
+        }
+    }
+
+    /// MODELS 1.3: two who both leave their hybrid obstacles by the nearest way do not collide, and pass on one side.
+    #[test]
+    fn two_hybrids_agree(offset in vector(4.0), a in vector(1.4), aside in -0.99f32..0.99, speed in 0.2f32..2.8) {
+        prop_assume!(offset.length() > 0.5 && aside.abs() > 1e-2);
+        // on a collision course, somewhere in the cone
+        let course = Vec2::from_angle(aside * (0.4 / offset.length()).asin()).rotate(offset.normalize()) * speed;
+        let b = a - course;
+        let model = Hrvo::default();
+        let new_a = choose_freely(&model, a, a, &[neighbour(offset, b, 0.5)]);
+        let new_b = choose_freely(&model, b, b, &[neighbour(-offset, a, 0.5)]);
+        prop_assert_eq!(time_to_disc(offset, new_a - new_b, 0.4 * 0.995), f32::INFINITY);
+        prop_assert!(offset.perp_dot(new_a - new_b) * offset.perp_dot(a - b) > 0.0, "they changed sides");
+    }
+}
+
+/// As [`choose`], with no limit of speed in the way.
+fn choose_freely(model: &dyn LocalModel, velocity: Vec2, preferred: Vec2, neighbours: &[Neighbour]) -> Vec2 {
+    let view =
+        View { velocity, preferred, radius: 0.2, max_speed: 100.0, step: 0.04, neighbours, edges: &[], discs: &[] };
+    model.velocity(&view, &mut Workspace::default())
 }
 
 fn neighbour(offset: Vec2, velocity: Vec2, share: f32) -> Neighbour {

@@ -4,7 +4,7 @@ use crate::random::{Purpose, Random};
 use crate::scene::{Avoid, Group, Number, Scene};
 use std::sync::Arc;
 use throng::Agent;
-use throng::avoid::{LocalModel, Orca, Rvo, Unavoiding, Vo};
+use throng::avoid::{Hrvo, LocalModel, Orca, Rvo, Unavoiding, Vo};
 
 /// Draws what differs from agent to agent.
 pub(super) struct Draw<'a> {
@@ -80,6 +80,7 @@ fn model(avoid: &Avoid) -> Arc<dyn LocalModel> {
             time_horizon: model.time_horizon as f32,
             time_horizon_obstacles: model.time_horizon_obstacles as f32,
         }),
+        Avoid::Hrvo(model) => Arc::new(Hrvo { time_horizon_obstacles: model.time_horizon_obstacles as f32 }),
         Avoid::Rvo(model) => Arc::new(Rvo {
             weight: model.weight as f32,
             time_horizon: model.time_horizon as f32,

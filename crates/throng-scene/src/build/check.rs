@@ -128,19 +128,22 @@ fn check_group(path: &Path, group: &Group) -> Checked {
 }
 
 fn check_avoid(path: &Path, avoid: &Avoid) -> Checked {
-    let (name, horizons) = match avoid {
-        Avoid::Orca(model) => ("avoid.orca", [model.time_horizon, model.time_horizon_obstacles]),
-        Avoid::Vo(model) => ("avoid.vo", [model.time_horizon, model.time_horizon_obstacles]),
+    let key = |name: &str| path.key("avoid").key(name);
+    let (path, horizons) = match avoid {
+        Avoid::Orca(model) => (key("orca"), (Some(model.time_horizon), model.time_horizon_obstacles)),
+        Avoid::Vo(model) => (key("vo"), (Some(model.time_horizon), model.time_horizon_obstacles)),
+        Avoid::Hrvo(model) => (key("hrvo"), (None, model.time_horizon_obstacles)),
         Avoid::Rvo(model) => {
-            check(&path.key("avoid.rvo.weight"), model.weight, Limit::Positive)?;
-            ("avoid.rvo", [model.time_horizon, model.time_horizon_obstacles])
+            check(&key("rvo").key("weight"), model.weight, Limit::Positive)?;
+            (key("rvo"), (Some(model.time_horizon), model.time_horizon_obstacles))
         }
         Avoid::None(_) => return Ok(()),
     };
-    let path = path.key(name);
     let (neighbours, distance) = avoid.sight();
-    check(&path.key("time_horizon"), horizons[0], Limit::Positive)?;
-    check(&path.key("time_horizon_obstacles"), horizons[1], Limit::Positive)?;
+    if let Some(horizon) = horizons.0 {
+        check(&path.key("time_horizon"), horizon, Limit::Positive)?;
+    }
+    check(&path.key("time_horizon_obstacles"), horizons.1, Limit::Positive)?;
     check(&path.key("neighbours"), f64::from(neighbours), Limit::Between(1.0, 1000.0))?;
     check(&path.key("neighbour_distance"), distance, Limit::Positive)
 }

@@ -9,6 +9,8 @@ use serde::{Deserialize, Serialize};
 pub enum Avoid {
     /// Optimal reciprocal collision avoidance (van den Berg, Guy, Lin, Manocha, 2011).
     Orca(Horizons),
+    /// Hybrid reciprocal velocity obstacles (Snape, van den Berg, Guy, Manocha, 2011).
+    Hrvo(Hrvo),
     /// Reciprocal velocity obstacles (van den Berg, Lin, Manocha, 2008).
     Rvo(Rvo),
     /// Velocity obstacles (Fiorini, Shiller, 1998): everybody takes all of the avoiding, and oscillates.
@@ -40,6 +42,24 @@ pub struct Horizons {
 impl Default for Horizons {
     fn default() -> Self {
         Self { time_horizon: 2.0, time_horizon_obstacles: 0.7, neighbours: 10, neighbour_distance: 5.0 }
+    }
+}
+
+/// Parameters of hybrid reciprocal velocity obstacles.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Hrvo {
+    /// Seconds ahead for which a velocity must be safe from obstacles. Limit: > 0.
+    pub time_horizon_obstacles: f64,
+    /// How many of the nearest others are taken into account. Limit: 1 to 1000.
+    pub neighbours: u32,
+    /// How far an agent looks for others, metres between centres. Limit: > 0.
+    pub neighbour_distance: f64,
+}
+
+impl Default for Hrvo {
+    fn default() -> Self {
+        Self { time_horizon_obstacles: 0.7, neighbours: 10, neighbour_distance: 5.0 }
     }
 }
 
@@ -75,6 +95,7 @@ impl Avoid {
     pub fn sight(&self) -> (u32, f64) {
         match self {
             Self::Orca(model) | Self::Vo(model) => (model.neighbours, model.neighbour_distance),
+            Self::Hrvo(model) => (model.neighbours, model.neighbour_distance),
             Self::Rvo(model) => (model.neighbours, model.neighbour_distance),
             // those who are followed in a queue
             Self::None(_) => (Horizons::default().neighbours, Horizons::default().neighbour_distance),
