@@ -1,8 +1,10 @@
 //! The bodies and speeds of each agent.
 
 use crate::random::{Purpose, Random};
-use crate::scene::{Group, Number, Orca, Scene};
+use crate::scene::{Avoid, Group, Number, Scene};
+use std::sync::Arc;
 use throng::Agent;
+use throng::avoid::{Hrvo, LocalModel, Orca, Rvo, Unavoiding, Vo};
 
 /// Draws what differs from agent to agent.
 pub(super) struct Draw<'a> {
@@ -56,19 +58,34 @@ impl Draw<'_> {
 /// What the agents of a group share.
 #[allow(clippy::needless_update)] // The library may know more of groups and models than scenes say.
 pub(super) fn shared(group: &Group, name: String) -> throng::Group {
-    let crate::scene::Avoid::Orca(Orca { time_horizon, time_horizon_obstacles, neighbours, neighbour_distance }) =
-        group.avoid;
+    let (neighbours, neighbour_distance) = group.avoid.sight();
     throng::Group {
         name,
-        model: std::sync::Arc::new(throng::avoid::Orca {
-            time_horizon: time_horizon as f32,
-            time_horizon_obstacles: time_horizon_obstacles as f32,
-            ..throng::avoid::Orca::default()
-        }),
+        model: model(&group.avoid),
         neighbour_distance: neighbour_distance as f32,
         neighbours: neighbours as usize,
         keep_right: group.keep_right.to_radians() as f32,
         detour: group.detour,
         ..throng::Group::default()
+    }
+}
+
+fn model(avoid: &Avoid) -> Arc<dyn LocalModel> {
+    match avoid {
+        Avoid::Orca(model) => Arc::new(Orca {
+            time_horizon: model.time_horizon as f32,
+            time_horizon_obstacles: model.time_horizon_obstacles as f32,
+        }),
+        Avoid::Vo(model) => Arc::new(Vo {
+            time_horizon: model.time_horizon as f32,
+            time_horizon_obstacles: model.time_horizon_obstacles as f32,
+        }),
+        Avoid::Hrvo(model) => Arc::new(Hrvo { time_horizon_obstacles: model.time_horizon_obstacles as f32 }),
+        Avoid::Rvo(model) => Arc::new(Rvo {
+            weight: model.weight as f32,
+            time_horizon: model.time_horizon as f32,
+            time_horizon_obstacles: model.time_horizon_obstacles as f32,
+        }),
+        Avoid::None(_) => Arc::new(Unavoiding),
     }
 }

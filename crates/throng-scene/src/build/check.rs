@@ -124,15 +124,28 @@ fn check_group(path: &Path, group: &Group) -> Checked {
             check(&path.key(key).index(i), f64::from(*layer), Limit::Between(0.0, 31.0))?;
         }
     }
-    match &group.avoid {
-        Avoid::Orca(orca) => {
-            let path = path.key("avoid.orca");
-            check(&path.key("time_horizon"), orca.time_horizon, Limit::Positive)?;
-            check(&path.key("time_horizon_obstacles"), orca.time_horizon_obstacles, Limit::Positive)?;
-            check(&path.key("neighbours"), f64::from(orca.neighbours), Limit::Between(1.0, 1000.0))?;
-            check(&path.key("neighbour_distance"), orca.neighbour_distance, Limit::Positive)
+    check_avoid(path, &group.avoid)
+}
+
+fn check_avoid(path: &Path, avoid: &Avoid) -> Checked {
+    let key = |name: &str| path.key("avoid").key(name);
+    let (path, horizons) = match avoid {
+        Avoid::Orca(model) => (key("orca"), (Some(model.time_horizon), model.time_horizon_obstacles)),
+        Avoid::Vo(model) => (key("vo"), (Some(model.time_horizon), model.time_horizon_obstacles)),
+        Avoid::Hrvo(model) => (key("hrvo"), (None, model.time_horizon_obstacles)),
+        Avoid::Rvo(model) => {
+            check(&key("rvo").key("weight"), model.weight, Limit::Positive)?;
+            (key("rvo"), (Some(model.time_horizon), model.time_horizon_obstacles))
         }
+        Avoid::None(_) => return Ok(()),
+    };
+    let (neighbours, distance) = avoid.sight();
+    if let Some(horizon) = horizons.0 {
+        check(&path.key("time_horizon"), horizon, Limit::Positive)?;
     }
+    check(&path.key("time_horizon_obstacles"), horizons.1, Limit::Positive)?;
+    check(&path.key("neighbours"), f64::from(neighbours), Limit::Between(1.0, 1000.0))?;
+    check(&path.key("neighbour_distance"), distance, Limit::Positive)
 }
 
 fn check_place(path: &Path, place: &Place) -> Checked {

@@ -13,7 +13,7 @@ mod source;
 mod time;
 mod view;
 
-pub use avoid::{Avoid, Orca};
+pub use avoid::{Avoid, Horizons, Hrvo, Rvo, Unavoiding};
 pub use expect::{Arrived, Expect, FlowExpect};
 pub use goal::{Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
 pub use ground::{Area, Rectangle, Region, Walkable};

@@ -4,12 +4,25 @@
 //! the step, and answers with a velocity; it keeps no state. What it answers need not be safe: the
 //! [guard](crate::guard) makes it so.
 
+mod clearpath;
+mod collision;
 mod half_plane;
+mod hrvo;
+mod none;
 mod obstacle_lines;
 mod orca;
+mod rvo;
+mod sampling;
+mod vo;
 
+pub use clearpath::{Forbidden, closest_outside};
+pub use collision::{time_to_disc, time_to_segment};
 pub use half_plane::{Line, closest_velocity, least_violation};
+pub use hrvo::Hrvo;
+pub use none::Unavoiding;
 pub use orca::Orca;
+pub use rvo::Rvo;
+pub use vo::Vo;
 
 use crate::space::{Disc, Edge};
 use glam::Vec2;
@@ -80,6 +93,8 @@ pub struct Workspace {
     pub lines: Vec<Line>,
     /// Half-planes of the fallback.
     pub fallback: Vec<Line>,
+    /// Regions of forbidden velocities.
+    pub forbidden: Vec<Forbidden>,
 }
 
 /// How the preferred velocity becomes a safe one.

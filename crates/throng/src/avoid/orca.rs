@@ -40,21 +40,11 @@ const WALL_MARGIN: f32 = 0.01;
 
 impl LocalModel for Orca {
     fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
-        let Workspace { lines, fallback } = workspace;
+        let Workspace { lines, fallback, .. } = workspace;
         lines.clear();
         let radius = view.radius * (1.0 + WALL_MARGIN);
         obstacle_lines::push(lines, view, radius, self.time_horizon_obstacles);
-        for near in view.discs {
-            let disc = Neighbour {
-                offset: near.offset,
-                velocity: Vec2::ZERO,
-                radii: near.disc.radius as f32 + radius,
-                share: 1.0,
-                room: 1.0,
-                aside: Vec2::X,
-            };
-            lines.push(line(view.velocity, &disc, self.time_horizon_obstacles, view.step));
-        }
+        lines.extend(disc_lines(view, radius, self.time_horizon_obstacles));
         let hard = lines.len();
         lines.extend(view.neighbours.iter().map(|n| line(view.velocity, n, self.time_horizon, view.step)));
         closest_velocity(lines, view.max_speed, view.preferred)
@@ -69,6 +59,21 @@ impl LocalModel for Orca {
         Error::unless_positive("time horizon", self.time_horizon)?;
         Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)
     }
+}
+
+/// The half-planes that the solid discs in view leave to a body of `radius`.
+pub(super) fn disc_lines(view: &View<'_>, radius: f32, horizon: f32) -> impl Iterator<Item = Line> {
+    view.discs.iter().map(move |near| {
+        let disc = Neighbour {
+            offset: near.offset,
+            velocity: Vec2::ZERO,
+            radii: near.disc.radius as f32 + radius,
+            share: 1.0,
+            room: 1.0,
+            aside: Vec2::X,
+        };
+        line(view.velocity, &disc, horizon, view.step)
+    })
 }
 
 /// The half-plane that one neighbour leaves to an agent of the given velocity.

@@ -1,0 +1,73 @@
+//! Hybrid reciprocal velocity obstacles: Snape, van den Berg, Guy, Manocha, The hybrid reciprocal velocity obstacle,
+//! IEEE Transactions on Robotics 27(4), 2011.
+//!
+//! Two who share the avoiding may still choose different sides. So the reciprocal velocity obstacle is widened on the
+//! side that the agent is not to pass, to the leg of the plain velocity obstacle: crossing over costs all of the
+//! avoiding. The velocity is found by [ClearPath](super::closest_outside).
+
+use super::clearpath::{Forbidden, closest_outside};
+use super::{LocalModel, Neighbour, View, Workspace, obstacle_lines, orca};
+use crate::Error;
+use glam::Vec2;
+
+/// Hybrid reciprocal velocity obstacles.
+///
+/// ```
+/// use throng::avoid::Hrvo;
+/// let model = Hrvo { time_horizon_obstacles: 1.0 };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hrvo {
+    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0. There is no horizon for agents: a velocity
+    /// that ever leads to a collision is forbidden.
+    pub time_horizon_obstacles: f32,
+}
+
+impl Default for Hrvo {
+    fn default() -> Self {
+        Self { time_horizon_obstacles: 0.7 }
+    }
+}
+
+impl LocalModel for Hrvo {
+    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+        let Workspace { lines, forbidden, .. } = workspace;
+        lines.clear();
+        obstacle_lines::push(lines, view, view.radius, self.time_horizon_obstacles);
+        lines.extend(orca::disc_lines(view, view.radius, self.time_horizon_obstacles));
+        forbidden.clear();
+        forbidden.extend(lines.iter().map(|&line| Forbidden::RightOf(line)));
+        forbidden.extend(view.neighbours.iter().map(|n| hybrid(view.velocity, n, view.step)));
+        closest_outside(forbidden, view.max_speed, view.preferred)
+    }
+
+    fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
+        self.time_horizon_obstacles * max_speed + radius
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)
+    }
+}
+
+/// The hybrid reciprocal velocity obstacle of one neighbour for an agent of the given velocity; a half-plane that leads
+/// out of those who are too close.
+pub(super) fn hybrid(velocity: Vec2, other: &Neighbour, step: f32) -> Forbidden {
+    let Neighbour { offset, radii, share, .. } = *other;
+    let distance_squared = offset.length_squared();
+    if distance_squared <= radii * radii {
+        return Forbidden::RightOf(orca::line(velocity, other, 1.0, step));
+    }
+    let leg = (distance_squared - radii * radii).sqrt();
+    let right = Vec2::new(offset.x * leg + offset.y * radii, offset.y * leg - offset.x * radii) / distance_squared;
+    let left = Vec2::new(offset.x * leg - offset.y * radii, offset.x * radii + offset.y * leg) / distance_squared;
+    let relative = velocity - other.velocity;
+    let opening = right.perp_dot(left);
+    // where the leg of the reciprocal velocity obstacle on the side to pass meets the other leg of the plain one
+    let apex = if offset.perp_dot(relative) > 0.0 {
+        right * ((1.0 - share) * relative.perp_dot(left) / opening)
+    } else {
+        left * (-(1.0 - share) * relative.perp_dot(right) / opening)
+    };
+    Forbidden::Cone { apex: other.velocity + apex, right, left }
+}
