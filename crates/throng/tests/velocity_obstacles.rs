@@ -81,8 +81,8 @@ proptest! {
     /// ClearPath against a dense search over velocities.
     #[test]
     fn clearpath_finds_the_best_of_all(
-        cones in prop::collection::vec((vector(1.5), 0.0f32..6.28, 0.2f32..2.8), 0..6),
-        planes in prop::collection::vec((0.0f32..6.28, -1.0f32..0.5), 0..3),
+        cones in prop::collection::vec((vector(1.5), 0.0..std::f32::consts::TAU, 0.2f32..2.8), 0..6),
+        planes in prop::collection::vec((0.0..std::f32::consts::TAU, -1.0f32..0.5), 0..3),
         preferred in vector(1.5),
     ) {
         let cones = cones.into_iter().map(|(apex, axis, opening)| Forbidden::Cone {
