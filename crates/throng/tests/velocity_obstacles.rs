@@ -58,6 +58,7 @@ proptest! {
     #[test]
     fn what_is_chosen_is_free(offset in vector(5.0), other in vector(1.5), wish in vector(1.5)) {
         prop_assume!(offset.length() > 0.6);
+        prop_assume!(wish.length() > 0.01);
         let wish = wish.clamp_length_max(1.45);
         let vo = Vo::default();
         let neighbours = [neighbour(offset, other, 1.0)];
@@ -66,12 +67,12 @@ proptest! {
         if free(wish) {
             prop_assert_eq!(chosen, wish);
         } else {
-            // a dense search for the best of the free ones
-            let best = (0..360).flat_map(|i| (0..=30).map(move |j| Vec2::from_angle(i as f32 * 0.01745) * j as f32 * 0.05))
-                .filter(|&v| free(v)).map(|v| v.distance(wish)).fold(f32::INFINITY, f32::min);
+            // what the search promises: as good as every velocity of its first, coarse pattern
+            let coarse = (0..16).map(|i| Vec2::from_angle(i as f32 * std::f32::consts::TAU / 16.0).rotate(wish.normalize()) * 1.5);
+            let best = coarse.filter(|&v| free(v)).map(|v| v.distance(wish)).fold(f32::INFINITY, f32::min);
             if best.is_finite() {
                 prop_assert!(free(chosen), "{chosen} is doomed");
-                prop_assert!(chosen.distance(wish) <= best + 0.15, "{} {best}", chosen.distance(wish));
+                prop_assert!(chosen.distance(wish) <= best + 1e-3, "{} {best}", chosen.distance(wish));
             }
         }
     }

@@ -10,7 +10,8 @@ use super::{LocalModel, View, Workspace, sampling::cheapest, time_to_disc};
 use crate::Error;
 use glam::Vec2;
 
-/// Velocity obstacles.
+/// Velocity obstacles, searched by adaptive sampling: the velocity is as good as any of a coarse pattern, refined; a better
+/// one in a narrow gap between cones can be missed.
 ///
 /// ```
 /// use throng::avoid::Vo;
