@@ -9,19 +9,18 @@ fn rect(x0: f64, y0: f64, x1: f64, y1: f64) -> Vec<DVec2> {
 
 fn report(name: &str, mut world: World, limit: f64) {
     let start = std::time::Instant::now();
-    let mut last = 0.0;
-    let n = world.summary().agents;
+    let n = world.counts().agents;
     let mut quarter = vec![];
     while !world.finished() && world.time() < limit {
         world.step();
-        let s = world.summary();
+        let arrived = world.counts().arrived;
         for q in quarter.len() + 1..=4 {
-            if s.arrived >= n * q / 4 {
+            if arrived >= n * q / 4 {
                 quarter.push(world.time());
             }
         }
-        last = start.elapsed().as_secs_f64();
     }
+    let last = start.elapsed().as_secs_f64();
     let s = world.summary();
     println!(
         "{name}: {} of {} in {:.1} s (quarters {:.0?}), separation {:.6}, walls {:.6}, overlaps {}, guard {:.2} %, turning {:.1}, time ratio {:.2}, path ratio {:.2}, stuck {}, cpu {:.1} s, {:.0} ns/agent-step, substeps/step {:.1}, stranded {}",

@@ -54,13 +54,10 @@ impl LocalModel for Hrvo {
 /// out of those who are too close.
 pub(super) fn hybrid(velocity: Vec2, other: &Neighbour, step: f32) -> Forbidden {
     let Neighbour { offset, radii, share, .. } = *other;
-    let distance_squared = offset.length_squared();
-    if distance_squared <= radii * radii {
+    if offset.length_squared() <= radii * radii {
         return Forbidden::RightOf(orca::line(velocity, other, 1.0, step));
     }
-    let leg = (distance_squared - radii * radii).sqrt();
-    let right = Vec2::new(offset.x * leg + offset.y * radii, offset.y * leg - offset.x * radii) / distance_squared;
-    let left = Vec2::new(offset.x * leg - offset.y * radii, offset.x * radii + offset.y * leg) / distance_squared;
+    let (left, right) = obstacle_lines::tangents(offset, radii);
     let relative = velocity - other.velocity;
     let opening = right.perp_dot(left);
     // where the leg of the reciprocal velocity obstacle on the side to pass meets the other leg of the plain one

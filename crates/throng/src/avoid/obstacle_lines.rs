@@ -32,8 +32,8 @@ fn facing(offset: Vec2) -> Option<Line> {
     Some(Line { point: Vec2::ZERO, direction })
 }
 
-/// Tangents from the origin to the disc at `offset`: left and right.
-fn tangents(offset: Vec2, radius: f32) -> (Vec2, Vec2) {
+/// Unit vectors from the origin along the tangents to the disc at `offset`: left and right.
+pub(super) fn tangents(offset: Vec2, radius: f32) -> (Vec2, Vec2) {
     let distance_squared = offset.length_squared();
     let leg = (distance_squared - radius * radius).max(0.0).sqrt();
     let left = Vec2::new(offset.x * leg - offset.y * radius, offset.x * radius + offset.y * leg);

@@ -91,12 +91,8 @@ pub(super) fn line(velocity: Vec2, other: &Neighbour, horizon: f32, step: f32) -
             (normal * (radii / horizon - length), normal)
         } else {
             // nearest on a leg
-            let leg = (distance_squared - radii * radii).sqrt();
-            let direction = if offset.perp_dot(w) > 0.0 {
-                Vec2::new(offset.x * leg - offset.y * radii, offset.x * radii + offset.y * leg) / distance_squared
-            } else {
-                -Vec2::new(offset.x * leg + offset.y * radii, offset.y * leg - offset.x * radii) / distance_squared
-            };
+            let (left, right) = obstacle_lines::tangents(offset, radii);
+            let direction = if offset.perp_dot(w) > 0.0 { left } else { -right };
             (direction * relative.dot(direction) - relative, direction.perp())
         }
     } else {

@@ -4,7 +4,7 @@
 //! Each of two takes its share of the avoiding: a velocity v is judged by what both would have if the other did the
 //! same, v / share + (1 - 1 / share) of the present one. The velocity of least penalty is taken: weight / time to
 //! collision + distance from the preferred one (section V), so that there is one in any crowd. Walls do nothing: all
-//! of the avoiding falls on the agent, and they count only when braking would not do.
+//! of the avoiding falls on the agent, within a shorter horizon of their own.
 
 use super::{LocalModel, View, Workspace, sampling::cheapest, time_to_disc};
 use crate::Error;

@@ -1,5 +1,5 @@
-//! Searching the velocities that a body can have for the cheapest, without random numbers: a pattern round the preferred
-//! velocity that is refined about the best found so far (adaptive sampling as in Recast's Detour crowd; MODELS 1.2.1).
+//! Searching the velocities that a body can have for the cheapest, without random numbers: a pattern over all of
+//! them, aligned with the preferred velocity, that is refined about the best found so far (adaptive sampling as in Recast's Detour crowd; MODELS 1.2.1).
 
 use glam::Vec2;
 
@@ -24,15 +24,19 @@ pub(super) fn cheapest(preferred: Vec2, velocity: Vec2, max_speed: f32, cost: im
     candidate(velocity);
     let mut center = candidate(Vec2::ZERO);
     let ahead = preferred.try_normalize().unwrap_or(Vec2::X);
+    // the inner ring is turned by half a step
+    let rings = [0.0, 0.5].map(|turn| {
+        std::array::from_fn::<Vec2, ANGLES, _>(|i| {
+            let (sin, cos) = libm::sincosf((i as f32 + turn) * (std::f32::consts::TAU / ANGLES as f32));
+            Vec2::new(cos, sin).rotate(ahead)
+        })
+    });
     let mut radius = max_speed;
     for depth in 0..DEPTH {
         let origin = if depth == 0 { Vec2::ZERO } else { center };
-        for (ring, reach) in [(0, radius), (1, radius * 0.5)] {
-            for i in 0..ANGLES {
-                // odd rings are turned by half a step
-                let angle = (i as f32 + 0.5 * ring as f32) * (std::f32::consts::TAU / ANGLES as f32);
-                let (sin, cos) = libm::sincosf(angle);
-                center = candidate(origin + Vec2::new(cos, sin).rotate(ahead) * reach);
+        for (ring, reach) in rings.iter().zip([radius, radius * 0.5]) {
+            for direction in ring {
+                center = candidate(origin + *direction * reach);
             }
         }
         radius *= 0.5;

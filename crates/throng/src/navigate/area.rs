@@ -2,10 +2,11 @@
 
 use super::error::NavError;
 use super::interval::{View, Way, clip};
-use super::locate::{closest_convex, closest_on_segment};
+use super::locate::closest_convex;
 use super::mesh::NavMesh;
 use super::outline::{Shapes, area_shapes, erode, grow};
 use super::triangulate::triangulate;
+use crate::space::nearest_on_segment;
 use glam::DVec2;
 use std::ops::Range;
 
@@ -69,7 +70,7 @@ impl NavMesh {
         let mut pieces = Vec::new();
         for corners in &parts.corners {
             let [a, b, c] = corners.map(|vertex| self.lattice.metres(parts.points[vertex as usize]));
-            self.grid.in_box(a.min(b).min(c), a.max(b).max(c), &mut near);
+            self.in_box(a.min(b).min(c), a.max(b).max(c), &mut near);
             for &triangle in &near {
                 let [u, v, w] = self.corners(triangle);
                 clip(&[a, b, c], u, v, &mut first);
@@ -93,14 +94,14 @@ impl NavMesh {
         for contour in shapes.iter().flatten() {
             for (at, &point) in contour.iter().enumerate() {
                 let (a, b) = (self.lattice.metres(point), self.lattice.metres(contour[(at + 1) % contour.len()]));
-                self.grid.in_box(a.min(b) - reach, a.max(b) + reach, &mut near);
+                self.in_box(a.min(b) - reach, a.max(b) + reach, &mut near);
                 for &triangle in &near {
                     let corners = self.corners(triangle);
                     for end in [a, b] {
                         gap = gap.min(closest_convex(&corners, end).distance(end));
                     }
                     for corner in corners {
-                        gap = gap.min(closest_on_segment(a, b, corner).distance(corner));
+                        gap = gap.min(nearest_on_segment(a, b, corner).distance(corner));
                     }
                 }
             }

@@ -1,6 +1,7 @@
 //! Geometry of a view through an interval: from a root, between a left and a right end, into what is behind.
 
-use super::locate::{closest_convex, closest_on_segment};
+use super::locate::closest_convex;
+use crate::space::nearest_on_segment;
 use glam::DVec2;
 
 /// Points nearer than this are one, metres.
@@ -92,7 +93,7 @@ impl View {
     /// A lower bound for ways through the interval to a box.
     pub fn bound_to_box(&self, low: DVec2, high: DVec2) -> f64 {
         let straight = self.root.distance(self.root.clamp(low, high));
-        let first = self.root.distance(closest_on_segment(self.left, self.right, self.root));
+        let first = self.root.distance(nearest_on_segment(self.left, self.right, self.root));
         straight.max(first + segment_to_box(self.left, self.right, low, high))
     }
 
@@ -149,5 +150,5 @@ fn segment_to_box(a: DVec2, b: DVec2, low: DVec2, high: DVec2) -> f64 {
     }
     let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
     let ends = a.distance(a.clamp(low, high)).min(b.distance(b.clamp(low, high)));
-    corners.iter().fold(ends, |least, &corner| least.min(corner.distance(closest_on_segment(a, b, corner))))
+    corners.iter().fold(ends, |least, &corner| least.min(corner.distance(nearest_on_segment(a, b, corner))))
 }

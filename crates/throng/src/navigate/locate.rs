@@ -1,107 +1,62 @@
 //! Which triangle is a point in, and which point of the mesh is nearest.
 
 use super::mesh::NavMesh;
+use crate::space::{Cells, nearest_on_segment};
 use glam::DVec2;
 
 /// A point this near to a triangle counts as in it, metres.
 pub(super) const TOUCH: f64 = 1e-7;
 
-/// A uniform grid of cells that know the triangles they touch.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Grid {
-    low: DVec2,
-    cell: f64,
-    columns: usize,
-    rows: usize,
-    /// Where the triangles of each cell begin in `items`, and where the last ones end.
-    starts: Vec<u32>,
-    items: Vec<u32>,
+/// Sorts triangles into cells, about sixteen a triangle: plans have many small triangles close together.
+pub(super) fn sorted(vertices: &[DVec2], triangles: &[[u32; 3]]) -> Cells {
+    let reach = DVec2::splat(1e-6);
+    let low = vertices.iter().copied().fold(DVec2::INFINITY, DVec2::min) - reach;
+    let high = vertices.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max) + reach;
+    let size = high - low;
+    let wanted = 16.0 * triangles.len() as f64 + 1.0;
+    // The second bound keeps a long thin plan from having more cells than it wants.
+    let mut cells = Cells::new(low, high, (size.x * size.y / wanted).sqrt().max(size.max_element() / wanted));
+    let mut pairs = Vec::new();
+    for (index, triangle) in triangles.iter().enumerate() {
+        let corners = triangle.map(|vertex| vertices[vertex as usize]);
+        let from = corners[0].min(corners[1]).min(corners[2]) - reach;
+        let to = corners[0].max(corners[1]).max(corners[2]) + reach;
+        let touched = cells.touched(from, to).filter(|&cell| touches(&cells, cell, &corners));
+        pairs.extend(touched.map(|cell| (cell as u32, index as u32)));
+    }
+    cells.fill(pairs);
+    cells
 }
 
-impl Grid {
-    /// A grid with about sixteen cells a triangle: plans have many small triangles close together.
-    pub fn new(vertices: &[DVec2], triangles: &[[u32; 3]]) -> Self {
-        let reach = DVec2::splat(1e-6);
-        let low = vertices.iter().copied().fold(DVec2::INFINITY, DVec2::min) - reach;
-        let high = vertices.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max) + reach;
-        let size = high - low;
-        let wanted = 16.0 * triangles.len() as f64 + 1.0;
-        // The second bound keeps a long thin plan from having more cells than it wants.
-        let cell = (size.x * size.y / wanted).sqrt().max(size.max_element() / wanted);
-        let (columns, rows) = ((size.x / cell) as usize + 1, (size.y / cell) as usize + 1);
-        let mut grid = Self { low, cell, columns, rows, starts: vec![0; columns * rows + 1], items: Vec::new() };
-        let mut pairs = Vec::new();
-        for (index, triangle) in triangles.iter().enumerate() {
-            let corners = triangle.map(|vertex| vertices[vertex as usize]);
-            let from = corners[0].min(corners[1]).min(corners[2]) - reach;
-            let to = corners[0].max(corners[1]).max(corners[2]) + reach;
-            grid.each_cell(from, to, |grid, cell| {
-                if grid.touches(cell, &corners) {
-                    pairs.push((cell as u32, index as u32));
-                }
-            });
-        }
-        pairs.sort_unstable();
-        for &(cell, _) in &pairs {
-            grid.starts[cell as usize + 1] += 1;
-        }
-        for cell in 1..grid.starts.len() {
-            grid.starts[cell] += grid.starts[cell - 1];
-        }
-        grid.items = pairs.into_iter().map(|pair| pair.1).collect();
-        grid
-    }
-
-    /// Column and row of the cell of a point, or the nearest one.
-    fn place(&self, at: DVec2) -> (usize, usize) {
-        let cell = (at - self.low) / self.cell;
-        ((cell.x.max(0.0) as usize).min(self.columns - 1), (cell.y.max(0.0) as usize).min(self.rows - 1))
-    }
-
-    fn each_cell(&self, from: DVec2, to: DVec2, mut visit: impl FnMut(&Self, usize)) {
-        let ((left, bottom), (right, top)) = (self.place(from), self.place(to));
-        for row in bottom..=top {
-            for column in left..=right {
-                visit(self, row * self.columns + column);
-            }
-        }
-    }
-
-    /// Whether a triangle touches a cell, by the separating edges of the triangle.
-    fn touches(&self, cell: usize, corners: &[DVec2; 3]) -> bool {
-        let half = DVec2::splat(self.cell * 0.5 + 1e-6);
-        let centre = self.low
-            + DVec2::new((cell % self.columns) as f64, (cell / self.columns) as f64) * self.cell
-            + DVec2::splat(self.cell * 0.5);
-        (0..3).all(|edge| {
-            let along = corners[(edge + 1) % 3] - corners[edge];
-            along.perp_dot(centre - corners[edge]) + along.x.abs() * half.y + along.y.abs() * half.x >= 0.0
-        })
-    }
-
-    fn cell(&self, cell: usize) -> &[u32] {
-        &self.items[self.starts[cell] as usize..self.starts[cell + 1] as usize]
-    }
-
-    /// The triangles of the cell of a point: among them all that are within 1e-6 m of it.
-    fn around(&self, at: DVec2) -> &[u32] {
-        let (column, row) = self.place(at);
-        self.cell(row * self.columns + column)
-    }
-
-    /// Triangles whose cells touch a box, in order, each once.
-    pub fn in_box(&self, from: DVec2, to: DVec2, out: &mut Vec<u32>) {
-        out.clear();
-        self.each_cell(from, to, |grid, cell| out.extend_from_slice(grid.cell(cell)));
-        out.sort_unstable();
-        out.dedup();
-    }
+/// Whether a triangle touches a cell, by the separating edges of the triangle.
+fn touches(cells: &Cells, cell: usize, corners: &[DVec2; 3]) -> bool {
+    let half = DVec2::splat(cells.width * 0.5 + 1e-6);
+    let centre = cells.low
+        + DVec2::new((cell % cells.columns) as f64, (cell / cells.columns) as f64) * cells.width
+        + DVec2::splat(cells.width * 0.5);
+    (0..3).all(|edge| {
+        let along = corners[(edge + 1) % 3] - corners[edge];
+        along.perp_dot(centre - corners[edge]) + along.x.abs() * half.y + along.y.abs() * half.x >= 0.0
+    })
 }
 
 impl NavMesh {
+    /// The triangles of the cell of a point: among them all that are within 1e-6 m of it.
+    fn around(&self, at: DVec2) -> &[u32] {
+        self.grid.items(self.grid.cell_of(at))
+    }
+
+    /// Triangles whose cells touch a box, in order, each once.
+    pub(super) fn in_box(&self, from: DVec2, to: DVec2, out: &mut Vec<u32>) {
+        out.clear();
+        out.extend(self.grid.touched(from, to).flat_map(|cell| self.grid.items(cell)));
+        out.sort_unstable();
+        out.dedup();
+    }
+
     /// The triangle that a point is in, or within 1e-7 m of. On an edge, any of those that share it.
     pub fn locate(&self, point: DVec2) -> Option<u32> {
-        let near = self.grid.around(point);
+        let near = self.around(point);
         near.iter().copied().find(|&triangle| holds(&self.corners(triangle), point)).or_else(|| {
             let touches =
                 |corners: &[DVec2; 3]| closest_convex(corners, point).distance_squared(point) <= TOUCH * TOUCH;
@@ -112,14 +67,14 @@ impl NavMesh {
     /// All triangles within `reach` (at most 1e-6 m) of a point, in order.
     pub(super) fn touching(&self, point: DVec2, reach: f64, out: &mut Vec<u32>) {
         out.clear();
-        out.extend(self.grid.around(point).iter().copied().filter(|&triangle| {
+        out.extend(self.around(point).iter().copied().filter(|&triangle| {
             closest_convex(&self.corners(triangle), point).distance_squared(point) <= reach * reach
         }));
     }
 
     /// The point of the mesh that is nearest to `point`: itself where it is on the mesh.
     pub fn nearest(&self, point: DVec2) -> DVec2 {
-        if self.grid.around(point).iter().any(|&triangle| holds(&self.corners(triangle), point)) {
+        if self.around(point).iter().any(|&triangle| holds(&self.corners(triangle), point)) {
             return point;
         }
         let grid = &self.grid;
@@ -127,7 +82,7 @@ impl NavMesh {
         let (mut best, mut nearest) = (f64::INFINITY, point);
         for ring in 0..grid.columns.max(grid.rows) {
             // Cells of this ring are at least this far away, for points outside the grid too: it is convex.
-            let least = grid.cell * (ring.max(1) - 1) as f64;
+            let least = grid.width * (ring.max(1) - 1) as f64;
             if best < least * least {
                 break;
             }
@@ -139,7 +94,7 @@ impl NavMesh {
                 let mut x = left;
                 while x <= right as isize {
                     if x >= 0 && (x as usize) < grid.columns {
-                        for &triangle in grid.cell(y * grid.columns + x as usize) {
+                        for &triangle in grid.items(y * grid.columns + x as usize) {
                             let candidate = closest_convex(&self.corners(triangle), point);
                             let distance = candidate.distance_squared(point);
                             if distance < best {
@@ -171,18 +126,11 @@ pub(super) fn closest_convex(corners: &[DVec2], point: DVec2) -> DVec2 {
             continue;
         }
         inside = false;
-        let candidate = closest_on_segment(a, b, point);
+        let candidate = nearest_on_segment(a, b, point);
         let distance = candidate.distance_squared(point);
         if distance < best {
             (best, nearest) = (distance, candidate);
         }
     }
     if inside { point } else { nearest }
-}
-
-/// The point of the segment a-b nearest to `point`.
-pub(super) fn closest_on_segment(a: DVec2, b: DVec2, point: DVec2) -> DVec2 {
-    let along = b - a;
-    let square = along.length_squared();
-    if square == 0.0 { a } else { a + along * ((point - a).dot(along) / square).clamp(0.0, 1.0) }
 }

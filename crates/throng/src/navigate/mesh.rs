@@ -3,7 +3,7 @@
 use super::bridges::Bridges;
 use super::error::NavError;
 use super::lattice::{Lattice, turn};
-use super::locate::Grid;
+use super::locate::sorted;
 use super::outline::free_ground;
 use super::triangulate::{NONE, Triangles, triangulate};
 use crate::space::{Obstacle, Walkable};
@@ -29,7 +29,7 @@ pub struct NavMesh {
     pub(super) bends: Vec<bool>,
     pub(super) islands: Vec<u32>,
     pub(super) island_count: u32,
-    pub(super) grid: Grid,
+    pub(super) grid: crate::space::Cells,
     pub(super) bridges: Bridges,
     outline: Vec<Vec<DVec2>>,
 }
@@ -69,7 +69,7 @@ impl NavMesh {
     fn assemble(radius: f64, lattice: Lattice, parts: &Triangles, outline: Vec<Vec<DVec2>>) -> Self {
         let vertices: Vec<DVec2> = parts.points.iter().map(|&point| lattice.metres(point)).collect();
         let (islands, island_count) = islands(&parts.neighbours);
-        let grid = Grid::new(&vertices, &parts.corners);
+        let grid = sorted(&vertices, &parts.corners);
         Self {
             radius,
             lattice,

@@ -1,9 +1,11 @@
 //! Geometry: what is solid, what can be walked on, and where the nearest wall is.
 
+mod cells;
 mod place;
 mod shape;
 mod walls;
 
+pub(crate) use cells::Cells;
 pub use place::{Place, check_polygon, is_inside};
 pub use shape::{Obstacle, Walkable};
 pub use walls::{Disc, Edge, NearWalls, Walls, nearest_on_segment};

@@ -2,7 +2,7 @@
 //!
 //! Edges are directed: what is solid lies on the left, free ground on the right. A thin wall is two opposite edges.
 
-use super::{Obstacle, Walkable};
+use super::{Cells, Obstacle, Walkable};
 use glam::{DVec2, Vec2};
 
 /// A solid edge.
@@ -53,13 +53,8 @@ pub fn nearest_on_segment(a: DVec2, b: DVec2, p: DVec2) -> DVec2 {
 pub struct Walls {
     edges: Vec<Edge>,
     discs: Vec<Disc>,
-    low: DVec2,
-    cell: f64,
-    columns: usize,
-    rows: usize,
-    /// Edges, then discs (numbered on), of each cell.
-    starts: Vec<u32>,
-    items: Vec<u32>,
+    /// Edges, then discs (numbered on).
+    cells: Cells,
 }
 
 /// Width of the cells that walls are sorted into, metres.
@@ -171,32 +166,14 @@ impl Walls {
         while (size.x / cell + 1.0) * (size.y / cell + 1.0) > MOST_CELLS {
             cell *= 2.0;
         }
-        self.low = low;
-        self.columns = (size.x / cell) as usize + 1;
-        self.rows = (size.y / cell) as usize + 1;
-        self.cell = cell;
-        let mut lists = vec![Vec::new(); self.columns * self.rows];
-        for item in 0..count {
+        let mut cells = Cells::new(low, high, cell);
+        let touched = |item: usize| {
             let (low, high) = self.bounds(item);
-            let (x0, y0) = self.cell_at(low);
-            let (x1, y1) = self.cell_at(high);
-            for y in y0..=y1 {
-                for x in x0..=x1 {
-                    lists[y * self.columns + x].push(item as u32);
-                }
-            }
-        }
-        self.starts = Vec::with_capacity(lists.len() + 1);
-        self.starts.push(0);
-        for list in &lists {
-            self.items.extend(list);
-            self.starts.push(self.items.len() as u32);
-        }
-    }
-
-    fn cell_at(&self, p: DVec2) -> (usize, usize) {
-        let q = (p - self.low) / self.cell;
-        ((q.x as usize).min(self.columns - 1), (q.y as usize).min(self.rows - 1))
+            cells.touched(low, high).map(move |cell| (cell as u32, item as u32))
+        };
+        let pairs = (0..count).flat_map(touched).collect();
+        cells.fill(pairs);
+        self.cells = cells;
     }
 
     /// Finds the walls within `range` of `from`: nearest first, ties by index. `near` is emptied first.
@@ -206,24 +183,19 @@ impl Walls {
         if self.is_empty() {
             return;
         }
-        let (x0, y0) = self.cell_at(from - range);
-        let (x1, y1) = self.cell_at(from + range);
-        for y in y0..=y1 {
-            for x in x0..=x1 {
-                let c = y * self.columns + x;
-                for &item in &self.items[self.starts[c] as usize..self.starts[c + 1] as usize] {
-                    let item = item as usize;
-                    if let Some(edge) = self.edges.get(item) {
-                        let d = edge.nearest(from).distance(from);
-                        if d <= range {
-                            near.edges.push((d, item as u32));
-                        }
-                    } else {
-                        let index = item - self.edges.len();
-                        let d = self.discs[index].center.distance(from) - self.discs[index].radius;
-                        if d <= range {
-                            near.discs.push((d, index as u32));
-                        }
+        for cell in self.cells.touched(from - range, from + range) {
+            for &item in self.cells.items(cell) {
+                let item = item as usize;
+                if let Some(edge) = self.edges.get(item) {
+                    let d = edge.nearest(from).distance(from);
+                    if d <= range {
+                        near.edges.push((d, item as u32));
+                    }
+                } else {
+                    let index = item - self.edges.len();
+                    let d = self.discs[index].center.distance(from) - self.discs[index].radius;
+                    if d <= range {
+                        near.discs.push((d, index as u32));
                     }
                 }
             }

@@ -106,7 +106,7 @@ impl World {
             Status::Waiting if agents.travel[row].wait <= seconds => Status::Walking,
             Status::Walking => {
                 let Some(stop) = self.stop(row, agents.travel[row].leg) else { return Status::Arrived };
-                let at = agents.position[row].as_dvec2() + self.settings.origin;
+                let at = self.world_position(row);
                 let there = match &self.goals[stop.goal.index()] {
                     Goal::Point { at: goal, tolerance } => {
                         let distance = at.distance(*goal);

@@ -1,0 +1,65 @@
+//! Things sorted into square cells of the plane, to look up what is near a place.
+
+use glam::DVec2;
+
+/// A uniform grid of cells, each with the numbers of what touches it, in order.
+#[derive(Clone, Debug, Default)]
+pub struct Cells {
+    /// Lower left corner.
+    pub low: DVec2,
+    /// Width of a cell, metres.
+    pub width: f64,
+    /// How many side by side.
+    pub columns: usize,
+    /// How many one above the other.
+    pub rows: usize,
+    /// Where the items of each cell begin, and where the last ones end.
+    starts: Vec<u32>,
+    items: Vec<u32>,
+}
+
+impl Cells {
+    /// Cells of this width that cover a box, with nothing in them.
+    pub fn new(low: DVec2, high: DVec2, width: f64) -> Self {
+        let size = high - low;
+        let (columns, rows) = ((size.x / width) as usize + 1, (size.y / width) as usize + 1);
+        Self { low, width, columns, rows, starts: vec![0; columns * rows + 1], items: Vec::new() }
+    }
+
+    /// Puts items into cells, given as (cell, item).
+    pub fn fill(&mut self, mut pairs: Vec<(u32, u32)>) {
+        pairs.sort_unstable();
+        self.starts.fill(0);
+        for &(cell, _) in &pairs {
+            self.starts[cell as usize + 1] += 1;
+        }
+        for cell in 1..self.starts.len() {
+            self.starts[cell] += self.starts[cell - 1];
+        }
+        self.items = pairs.into_iter().map(|(_, item)| item).collect();
+    }
+
+    /// Column and row of the cell of a point, or the nearest one.
+    pub fn place(&self, at: DVec2) -> (usize, usize) {
+        let cell = (at - self.low) / self.width;
+        ((cell.x.max(0.0) as usize).min(self.columns - 1), (cell.y.max(0.0) as usize).min(self.rows - 1))
+    }
+
+    /// The cell of a point, or the nearest one.
+    pub fn cell_of(&self, at: DVec2) -> usize {
+        let (column, row) = self.place(at);
+        row * self.columns + column
+    }
+
+    /// The cells that a box touches, row by row.
+    pub fn touched(&self, from: DVec2, to: DVec2) -> impl Iterator<Item = usize> + use<> {
+        let ((left, bottom), (right, top)) = (self.place(from), self.place(to));
+        let columns = self.columns;
+        (bottom..=top).flat_map(move |row| (left..=right).map(move |column| row * columns + column))
+    }
+
+    /// What is in a cell.
+    pub fn items(&self, cell: usize) -> &[u32] {
+        &self.items[self.starts[cell] as usize..self.starts[cell + 1] as usize]
+    }
+}
