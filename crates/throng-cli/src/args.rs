@@ -81,7 +81,7 @@ Keys of --json (one object on standard output):
   time_ratio, path_ratio    of the arrived: time and way over those of the shortest way, mean
   least_separation          least distance of two centres over the sum of their radii; 1: they touched
   overlaps                  overlaps of bodies with bodies and walls, counted every sub-step
-  guard_share               share of the moves that the guard changed
+  guard_share               share of the moves that the guard changed by more than 1 %
   heading_change_deg_per_s  turning of the headings of those on their way, mean
   steps, sub_steps          steps made, and the parts they were divided into
   agent_steps_per_second    moves of one agent by one sub-step, a second of computing the steps

@@ -10,6 +10,8 @@ pub(crate) enum Purpose {
     DetourTime,
     DetourSide,
     Coincident,
+    CandidateAcross,
+    CandidateAlong,
 }
 
 fn mix(mut z: u64) -> u64 {
@@ -29,9 +31,28 @@ pub(crate) fn unit(seed: u64, number: u32, step: u64, purpose: Purpose) -> f32 {
     (bits(seed, number, step, purpose) >> 40) as f32 * (1.0 / 16_777_216.0)
 }
 
-/// A number in [low, high).
-pub(crate) fn between(low: f32, high: f32, seed: u64, number: u32, step: u64, purpose: Purpose) -> f32 {
-    low + (high - low) * unit(seed, number, step, purpose)
+/// Who draws random numbers, and when: what they depend on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Dice {
+    /// The world's seed.
+    pub seed: u64,
+    /// The agent's number.
+    pub number: u32,
+    /// Sub-steps made so far.
+    pub step: u64,
+}
+
+impl Dice {
+    /// A number in [low, high).
+    pub(crate) fn between(self, (low, high): (f32, f32), purpose: Purpose) -> f32 {
+        low + (high - low) * unit(self.seed, self.number, self.step, purpose)
+    }
+
+    /// The `k`-th of many numbers in [0, 1) for one purpose.
+    pub(crate) fn nth(self, k: u32, purpose: Purpose) -> f32 {
+        let seed = mix(self.seed.wrapping_add(u64::from(k) << 32));
+        unit(seed, self.number, self.step, purpose)
+    }
 }
 
 #[cfg(test)]

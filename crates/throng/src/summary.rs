@@ -43,7 +43,7 @@ pub struct Summary {
     pub least_wall_separation: f64,
     /// Pairs of bodies, and bodies and walls, that overlapped by more than 1e-4 of a radius, counted every sub-step.
     pub overlaps: u64,
-    /// Share of agent-steps in which the guard changed the motion.
+    /// Share of agent-steps in which the guard changed the motion by more than a hundredth.
     pub guard_share: f64,
     /// Mean over agents of the turning of their headings while on their way, degrees a second.
     pub heading_change_deg_per_s: f64,

@@ -8,7 +8,7 @@ use throng::avoid::{Line, LocalModel, Neighbour, Orca, View, Workspace, closest_
 const HORIZON: f32 = 2.0;
 
 fn view<'a>(velocity: Vec2, preferred: Vec2, max_speed: f32, neighbours: &'a [Neighbour]) -> View<'a> {
-    View { velocity, preferred, radius: 0.2, max_speed, step: 0.02, neighbours, edges: &[], discs: &[] }
+    View { velocity, preferred, max_speed, neighbours, ..View::default() }
 }
 
 /// Another, avoided for a share, with the room that goes with it.

@@ -125,8 +125,7 @@ proptest! {
 
 /// As [`choose`], with no limit of speed in the way.
 fn choose_freely(model: &dyn LocalModel, velocity: Vec2, preferred: Vec2, neighbours: &[Neighbour]) -> Vec2 {
-    let view =
-        View { velocity, preferred, radius: 0.2, max_speed: 100.0, step: 0.04, neighbours, edges: &[], discs: &[] };
+    let view = View { velocity, preferred, max_speed: 100.0, step: 0.04, neighbours, ..View::default() };
     model.velocity(&view, &mut Workspace::default())
 }
 
@@ -135,8 +134,7 @@ fn neighbour(offset: Vec2, velocity: Vec2, share: f32) -> Neighbour {
 }
 
 fn choose(model: &dyn LocalModel, velocity: Vec2, preferred: Vec2, neighbours: &[Neighbour]) -> Vec2 {
-    let view =
-        View { velocity, preferred, radius: 0.2, max_speed: 1.5, step: 0.04, neighbours, edges: &[], discs: &[] };
+    let view = View { velocity, preferred, max_speed: 1.5, step: 0.04, neighbours, ..View::default() };
     model.velocity(&view, &mut Workspace::default())
 }
 

@@ -34,16 +34,7 @@ fn ten_neighbours(bencher: Bencher, density: f64) {
     bencher.counter(ItemsCount::new(points.len())).bench_local(|| {
         let mut sum = Vec2::ZERO;
         for (row, neighbours) in seen.iter().enumerate() {
-            let view = View {
-                velocity: velocities[row],
-                preferred: wishes[row],
-                radius: 0.2,
-                max_speed: 1.8,
-                step: 0.02,
-                neighbours,
-                edges: &[],
-                discs: &[],
-            };
+            let view = View { velocity: velocities[row], preferred: wishes[row], neighbours, ..View::default() };
             sum += orca.velocity(&view, &mut workspace);
         }
         sum

@@ -6,6 +6,7 @@
 
 mod clearpath;
 mod collision;
+mod explain;
 mod half_plane;
 mod hrvo;
 mod none;
@@ -17,6 +18,7 @@ mod vo;
 
 pub use clearpath::{Forbidden, closest_outside};
 pub use collision::{time_to_disc, time_to_segment};
+pub use explain::{Cause, Reason};
 pub use half_plane::{Line, closest_velocity, least_violation};
 pub use hrvo::Hrvo;
 pub use none::Unavoiding;
@@ -24,6 +26,7 @@ pub use orca::Orca;
 pub use rvo::Rvo;
 pub use vo::Vo;
 
+pub use crate::random::Dice;
 use crate::space::{Disc, Edge};
 use glam::Vec2;
 
@@ -65,17 +68,21 @@ pub struct NearDisc {
     pub disc: Disc,
 }
 
-/// What a model sees: one agent and what is near it.
+/// What a model sees: one agent and what is near it. The default is a pedestrian that stands alone.
 #[derive(Clone, Copy, Debug)]
 pub struct View<'a> {
     /// Current velocity.
     pub velocity: Vec2,
+    /// Direction of the body, radians counter-clockwise from +x.
+    pub heading: f32,
     /// Velocity it would like to have.
     pub preferred: Vec2,
     /// Radius of the body.
     pub radius: f32,
     /// Speed not to exceed.
     pub max_speed: f32,
+    /// Greatest change of velocity a second; infinite for none.
+    pub max_acceleration: f32,
     /// Seconds until it can choose again.
     pub step: f32,
     /// Others, nearest first.
@@ -84,6 +91,26 @@ pub struct View<'a> {
     pub edges: &'a [NearEdge],
     /// Solid discs within [`LocalModel::wall_range`], nearest first.
     pub discs: &'a [NearDisc],
+    /// What random numbers depend on, for models that draw some.
+    pub dice: Dice,
+}
+
+impl Default for View<'_> {
+    fn default() -> Self {
+        Self {
+            velocity: Vec2::ZERO,
+            heading: 0.0,
+            preferred: Vec2::ZERO,
+            radius: 0.2,
+            max_speed: 1.8,
+            max_acceleration: 5.0,
+            step: 0.02,
+            neighbours: &[],
+            edges: &[],
+            discs: &[],
+            dice: Dice::default(),
+        }
+    }
 }
 
 /// Memory that models use while they choose; kept from agent to agent so that a step allocates nothing.
@@ -101,6 +128,13 @@ pub struct Workspace {
 pub trait LocalModel: std::fmt::Debug + Send + Sync {
     /// The new velocity of one agent. Pure: the same view gives the same bits.
     fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2;
+
+    /// Why [`velocity`](Self::velocity) answers as it does for this view, as data to draw: what each neighbour and
+    /// each wall forbids, or what the model tried and what it found. Never called in a step.
+    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+        let _ = (view, workspace);
+        Vec::new()
+    }
 
     /// How far from its centre an agent of this radius and top speed needs to see walls, metres.
     fn wall_range(&self, radius: f32, max_speed: f32) -> f32;

@@ -60,7 +60,7 @@ pub struct Bodies<'a> {
 /// What the guard did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Report {
-    /// Agents whose displacement it changed.
+    /// Agents whose displacement it changed by more than a hundredth.
     pub changed: usize,
     /// Agents it clamped to their cells.
     pub clamped: usize,
@@ -128,8 +128,8 @@ impl Guard {
         report.clamped = clamped.iter().filter(|&&c| c).count();
         for (row, (target, &certain)) in targets.iter_mut().zip(&*now).enumerate() {
             let wish = *target;
-            // beyond rounding: a thousandth of the way, or of a thousandth of the body
-            let tolerance = wish.distance(bodies.positions[row]).max(1e-3 * bodies.radii[row]) * 1e-3;
+            // beyond a hundredth of the way, or of a thousandth of the body
+            let tolerance = wish.distance(bodies.positions[row]).max(1e-3 * bodies.radii[row]) * 1e-2;
             report.changed += usize::from(!wish.is_finite() || wish.distance(certain) > tolerance);
             *target = certain;
         }

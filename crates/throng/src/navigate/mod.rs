@@ -32,4 +32,4 @@ pub use path::Path;
 pub use polyanya::Search;
 pub use route::{Heading, Route};
 pub use travel::Travel;
-pub(crate) use travel::{Dice, turned_right};
+pub(crate) use travel::turned_right;

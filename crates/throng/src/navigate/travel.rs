@@ -5,7 +5,7 @@
 //! either side when that has not helped for a while; one that queues behind others who go the same way just waits.
 
 use super::Route;
-use crate::random::{Purpose, between};
+use crate::random::{Dice, Purpose};
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
 
@@ -51,20 +51,6 @@ pub struct Travel {
     pub measured: bool,
     /// Whether it arrived at the very point, and so comes back to it when pushed.
     pub at_point: bool,
-}
-
-/// Who draws the random numbers, and when.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Dice {
-    pub seed: u64,
-    pub number: u32,
-    pub step: u64,
-}
-
-impl Dice {
-    fn between(self, range: (f32, f32), purpose: Purpose) -> f32 {
-        between(range.0, range.1, self.seed, self.number, self.step, purpose)
-    }
 }
 
 impl Travel {

@@ -5,7 +5,7 @@ use crate::agent::Status;
 use crate::avoid::{MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, View, Workspace};
 use crate::motion::{Limits, limit};
 use crate::parallel;
-use crate::random::{Purpose, unit};
+use crate::random::{Dice, Purpose, unit};
 use crate::space::{Disc, Edge, NearWalls};
 use glam::{DVec2, Vec2};
 
@@ -68,13 +68,16 @@ impl World {
         let wish = group.model.velocity(
             &View {
                 velocity: agents.velocity[row],
+                heading: agents.heading[row],
                 preferred: self.step.preferred[row],
                 radius: agents.radius[row],
                 max_speed: agents.max_speed[row],
+                max_acceleration: agents.max_acceleration[row],
                 step: seconds,
                 neighbours,
                 edges,
                 discs,
+                dice: self.dice(row),
             },
             workspace,
         );
@@ -84,6 +87,11 @@ impl World {
             turn: agents.max_turn_rate[row] * seconds,
         };
         limit(wish, agents.velocity[row], agents.heading[row], limits)
+    }
+
+    /// What the random numbers of an agent depend on in this sub-step.
+    pub(super) fn dice(&self, row: usize) -> Dice {
+        Dice { seed: self.settings.seed, number: self.agents.number[row], step: self.tally.sub_steps }
     }
 
     fn neighbour(&self, row: usize, other: usize, margin: f32) -> Neighbour {

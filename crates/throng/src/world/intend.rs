@@ -2,7 +2,7 @@
 
 use super::{Way, World};
 use crate::agent::Status;
-use crate::navigate::{Dice, Goal, Travel, turned_right};
+use crate::navigate::{Goal, Travel, turned_right};
 use crate::parallel;
 use glam::{DVec2, Vec2};
 
@@ -65,7 +65,7 @@ impl World {
         let speed = agents.preferred_speed[row];
         let group = &self.groups[agents.group[row].index()];
         let made = if speed > 0.0 { agents.velocity[row].dot(direction) / speed } else { 1.0 };
-        let dice = Dice { seed: self.settings.seed, number: agents.number[row], step: self.tally.sub_steps };
+        let dice = self.dice(row);
         let detour =
             if group.detour { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
         // coming to a point: as slow as stopping there takes, half of the acceleration left to turn with, and never
