@@ -41,6 +41,14 @@ impl LocalModel for Hrvo {
         closest_outside(forbidden, view.max_speed, view.preferred)
     }
 
+    fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<super::Reason> {
+        use super::{Cause, Reason};
+        let discs = orca::disc_lines(view, view.radius, self.time_horizon_obstacles).enumerate();
+        let walls = discs.map(|(i, line)| Reason::Forbids(Cause::Disc(i), Forbidden::RightOf(line)));
+        let cones = view.neighbours.iter().map(|n| hybrid(view.velocity, n, view.step)).enumerate();
+        walls.chain(cones.map(|(i, cone)| Reason::Forbids(Cause::Neighbour(i), cone))).collect()
+    }
+
     fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
         self.time_horizon_obstacles * max_speed + radius
     }

@@ -51,6 +51,23 @@ impl LocalModel for Orca {
             .unwrap_or_else(|failed| least_violation(lines, hard, view.max_speed, failed, fallback))
     }
 
+    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<super::Reason> {
+        use super::{Cause, Reason};
+        let radius = view.radius * (1.0 + WALL_MARGIN);
+        let mut reasons = Vec::new();
+        for (i, edge) in view.edges.iter().enumerate() {
+            workspace.lines.clear();
+            let one = View { edges: std::slice::from_ref(edge), ..*view };
+            obstacle_lines::push(&mut workspace.lines, &one, radius, self.time_horizon_obstacles);
+            reasons.extend(workspace.lines.iter().map(|&line| Reason::Permits(Cause::Edge(i), line)));
+        }
+        let discs = disc_lines(view, radius, self.time_horizon_obstacles).enumerate();
+        reasons.extend(discs.map(|(i, line)| Reason::Permits(Cause::Disc(i), line)));
+        let lines = view.neighbours.iter().map(|n| line(view.velocity, n, self.time_horizon, view.step)).enumerate();
+        reasons.extend(lines.map(|(i, line)| Reason::Permits(Cause::Neighbour(i), line)));
+        reasons
+    }
+
     fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
         self.time_horizon_obstacles * max_speed + radius * (1.0 + WALL_MARGIN)
     }
