@@ -1,6 +1,7 @@
 //! What a picture is made of besides agents: shapes and type, in pixels. Pictures and SVG draw the same marks.
 
 use crate::Color;
+use crate::disc::Disc;
 use glam::Vec2;
 
 /// A shape or a line of type.
@@ -12,6 +13,8 @@ pub(crate) enum Mark {
     Line { points: Vec<Vec2>, closed: bool, stroke: Stroke },
     /// A filled disc.
     Disc { center: Vec2, radius: f32, fill: Color },
+    /// An agent.
+    Agent(Disc),
     /// A circle.
     Ring { center: Vec2, radius: f32, stroke: Stroke },
     /// A line of type.

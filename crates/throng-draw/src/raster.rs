@@ -24,6 +24,7 @@ pub(crate) fn draw(image: &mut Image, typeface: &mut Type, marks: &[Mark]) {
                 stroke_path(image, path.finish(), *stroke);
             }
             Mark::Disc { center, radius, fill } => fill_path(image, circle(*center, *radius), *fill),
+            Mark::Agent(disc) => disc.draw(image),
             Mark::Ring { center, radius, stroke } => stroke_path(image, circle(*center, *radius), *stroke),
             Mark::Text { text, at, anchor, size, color } => {
                 let shift = Vec2::new(typeface.width(text, *size) * anchor.part(), 0.0);

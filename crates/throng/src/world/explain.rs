@@ -148,11 +148,7 @@ impl Explanation {
     pub fn held_by(&self, velocity: Vec2) -> Vec<(Cause, f32)> {
         let mut held: Vec<(Cause, f32)> = Vec::new();
         for reason in &self.reasons {
-            let (cause, depth) = match *reason {
-                Reason::Permits(cause, line) => (cause, line.violation(velocity)),
-                Reason::Forbids(cause, region) => (cause, region.depth(velocity)),
-                Reason::Candidate { .. } => continue,
-            };
+            let Some((cause, depth)) = reason.depth(velocity) else { continue };
             match held.iter_mut().find(|(other, _)| *other == cause) {
                 Some((_, deepest)) => *deepest = deepest.max(depth),
                 None if depth >= -ON_EDGE => held.push((cause, depth)),
@@ -162,5 +158,16 @@ impl Explanation {
         held.iter_mut().for_each(|(_, depth)| *depth = if *depth <= ON_EDGE { 0.0 } else { *depth });
         held.sort_by(|a, b| b.1.total_cmp(&a.1));
         held
+    }
+}
+
+impl Reason {
+    /// How deep a velocity lies in what this forbids, m/s, at most 0 outside, and the cause; `None` for a candidate.
+    pub fn depth(&self, velocity: Vec2) -> Option<(Cause, f32)> {
+        match *self {
+            Self::Permits(cause, line) => Some((cause, line.violation(velocity))),
+            Self::Forbids(cause, region) => Some((cause, region.depth(velocity))),
+            Self::Candidate { .. } => None,
+        }
     }
 }
