@@ -17,6 +17,8 @@ pub(crate) enum Mark {
     Agent(Disc),
     /// A circle.
     Ring { center: Vec2, radius: f32, stroke: Stroke },
+    /// What of some marks lies within a rectangle of whole pixels.
+    Within { low: Vec2, high: Vec2, marks: Vec<Mark> },
     /// A line of type.
     Text { text: String, at: Vec2, anchor: Anchor, size: f32, color: Color },
 }

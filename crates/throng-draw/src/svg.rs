@@ -115,6 +115,14 @@ fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
             let (x, y, r) = (n(center.x), n(center.y), n(*radius));
             writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" fill="none" {}/>"#, stroke(*line))
         }
+        Mark::Within { low, high, marks } => {
+            // a document within the document shows what is within its view
+            let size = *high - *low;
+            let (x, y, w, h) = (n(low.x), n(low.y), n(size.x), n(size.y));
+            writeln!(out, r#"<svg x="{x}" y="{y}" width="{w}" height="{h}" viewBox="{x} {y} {w} {h}">"#)?;
+            write_marks(out, marks)?;
+            writeln!(out, "</svg>")
+        }
         Mark::Text { text, at, anchor, size, color } => {
             let anchor = match anchor {
                 Anchor::Start => "start",

@@ -66,6 +66,13 @@ fn forbidden(region: &Forbidden) -> Value {
         Forbidden::Cone { apex, right, left } => {
             json!({ "cone": { "apex": vector(apex), "right": vector(right), "left": vector(left) } })
         }
+        Forbidden::Truncated { apex, right, left, center, radius } => json!({ "truncated": {
+            "apex": vector(apex),
+            "right": vector(right),
+            "left": vector(left),
+            "center": vector(center),
+            "radius": number(radius),
+        } }),
         Forbidden::RightOf(other) => json!({ "right_of": line(other) }),
     }
 }

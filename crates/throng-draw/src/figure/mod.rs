@@ -53,11 +53,11 @@ impl Figure {
         Error::check_size(style.width, style.height)?;
         let key = velocities::key(why);
         let sheet = Sheet::new(style, words::caption(why), key);
-        let mut marks = near::marks(setting, frame, why, &sheet);
+        let near = near::marks(setting, frame, why, &sheet);
         let [plot, numbers] = velocities::marks(why, &sheet);
-        marks.extend(plot);
-        marks.extend(sheet.frame(words::title(setting, why)));
+        let mut marks = vec![sheet.near.clip(near), sheet.plot.clip(plot)];
         marks.extend(numbers);
+        marks.extend(sheet.frame(words::title(setting, why)));
         Ok(Self { size: (style.width, style.height), base: style.theme.ground, marks })
     }
 

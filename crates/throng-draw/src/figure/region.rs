@@ -5,6 +5,8 @@ use throng::avoid::{Cause, Forbidden, Line, Reason};
 
 /// Corners of a circle.
 const ROUND: usize = 180;
+/// Edges of a rounded tip.
+const TIP: usize = 48;
 
 /// What a reason forbids of the velocities whose coordinates are at most `reach`; `None` for candidates and where it
 /// forbids none of these.
@@ -40,6 +42,14 @@ fn bounds(region: &Forbidden) -> Vec<Line> {
     match *region {
         Forbidden::Cone { apex, right, left } => {
             vec![Line { point: apex, direction: right }, Line { point: apex, direction: -left }]
+        }
+        Forbidden::Truncated { apex, right, left, center, radius } => {
+            // round the tip from leg to leg
+            let (first, last) = (left.perp(), -right.perp());
+            let sweep = first.angle_to(last);
+            let normals = (0..=TIP).map(|k| Vec2::from_angle(sweep * k as f32 / TIP as f32).rotate(first));
+            let tip = normals.map(|normal| Line { point: center + normal * radius, direction: normal.perp() });
+            tip.chain(bounds(&Forbidden::Cone { apex, right, left })).collect()
         }
         Forbidden::RightOf(line) => vec![reversed(line)],
     }
@@ -84,11 +94,20 @@ mod tests {
     fn polygons_hold_what_reasons_forbid() {
         let (right, left) = (Vec2::from_angle(0.3), Vec2::from_angle(1.4));
         let line = Line { point: Vec2::new(0.2, -0.4), direction: Vec2::from_angle(2.0) };
-        let regions = [Forbidden::Cone { apex: Vec2::new(-0.5, 0.1), right, left }, Forbidden::RightOf(line)];
+        let apex = Vec2::new(-0.5, 0.1);
+        // touches both legs
+        let center = apex + (right + left).normalize() * 0.8;
+        let radius = right.perp_dot(center - apex);
+        let regions = [
+            Forbidden::Cone { apex, right, left },
+            Forbidden::RightOf(line),
+            Forbidden::Truncated { apex, right, left, center, radius },
+        ];
         for region in regions {
             let reason = Reason::Forbids(Cause::Neighbour(0), region);
             let (_, polygon) = forbidden(&reason, 2.0).unwrap();
-            for v in grid() {
+            // a rounded tip has corners
+            for v in grid().filter(|&v| region.depth(v).abs() > 1e-3) {
                 assert_eq!(holds(&polygon, v), region.depth(v) >= 0.0, "{v} in {region:?}");
             }
         }

@@ -30,6 +30,16 @@ impl Rect {
         self.low.cmple(other.low).all() && other.high.cmple(self.high).all()
     }
 
+    /// What of some marks lies within.
+    pub(super) fn clip(self, marks: Vec<Mark>) -> Mark {
+        Mark::Within { low: self.low, high: self.high, marks }
+    }
+
+    /// The nearest rectangle of whole pixels.
+    fn whole(self) -> Self {
+        Self { low: self.low.round(), high: self.high.round() }
+    }
+
     pub(super) fn corners(&self) -> Vec<Vec2> {
         vec![self.low, Vec2::new(self.high.x, self.low.y), self.high, Vec2::new(self.low.x, self.high.y)]
     }
@@ -57,7 +67,7 @@ const MARGIN: f32 = 26.0;
 const HEAD: f32 = 84.0;
 const LINE: f32 = 22.0;
 /// Room for the numbers and the name of an axis.
-const AXIS: f32 = 46.0;
+const AXIS: f32 = 44.0;
 const GAP: f32 = 26.0;
 /// A sample in the key.
 const SAMPLE: f32 = 30.0;
@@ -76,6 +86,7 @@ impl<'a> Sheet<'a> {
         let right = width - margin;
         let plot = Rect { low: Vec2::new(right - side, top), high: Vec2::new(right, top + side) };
         let near = Rect { low: Vec2::new(margin, top), high: Vec2::new(right - side - between, top + side) };
+        let (near, plot) = (near.whole(), plot.whole());
         Self { style, typeface, unit, size, near, plot, margin, caption, key }
     }
 
@@ -96,16 +107,14 @@ impl<'a> Sheet<'a> {
         marks.push(self.text(text, center + Vec2::new(0.0, 0.34 * self.size), Anchor::Middle, theme.text));
     }
 
-    /// What stands round the parts: a mat that covers what hangs over their edges, titles, key and caption.
+    /// What stands round the parts: their edges, titles, key and caption.
     pub(super) fn frame(&self, [title, subtitle]: [String; 2]) -> Vec<Mark> {
         let (theme, unit) = (&self.style.theme, self.unit);
         let (width, height) = (self.style.width as f32, self.style.height as f32);
-        let page = Rect { low: Vec2::ZERO, high: Vec2::new(width, height) };
         let panels = [self.near, self.plot];
-        let rings = [page, self.near, self.plot].map(|rect| rect.corners()).to_vec();
-        let mut marks = vec![Mark::Area { rings, fill: theme.ground }];
-        let edge = Stroke::plain(unit, theme.edge);
-        marks.extend(panels.map(|rect| Mark::Line { points: rect.corners(), closed: true, stroke: edge }));
+        let stroke = Stroke::plain(unit, theme.edge);
+        let edge = |rect: Rect| Mark::Line { points: rect.corners(), closed: true, stroke };
+        let mut marks = panels.map(edge).to_vec();
 
         let (left, room) = (self.margin, width - 2.0 * self.margin);
         let mut line = |text: &str, at: Vec2, size: f32, room: f32, color: Color| {

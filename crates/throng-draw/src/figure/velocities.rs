@@ -13,6 +13,8 @@ use throng::avoid::{Cause, Reason};
 
 /// How much more than the greatest speed is shown.
 const AROUND: f32 = 1.28;
+/// Opacity of what a single reason forbids.
+const SHADE: f32 = 0.28;
 
 /// A line of the key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,8 +66,8 @@ impl Entry {
                 quantity.draw(from, from.midpoint(to), sheet, marks);
             }
             Self::Velocity(quantity) => quantity.draw(from, to, sheet, marks),
-            Self::Neighbour => shade(area, tint::neighbour(0), sheet, marks),
-            Self::Wall => shade(area, tint::cause(Cause::Edge(0), sheet), sheet, marks),
+            Self::Neighbour => shade(area, tint::neighbour(0), 0.2, sheet, marks),
+            Self::Wall => shade(area, tint::cause(Cause::Edge(0), sheet), 0.2, sheet, marks),
             Self::Left => outline_left(area, sheet, marks),
             Self::Speed => {
                 let stroke = Stroke { width: 1.2 * unit, color: theme.quiet, dash: Some(3.0 * unit) };
@@ -159,9 +161,12 @@ impl<'a> Plot<'a> {
         let (why, sheet) = (self.why, self.sheet);
         // what hangs over the edge is covered: the edge of the picture is no edge of a region
         let polygons = why.reasons.iter().filter_map(|reason| region::forbidden(reason, 1.5 * self.reach));
+        let polygons: Vec<_> = polygons.collect();
+        // where many overlap, colours stay apart
+        let opacity = SHADE / (polygons.len() as f32).sqrt();
         for (cause, polygon) in polygons {
             let points = polygon.into_iter().map(|v| self.pixel(v)).collect();
-            shade(points, tint::cause(cause, sheet), sheet, &mut self.marks);
+            shade(points, tint::cause(cause, sheet), opacity, sheet, &mut self.marks);
         }
         if let Some(polygon) = left(why) {
             let points = polygon.into_iter().map(|v| self.pixel(v)).collect();
@@ -243,8 +248,8 @@ impl<'a> Plot<'a> {
 }
 
 /// What is forbidden.
-fn shade(points: Vec<Vec2>, color: Color, sheet: &Sheet, marks: &mut Vec<Mark>) {
-    marks.push(Mark::Area { rings: vec![points.clone()], fill: color.alpha(0.17) });
+fn shade(points: Vec<Vec2>, color: Color, opacity: f32, sheet: &Sheet, marks: &mut Vec<Mark>) {
+    marks.push(Mark::Area { rings: vec![points.clone()], fill: color.alpha(opacity) });
     let stroke = Stroke::plain(1.3 * sheet.unit, color.mix(sheet.style.theme.text, 0.15));
     marks.push(Mark::Line { points, closed: true, stroke });
 }
