@@ -41,16 +41,22 @@ impl Labels {
     }
 }
 
-/// Centres for a label beside a point, the one in `direction` first, then farther and farther from it.
+/// Centres for a label beside a point: those round it that lie most in `direction` first, then farther and farther off.
 pub(super) fn beside(point: Vec2, half: Vec2, gap: f32, direction: Vec2) -> impl Iterator<Item = Vec2> {
-    let ahead = direction.try_normalize().unwrap_or(Vec2::X);
-    [1.0, 2.2, 4.0].into_iter().flat_map(move |far| {
-        [0.0f32, 0.6, -0.6, 1.2, -1.2, 1.9, -1.9, 2.5, -2.5, 3.14].into_iter().map(move |turn| {
-            let way = Vec2::from_angle(turn).rotate(ahead);
-            // the label's nearest edge or corner lies at the gap
-            let reach = (half.x / way.x.abs().max(1e-3)).min(half.y / way.y.abs().max(1e-3));
-            point + way * (reach + far * gap)
-        })
+    // at the middle of a side, or at a corner
+    let mut ways: Vec<Vec2> = [-1.0f32, 0.0, 1.0]
+        .into_iter()
+        .flat_map(|x| [Vec2::new(x, -1.0), Vec2::new(x, 1.0)])
+        .chain([Vec2::X, Vec2::NEG_X])
+        .collect();
+    ways.sort_by(|a, b| b.normalize().dot(direction).total_cmp(&a.normalize().dot(direction)));
+    [1.0, 1.6, 2.5, 4.0].into_iter().flat_map(move |far| {
+        let center = move |way: Vec2| {
+            let corner = way.x != 0.0 && way.y != 0.0;
+            let x = way.x * if corner { half.x } else { half.x + far * gap };
+            point + Vec2::new(x, way.y * (half.y + far * gap))
+        };
+        ways.clone().into_iter().map(center)
     })
 }
 

@@ -53,10 +53,10 @@ impl Figure {
         Error::check_size(style.width, style.height)?;
         let key = velocities::key(why);
         let sheet = Sheet::new(style, words::caption(why), key);
-        let near = near::marks(setting, frame, why, &sheet);
+        let [near, scale] = near::marks(setting, frame, why, &sheet);
         let [plot, numbers] = velocities::marks(why, &sheet);
         let mut marks = vec![sheet.near.clip(near), sheet.plot.clip(plot)];
-        marks.extend(numbers);
+        marks.extend([scale, numbers].concat());
         marks.extend(sheet.frame(words::title(setting, why)));
         Ok(Self { size: (style.width, style.height), base: style.theme.ground, marks })
     }

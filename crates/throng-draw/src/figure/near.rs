@@ -14,49 +14,57 @@ use throng_record::{Body, Frame, Setting};
 /// What is shown of the agent itself: the others stand in the plot.
 const SHOWN: [Quantity; 3] = [Quantity::Now, Quantity::Preferred, Quantity::Chosen];
 
-pub(super) fn marks(setting: &Setting, frame: &Frame, why: &Explanation, sheet: &Sheet) -> Vec<Mark> {
+/// What is within the panel, which may hang over its edges, and what stands below it.
+pub(super) fn marks(setting: &Setting, frame: &Frame, why: &Explanation, sheet: &Sheet) -> [Vec<Mark>; 2] {
     let camera = camera(why, sheet);
-    let (place, body) = around(setting, frame, why);
-    let mut marks = place::marks(&place, sheet.style, &camera, sheet.unit, &body);
+    let (place, own) = around(setting, frame, why);
+    let mut marks = place::marks(&place, sheet.style, &camera, sheet.unit, &own);
     let mut labels = Labels::new(sheet.near.inset(3.0 * sheet.unit));
-    let seen = |body: &Body| why.neighbours.iter().position(|other| other.number == body.number);
-    let radius = |body: &Body| camera.length(f64::from(body.radius));
-    let tip = |at: DVec2, velocity: Vec2| camera.pixel(at + velocity.as_dvec2());
-
+    let theme = &sheet.style.theme;
+    let mut numbers = Vec::new();
+    let mut ways = Vec::new();
     for body in &frame.bodies {
-        let color = match seen(body) {
-            _ if body.number == why.number => ACCENT,
-            Some(index) => tint::neighbour(index),
-            None => sheet.style.theme.edge,
-        };
-        marks.push(Mark::Agent(disc(body, color, camera.pixel(body.position), radius(body), sheet)));
-        labels.keep(camera.pixel(body.position), radius(body));
-    }
-    for (index, other) in why.neighbours.iter().enumerate() {
-        let at = why.position + other.seen.offset.as_dvec2();
-        let (from, to) = (camera.pixel(at), tip(at, other.velocity));
-        let color = tint::neighbour(index).mix(sheet.style.theme.text, 0.25);
-        thin(from, to, color, sheet.unit, &mut marks);
-        labels.keep_line(from, to, 2.0 * sheet.unit);
-    }
-    let at = camera.pixel(why.position);
-    for quantity in SHOWN {
-        let to = tip(why.position, quantity.of(why));
-        quantity.draw(at, to, sheet, &mut marks);
-        labels.keep_line(at, to, 2.0 * sheet.unit);
-    }
-    marks.extend(scale_bar(&camera, sheet, &mut labels));
-    for (index, other) in why.neighbours.iter().enumerate() {
-        let at = camera.pixel(why.position + other.seen.offset.as_dvec2());
-        let (color, radius) = (tint::neighbour(index), camera.length(f64::from(other.radius)));
-        let half = tint::badge_radius(sheet);
-        let gap = radius + 3.0 * sheet.unit;
-        let away = Vec2::new(other.seen.offset.x, -other.seen.offset.y);
-        if let Some(center) = labels.place(Vec2::splat(half), beside(at, Vec2::splat(half), gap, away)) {
-            tint::badge(other.number, color, center, sheet, &mut marks);
+        let (at, radius) = (camera.pixel(body.position), camera.length(f64::from(body.radius)));
+        let index = why.neighbours.iter().position(|other| other.number == body.number);
+        let own = (body.number == why.number).then_some(ACCENT);
+        let color = own.or(index.map(tint::neighbour));
+        marks.push(Mark::Agent(disc(body, color, at, radius, sheet)));
+        labels.keep(at, radius);
+        let Some(color) = color else { continue };
+        numbers.push((body.number, color, at, radius));
+        if index.is_some() {
+            let (from, to) = way(body.velocity, at, radius, &camera);
+            ways.push((from, to, color.mix(theme.text, 0.25)));
+            labels.keep_line(from, to, 2.0 * sheet.unit);
         }
     }
-    marks
+    for (from, to, color) in ways {
+        thin(from, to, color, sheet.unit, &mut marks);
+    }
+    let (at, radius) = (camera.pixel(why.position), camera.length(f64::from(why.radius)));
+    for quantity in SHOWN {
+        let (from, to) = way(quantity.of(why), at, radius, &camera);
+        if from.distance(to) > 2.0 * sheet.unit {
+            quantity.draw(from, to, sheet, &mut marks);
+        }
+    }
+    let half = Vec2::splat(tint::badge_radius(sheet));
+    for (number, color, at, radius) in numbers {
+        let away = at - camera.pixel(why.position);
+        if radius >= half.x {
+            marks.push(tint::inscribed(number, color, at, radius, sheet));
+        } else if let Some(center) = labels.place(half, beside(at, half, radius + 3.0 * sheet.unit, away)) {
+            tint::badge(number, color, center, sheet, &mut marks);
+        }
+    }
+    [marks, scale_bar(&camera, sheet)]
+}
+
+/// The way of the front of a body in a second.
+fn way(velocity: Vec2, at: Vec2, radius: f32, camera: &Camera) -> (Vec2, Vec2) {
+    let way = Vec2::new(velocity.x, -velocity.y) * camera.scale as f32;
+    let front = at + way.normalize_or_zero() * radius;
+    (front, front + way)
 }
 
 /// A view that holds the agent, its neighbours, and where they are in a second.
@@ -64,7 +72,7 @@ fn camera(why: &Explanation, sheet: &Sheet) -> Camera {
     let mut view = WorldBox::NOTHING;
     let mut show = |at: DVec2, velocity: Vec2, radius: f32| {
         view.add(at, f64::from(radius));
-        view.add(at + velocity.as_dvec2(), 0.0);
+        view.add(at + velocity.as_dvec2(), f64::from(radius));
     };
     SHOWN.iter().for_each(|quantity| show(why.position, quantity.of(why), why.radius));
     for other in &why.neighbours {
@@ -83,25 +91,28 @@ fn around(setting: &Setting, frame: &Frame, why: &Explanation) -> (Setting, Fram
     (place, Frame { bodies: bodies.into_iter().collect(), ..Frame::default() })
 }
 
-fn disc(body: &Body, fill: Color, center: Vec2, radius: f32, sheet: &Sheet) -> Disc {
+/// A body; the notch makes room for a number.
+fn disc(body: &Body, color: Option<Color>, center: Vec2, radius: f32, sheet: &Sheet) -> Disc {
     let theme = &sheet.style.theme;
     let (sin, cos) = body.heading.sin_cos();
-    let notch = (radius >= NOTCH_LEAST_RADIUS).then(|| (Vec2::new(cos, -sin), theme.notch.alpha(0.92)));
+    let notched = radius >= NOTCH_LEAST_RADIUS && (color.is_none() || radius < tint::badge_radius(sheet));
+    let notch = notched.then(|| (Vec2::new(cos, -sin), theme.notch.alpha(0.92)));
+    let fill = color.unwrap_or(theme.edge);
     Disc { center, radius, fill, rim: fill.mix(theme.text, 0.42), rim_width: sheet.unit, notch }
 }
 
-/// A bar of a round number of metres, bottom left.
-fn scale_bar(camera: &Camera, sheet: &Sheet, labels: &mut Labels) -> Vec<Mark> {
+/// A bar of a round number of metres, below the panel.
+fn scale_bar(camera: &Camera, sheet: &Sheet) -> Vec<Mark> {
     let unit = sheet.unit;
     let metres = legend::round_length(f64::from(sheet.near.high.x - sheet.near.low.x) / 5.0 / camera.scale);
-    let left = Vec2::new(sheet.near.low.x, sheet.near.high.y) + Vec2::new(12.0, -12.0) * unit;
+    let left = Vec2::new(sheet.near.low.x, sheet.near.high.y + 16.0 * unit);
     let right = left + Vec2::new(camera.length(metres), 0.0);
     let tick = Vec2::new(0.0, 4.0 * unit);
-    let stroke = Stroke::plain(1.2 * unit, sheet.style.theme.quiet);
-    labels.keep_line(left, right, 16.0 * unit);
-    let at = (left + right) * 0.5 - Vec2::new(0.0, 6.0 * unit);
+    let quiet = sheet.style.theme.quiet;
+    let line = vec![left - tick, left, right, right - tick];
+    let at = right + Vec2::new(8.0 * unit, 2.0 * unit);
     vec![
-        Mark::Line { points: vec![left - tick, left, right, right - tick], closed: false, stroke },
-        sheet.text(format!("{metres} m"), at, Anchor::Middle, sheet.style.theme.quiet),
+        Mark::Line { points: line, closed: false, stroke: Stroke::plain(1.2 * unit, quiet) },
+        sheet.text(format!("{metres} m; arrows: the way of a second"), at, Anchor::Start, quiet),
     ]
 }

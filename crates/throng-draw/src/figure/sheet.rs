@@ -66,8 +66,9 @@ pub(super) struct Sheet<'a> {
 const MARGIN: f32 = 26.0;
 const HEAD: f32 = 84.0;
 const LINE: f32 = 22.0;
-/// Room for the numbers and the name of an axis.
-const AXIS: f32 = 44.0;
+/// Room for the numbers of the axes: beside, below.
+const BESIDE: f32 = 44.0;
+const BELOW: f32 = 36.0;
 const GAP: f32 = 26.0;
 /// A sample in the key.
 const SAMPLE: f32 = 30.0;
@@ -78,10 +79,10 @@ impl<'a> Sheet<'a> {
         let unit = (width / 1200.0).min(height / 760.0).max(0.05);
         let (typeface, size, margin) = (Type::new(), 14.0 * unit, MARGIN * unit);
         let key = rows(key, width - 2.0 * margin, |entry| entry_width(entry, &typeface, size, unit));
-        let below = (AXIS + LINE * (caption.len() + key.len()) as f32 + 12.0) * unit;
+        let below = (BELOW + LINE * (caption.len() + key.len()) as f32 + 12.0) * unit;
         let top = margin + HEAD * unit;
         let bottom = height - margin - below;
-        let between = (AXIS + GAP) * unit;
+        let between = (BESIDE + GAP) * unit;
         let side = (bottom - top).min(0.5 * (width - 2.0 * margin - between)).max(1.0);
         let right = width - margin;
         let plot = Rect { low: Vec2::new(right - side, top), high: Vec2::new(right, top + side) };
@@ -123,8 +124,7 @@ impl<'a> Sheet<'a> {
         };
         line(&title, Vec2::new(left, self.margin + 16.0 * unit), 1.45 * self.size, room, theme.text);
         line(&subtitle, Vec2::new(left, self.margin + 39.0 * unit), self.size, room, theme.quiet);
-        for (panel, name) in panels.iter().zip(["near it, metres; arrows: the way of a second", "its velocities, m/s"])
-        {
+        for (panel, name) in panels.iter().zip(["what is near", "its velocities, m/s"]) {
             let at = panel.low - Vec2::new(0.0, 8.0 * unit);
             line(name, at, self.size, panel.high.x - panel.low.x, theme.quiet);
         }

@@ -2,7 +2,7 @@
 
 use super::arrow::Quantity;
 use super::labels::{Labels, beside};
-use super::sheet::Sheet;
+use super::sheet::{Rect, Sheet};
 use super::{region, tint};
 use crate::color::ramp;
 use crate::mark::{Anchor, Mark, Stroke};
@@ -24,7 +24,8 @@ pub(super) enum Entry {
     Wall,
     Left,
     Speed,
-    Candidates,
+    Candidate,
+    Refused,
 }
 
 /// What of the key this figure needs.
@@ -38,7 +39,8 @@ pub(super) fn key(why: &Explanation) -> Vec<Entry> {
         (has(|cause| matches!(cause, Cause::Edge(_) | Cause::Disc(_))), Entry::Wall),
         (left(why).is_some(), Entry::Left),
         (true, Entry::Speed),
-        (candidates(why).next().is_some(), Entry::Candidates),
+        (candidates(why).any(|(_, cost)| cost.is_finite()), Entry::Candidate),
+        (candidates(why).any(|(_, cost)| !cost.is_finite()), Entry::Refused),
     ];
     key.extend(others.into_iter().filter(|(there, _)| *there).map(|(_, entry)| entry));
     key
@@ -51,8 +53,9 @@ impl Entry {
             Self::Neighbour => "forbidden by a neighbour",
             Self::Wall => "by a wall",
             Self::Left => "permitted by all",
-            Self::Speed => "its greatest speed",
-            Self::Candidates => "tried: costly to cheap; hollow: forbidden",
+            Self::Speed => "within its greatest speed",
+            Self::Candidate => "tried: costly to cheap",
+            Self::Refused => "tried: forbidden",
         }
     }
 
@@ -70,14 +73,17 @@ impl Entry {
             Self::Wall => shade(area, tint::cause(Cause::Edge(0), sheet), 0.2, sheet, marks),
             Self::Left => outline_left(area, sheet, marks),
             Self::Speed => {
+                let (center, radius) = (from.midpoint(to), 8.0 * unit);
                 let stroke = Stroke { width: 1.2 * unit, color: theme.quiet, dash: Some(3.0 * unit) };
-                marks.push(Mark::Line { points: vec![from, to], closed: false, stroke });
+                marks.push(Mark::Disc { center, radius, fill: theme.notch.alpha(0.75) });
+                marks.push(Mark::Ring { center, radius, stroke });
             }
-            Self::Candidates => {
-                for (k, t) in [Some(0.0), Some(0.5), Some(1.0), None].into_iter().enumerate() {
-                    candidate(from.lerp(to, (k as f32 + 0.5) / 4.0), t, sheet, marks);
+            Self::Candidate => {
+                for t in [0.0, 0.25, 0.5, 0.75, 1.0] {
+                    candidate(from.lerp(to, t), Some(t), sheet, marks);
                 }
             }
+            Self::Refused => candidate(from.midpoint(to), None, sheet, marks),
         }
     }
 }
@@ -85,11 +91,11 @@ impl Entry {
 /// What is within the plot, which may hang over its edges, and the numbers that stand outside.
 pub(super) fn marks(why: &Explanation, sheet: &Sheet) -> [Vec<Mark>; 2] {
     let mut plot = Plot::new(why, sheet);
-    let numbers = plot.grid();
     plot.regions();
     plot.candidates();
     plot.quantities();
     plot.badges();
+    let numbers = plot.numbers();
     [plot.marks, numbers]
 }
 
@@ -130,35 +136,47 @@ impl<'a> Plot<'a> {
         self.camera.pixel(velocity.as_dvec2())
     }
 
-    /// A grid with the axes; the numbers outside.
-    fn grid(&mut self) -> Vec<Mark> {
-        let (sheet, unit) = (self.sheet, self.sheet.unit);
-        let theme = &sheet.style.theme;
-        let step = legend::round_length(f64::from(self.reach) / 2.4);
-        let most = (f64::from(self.reach) / step).floor() as i32;
-        let mut numbers = Vec::new();
-        let decimals = (-step.log10().floor()).clamp(0.0, 6.0) as usize;
-        for k in -most..=most {
-            let value = f64::from(k) * step;
+    /// Round values along an axis, m/s.
+    fn ticks(&self) -> impl Iterator<Item = f64> + use<> {
+        let (step, reach) = (legend::round_length(f64::from(self.reach) / 2.4), f64::from(self.reach));
+        let most = (reach / step).floor() as i32;
+        (-most..=most).map(move |k| f64::from(k) * step)
+    }
+
+    fn grid(&mut self) {
+        let Rect { low, high } = self.sheet.plot;
+        for value in self.ticks() {
             let at = self.camera.pixel(DVec2::splat(value));
-            let (low, high) = (sheet.plot.low, sheet.plot.high);
-            let stroke = Stroke::plain(unit, theme.edge.alpha(if k == 0 { 0.9 } else { 0.3 }));
-            for points in
+            let opacity = if value == 0.0 { 0.9 } else { 0.3 };
+            let stroke = Stroke::plain(self.sheet.unit, self.sheet.style.theme.edge.alpha(opacity));
+            for ends in
                 [[Vec2::new(at.x, low.y), Vec2::new(at.x, high.y)], [Vec2::new(low.x, at.y), Vec2::new(high.x, at.y)]]
             {
-                self.marks.push(Mark::Line { points: points.to_vec(), closed: false, stroke });
+                self.marks.push(Mark::Line { points: ends.to_vec(), closed: false, stroke });
             }
-            let number = format!("{value:.decimals$}").replace('-', "−");
-            let below = Vec2::new(at.x, high.y + 18.0 * unit);
-            numbers.push(sheet.text(number.clone(), below, Anchor::Middle, theme.quiet));
-            let beside = Vec2::new(low.x - 7.0 * unit, at.y + 0.34 * sheet.size);
-            numbers.push(sheet.text(number, beside, Anchor::End, theme.quiet));
         }
-        numbers
+    }
+
+    fn numbers(&self) -> Vec<Mark> {
+        let (sheet, unit) = (self.sheet, self.sheet.unit);
+        let Rect { low, high } = sheet.plot;
+        let number = |value: f64| {
+            let at = self.camera.pixel(DVec2::splat(value));
+            // rounded to what a multiple of a round number needs
+            let text = ((value * 1e6).round() / 1e6).to_string().replace('-', "−");
+            let below = Vec2::new(at.x, high.y + 18.0 * unit);
+            let beside = Vec2::new(low.x - 7.0 * unit, at.y + 0.34 * sheet.size);
+            let quiet = sheet.style.theme.quiet;
+            [sheet.text(text.clone(), below, Anchor::Middle, quiet), sheet.text(text, beside, Anchor::End, quiet)]
+        };
+        self.ticks().flat_map(number).collect()
     }
 
     fn regions(&mut self) {
         let (why, sheet) = (self.why, self.sheet);
+        let (zero, radius) = (self.pixel(Vec2::ZERO), self.camera.length(f64::from(why.max_speed)));
+        self.marks.push(Mark::Disc { center: zero, radius, fill: sheet.style.theme.notch.alpha(0.75) });
+        self.grid();
         // what hangs over the edge is covered: the edge of the picture is no edge of a region
         let polygons = why.reasons.iter().filter_map(|reason| region::forbidden(reason, 1.5 * self.reach));
         let polygons: Vec<_> = polygons.collect();
@@ -173,8 +191,7 @@ impl<'a> Plot<'a> {
             outline_left(points, sheet, &mut self.marks);
         }
         let stroke = Stroke { width: 1.2 * sheet.unit, color: sheet.style.theme.quiet, dash: Some(3.0 * sheet.unit) };
-        let radius = self.camera.length(f64::from(why.max_speed));
-        self.marks.push(Mark::Ring { center: self.pixel(Vec2::ZERO), radius, stroke });
+        self.marks.push(Mark::Ring { center: zero, radius, stroke });
     }
 
     fn candidates(&mut self) {
@@ -198,6 +215,8 @@ impl<'a> Plot<'a> {
             self.labels.keep(end, 8.0 * unit);
             self.labels.keep_line(zero, end, 2.0 * unit);
             match ends.iter_mut().find(|(other, _)| other.distance(end) < 6.0 * unit) {
+                // what comes after the choice and changes nothing shows by its mark
+                Some((_, names)) if names.ends_with(Quantity::Chosen.name()) => {}
                 Some((_, names)) => *names += &format!(", {}", quantity.name()),
                 None => ends.push((end, quantity.name().to_owned())),
             }
@@ -258,7 +277,7 @@ fn shade(points: Vec<Vec2>, color: Color, opacity: f32, sheet: &Sheet, marks: &m
 fn outline_left(points: Vec<Vec2>, sheet: &Sheet, marks: &mut Vec<Mark>) {
     let theme = &sheet.style.theme;
     marks.push(Mark::Area { rings: vec![points.clone()], fill: theme.notch.alpha(0.75) });
-    marks.push(Mark::Line { points, closed: true, stroke: Stroke::plain(1.6 * sheet.unit, theme.text) });
+    marks.push(Mark::Line { points, closed: true, stroke: Stroke::plain(2.0 * sheet.unit, theme.text) });
 }
 
 /// A velocity that was tried: `good` from 0 to 1, `None` for a forbidden one.

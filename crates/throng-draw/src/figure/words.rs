@@ -14,10 +14,13 @@ pub(super) fn title(setting: &Setting, why: &Explanation) -> [String; 2] {
     let Explanation { number, time, seconds, .. } = why;
     let (name, parameters) = why.model.split_once('{').unwrap_or((&why.model, ""));
     let parameters = parameters.trim_end_matches('}').trim().replace('_', " ").replace(": ", " ");
+    let parameters = parameters.replace("Some(", "").replace([')', '{', '}'], "");
     let parameters = if parameters.is_empty() { parameters } else { format!(" ({parameters})") };
+    // short names are acronyms
+    let name = if name.trim().len() <= 4 { name.trim().to_uppercase() } else { name.trim().to_owned() };
     [
-        format!("{}: agent {number} at {time:.2} s", setting.title),
-        format!("{}{parameters}, choosing for {seconds:.4} s", name.trim()),
+        format!("{}: agent {number} at {time:.2} s, {name}", setting.title),
+        format!("{name}{parameters}, choosing for {seconds:.4} s"),
     ]
 }
 
@@ -57,6 +60,7 @@ fn decided(why: &Explanation) -> String {
 
 fn collisions(why: &Explanation) -> String {
     let touches = |velocity| match why.collision(velocity) {
+        Some((time, cause)) if time < 0.05 => format!("touches {} at once", names(&[cause], why)),
         Some((time, cause)) => format!("touches {} after {time:.1} s", names(&[cause], why)),
         None => "touches nobody".into(),
     };
