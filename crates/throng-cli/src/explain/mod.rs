@@ -4,12 +4,12 @@ mod json;
 
 use crate::args::ExplainArgs;
 use crate::failure::Failure;
+use crate::files::one_picture;
 use crate::moment;
 use crate::out::Out;
 use crate::source::Loaded;
 use std::path::PathBuf;
 use throng::{AgentId, World};
-use throng_draw::sink::Kind;
 use throng_draw::{Figure, Style, Theme};
 use throng_record::Frame;
 
@@ -23,9 +23,7 @@ pub fn explain(args: &ExplainArgs, out: &mut Out) -> Result<(), Failure> {
         (true, false) => vec![PathBuf::from(format!("{}-agent-{}.svg", loaded.name, args.agent))],
         _ => args.output.clone(),
     };
-    if let Some(path) = paths.iter().find(|path| !matches!(Kind::of(path), Ok(Kind::Png | Kind::Svg))) {
-        return Err(throng_draw::Error::Still { path: path.clone() }.into());
-    }
+    paths.iter().try_for_each(|path| one_picture(path, "explain"))?;
     let (world, id) = go_to(args, &loaded)?;
     let Some(why) = world.explain(id) else { return Err(absent(args, &world, "is not there")) };
     if !paths.is_empty() {
@@ -55,8 +53,9 @@ fn go_to(args: &ExplainArgs, loaded: &Loaded) -> Result<(World, AgentId), Failur
     let mut was_there = false;
     while world.time() + 0.5 * scene.time.step <= args.time {
         if scene.time.over(&world) {
-            let text = format!("--time {}: {name} ends at {:.2} s", args.time, world.time());
-            return Err(Failure::hint(text, format!("give at most --time {:.2}", world.time())));
+            let end = (world.time() * 1e6).round() / 1e6;
+            let text = format!("--time {}: {name} ends at {end} s", args.time);
+            return Err(Failure::hint(text, format!("give at most --time {end}")));
         }
         was_there |= id(&world, args.agent).is_some();
         world.step();

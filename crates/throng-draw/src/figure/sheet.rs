@@ -37,7 +37,7 @@ impl Rect {
 
     /// The nearest rectangle of whole pixels.
     fn whole(self) -> Self {
-        Self { low: self.low.round(), high: self.high.round() }
+        Self { low: self.low.round(), high: self.high.max(self.low).round() }
     }
 
     pub(super) fn corners(&self) -> Vec<Vec2> {
@@ -111,13 +111,12 @@ impl<'a> Sheet<'a> {
     /// What stands round the parts: their edges, titles, key and caption.
     pub(super) fn frame(&self, [title, subtitle]: [String; 2]) -> Vec<Mark> {
         let (theme, unit) = (&self.style.theme, self.unit);
-        let (width, height) = (self.style.width as f32, self.style.height as f32);
         let panels = [self.near, self.plot];
         let stroke = Stroke::plain(unit, theme.edge);
         let edge = |rect: Rect| Mark::Line { points: rect.corners(), closed: true, stroke };
         let mut marks = panels.map(edge).to_vec();
 
-        let (left, room) = (self.margin, width - 2.0 * self.margin);
+        let (left, room) = (self.margin, self.style.width as f32 - 2.0 * self.margin);
         let mut line = |text: &str, at: Vec2, size: f32, room: f32, color: Color| {
             let text = self.typeface.clip(text, size, room);
             marks.push(Mark::Text { text, at, anchor: Anchor::Start, size, color });
@@ -128,11 +127,11 @@ impl<'a> Sheet<'a> {
             let at = panel.low - Vec2::new(0.0, 8.0 * unit);
             line(name, at, self.size, panel.high.x - panel.low.x, theme.quiet);
         }
-        let below = height - self.margin - 3.0 * unit;
-        for (k, text) in self.caption.iter().rev().enumerate() {
-            line(text, Vec2::new(left, below - LINE * k as f32 * unit), self.size, room, theme.text);
+        let first = self.plot.high.y + (BELOW + LINE) * unit;
+        let caption = first + (LINE * self.key.len() as f32 + 6.0) * unit;
+        for (k, text) in self.caption.iter().enumerate() {
+            line(text, Vec2::new(left, caption + LINE * k as f32 * unit), self.size, room, theme.text);
         }
-        let first = below - (LINE * (self.caption.len() + self.key.len() - 1) as f32 + 6.0) * unit;
         for (k, row) in self.key.iter().enumerate() {
             let mut at = Vec2::new(left, first + LINE * k as f32 * unit);
             for entry in row {
