@@ -85,6 +85,8 @@ impl World {
             velocity: agents.velocity[row],
             heading: agents.heading[row],
             preferred: self.step.preferred[row],
+            climb: 0.0,
+            preferred_climb: 0.0,
             radius: agents.radius[row] + agents.tracking_error[row],
             max_speed: agents.max_speed[row],
             max_acceleration: agents.max_acceleration[row],
@@ -134,6 +136,8 @@ impl World {
         let granted = if wanted.dot(offset) < 0.0 { wanted * (GRANT * yields.max(0.0)) } else { Vec2::ZERO };
         Neighbour {
             offset,
+            above: 0.0,
+            climb: 0.0,
             velocity: velocity + granted,
             preferred: self.step.preferred[other],
             radii: (agents.radius[row] + agents.radius[other]) * margin
