@@ -1,13 +1,14 @@
 //! `throng explain`: why one agent goes where it goes.
 
+pub mod args;
 mod json;
 
-use crate::args::ExplainArgs;
 use crate::failure::Failure;
 use crate::files::one_picture;
 use crate::moment;
 use crate::out::Out;
 use crate::source::Loaded;
+use args::ExplainArgs;
 use std::path::PathBuf;
 use throng::{AgentId, World};
 use throng_draw::{Figure, Style, Theme};

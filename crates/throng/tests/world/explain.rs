@@ -4,16 +4,19 @@ use crate::common::{Draw, with_settings};
 use crate::scenes::{Kind, clutter, packed, populate};
 use glam::{DVec2, Vec2};
 use std::sync::Arc;
-use throng::avoid::{Cause, Hrvo, LocalModel, Orca, Reason, Rvo, Unavoiding, Vo};
+use throng::avoid::{Avo, Cause, ClearPath, Hrvo, LocalModel, Orca, Reason, Rvo, RvoLab, Unavoiding, Vo};
 use throng::{Agent, AgentId, Group, Settings, SubSteps, World};
 
 fn everybody(world: &World) -> Vec<AgentId> {
     (0..world.agents().len()).map(|row| world.id(row)).collect()
 }
 
-fn models() -> [Arc<dyn LocalModel>; 5] {
+fn models() -> [Arc<dyn LocalModel>; 8] {
     [
         Arc::new(Orca::default()),
+        Arc::new(Avo::default()),
+        Arc::new(ClearPath::default()),
+        Arc::new(RvoLab),
         Arc::new(Hrvo::default()),
         Arc::new(Rvo::default()),
         Arc::new(Vo::default()),
