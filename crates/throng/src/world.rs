@@ -12,8 +12,9 @@ mod schedule;
 mod snapshot;
 
 use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
+use crate::guard::Pose;
 use crate::guard::{Contacts, Guard};
-use crate::navigate::{Goal, Journey, Meshes, Unreachable};
+use crate::navigate::{Goal, Journey, Meshes, Script, Unreachable};
 use crate::perceive::{Grid, Near};
 use crate::space::{Place, Walls};
 use crate::summary::{Counts, Ended, Summary, Tally};
@@ -62,6 +63,7 @@ pub struct World {
     groups: Vec<Group>,
     goals: Vec<Goal>,
     journeys: Vec<Journey>,
+    scripts: Vec<Script>,
     place: Place,
     schedule: Schedule,
     tally: Tally,
@@ -90,14 +92,16 @@ struct Slots {
 #[derive(Debug, Default)]
 struct StepMemory {
     grid: Grid,
+    long: perceive::Long,
     /// Neighbours of each row: `most_neighbours` places a row, filled from the front.
     neighbours: Vec<Near>,
     most_neighbours: usize,
     ways: Vec<Way>,
     preferred: Vec<Vec2>,
     wishes: Vec<Vec2>,
-    targets: Vec<Vec2>,
+    targets: Vec<Pose>,
     reach: Vec<f32>,
+    guarded: Vec<bool>,
     contacts: Contacts,
     guard: Guard,
     arrivals: Vec<u32>,
@@ -121,10 +125,11 @@ impl World {
         let seconds = (self.settings.step / f64::from(parts)) as f32;
         for part in 0..parts {
             self.perceive();
-            self.intend(seconds);
+            let now = self.time() + self.settings.step * f64::from(part + 1) / f64::from(parts);
+            self.intend(seconds, now);
             self.avoid(seconds);
-            self.guard(seconds);
-            self.advance(seconds, self.time() + self.settings.step * f64::from(part + 1) / f64::from(parts));
+            self.guard(seconds, now);
+            self.advance(seconds, now);
         }
         self.steps += 1;
     }
@@ -192,6 +197,11 @@ impl World {
         &self.journeys[id.index()]
     }
 
+    /// All scripts, by index.
+    pub fn scripts(&self) -> &[Script] {
+        &self.scripts
+    }
+
     /// What is solid and what can be walked on.
     pub fn place(&self) -> &Place {
         &self.place
@@ -208,21 +218,24 @@ impl World {
         &self.stranded
     }
 
-    /// Pairs of agents that overlap, with the distance of their centres over the sum of their radii: a bad start.
+    /// Pairs of agents that overlap, with the distance of their cores (centres of discs) over the sum of their radii: a bad
+    /// start, or a group without the guard.
     /// By number, each pair once.
     pub fn overlapping(&self) -> Vec<(u32, u32, f64)> {
         let mut grid = Grid::default();
         grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
-        let largest = self.agents.radius.iter().copied().fold(0.0, f32::max);
+        let agents = &self.agents;
+        let bound = |row: usize| agents.body(row).bound();
+        let largest = (0..agents.len()).map(bound).fold(0.0, f32::max);
         let mut pairs = Vec::new();
-        for row in 0..self.agents.len() {
-            grid.within(self.agents.position[row], self.agents.radius[row] + largest, |near| {
+        for row in 0..agents.len() {
+            grid.within(agents.position[row], bound(row) + largest, |near| {
                 let other = near.row as usize;
-                let radii = f64::from(self.agents.radius[row]) + f64::from(self.agents.radius[other]);
-                let d = self.agents.position[row].as_dvec2().distance(self.agents.position[other].as_dvec2());
-                let solid = self.agents.avoids(row, other) || self.agents.avoids(other, row);
-                if solid && self.agents.number[row] < near.number && d < radii * (1.0 - 1e-4) {
-                    pairs.push((self.agents.number[row], near.number, d / radii));
+                if agents.number[row] < near.number && (agents.avoids(row, other) || agents.avoids(other, row)) {
+                    let separation = agents.separation(row, other);
+                    if separation < 1.0 - 1e-4 {
+                        pairs.push((agents.number[row], near.number, separation));
+                    }
                 }
             });
         }

@@ -3,7 +3,7 @@
 
 use glam::Vec2;
 use proptest::prelude::*;
-use throng::avoid::{Line, LocalModel, Neighbour, Orca, View, Workspace, closest_velocity, least_violation};
+use throng::avoid::{Line, LocalModel, Neighbour, Outline, Orca, View, Workspace, closest_velocity, least_violation};
 
 const HORIZON: f32 = 2.0;
 
@@ -13,7 +13,7 @@ fn view<'a>(velocity: Vec2, preferred: Vec2, max_speed: f32, neighbours: &'a [Ne
 
 /// Another, avoided for a share, with the room that goes with it.
 fn other(offset: Vec2, velocity: Vec2, radii: f32, share: f32) -> Neighbour {
-    Neighbour { offset, velocity, radii, share, room: 1.0 - share, aside: Vec2::X }
+    Neighbour { offset, velocity, radii, share, room: 1.0 - share, aside: Vec2::X, outline: Outline::POINT }
 }
 
 fn vector(range: f32) -> impl Strategy<Value = Vec2> {
@@ -154,7 +154,7 @@ fn coincident_agents_part() {
     let orca = Orca::default();
     let mut workspace = Workspace::default();
     let seen =
-        |aside| [Neighbour { offset: Vec2::ZERO, velocity: Vec2::ZERO, radii: 0.4, share: 0.5, room: 0.5, aside }];
+        |aside| [Neighbour { offset: Vec2::ZERO, velocity: Vec2::ZERO, radii: 0.4, share: 0.5, room: 0.5, aside, outline: Outline::POINT }];
     let a = orca.velocity(&view(Vec2::ZERO, Vec2::ZERO, 1.5, &seen(Vec2::X)), &mut workspace);
     let b = orca.velocity(&view(Vec2::ZERO, Vec2::ZERO, 1.5, &seen(-Vec2::X)), &mut workspace);
     assert!(a.x > 0.1 && b.x < -0.1, "{a} {b}");
@@ -165,7 +165,7 @@ fn who_does_not_give_way_keeps_its_velocity() {
     let orca = Orca::default();
     let mut workspace = Workspace::default();
     let offset = Vec2::new(2.0, 0.1);
-    let meeting = [Neighbour { offset, velocity: -Vec2::X, radii: 0.4, share: 0.0, room: 1.0, aside: Vec2::X }];
+    let meeting = [Neighbour { offset, velocity: -Vec2::X, radii: 0.4, share: 0.0, room: 1.0, aside: Vec2::X, outline: Outline::POINT }];
     let chosen = orca.velocity(&view(Vec2::X, Vec2::X, 1.5, &meeting), &mut workspace);
     // on the very edge of the half-plane, give or take rounding
     assert!(chosen.distance(Vec2::X) < 1e-5, "{chosen}");
@@ -178,7 +178,7 @@ fn room_is_used_to_the_end() {
     let mut workspace = Workspace::default();
     let offset = Vec2::new(4.0, 0.0);
     for (share, room) in [(0.0, 1.0), (0.35, 0.65), (0.5, 0.5), (1.0, 0.0), (1.0, 1.0)] {
-        let seen = [Neighbour { offset, velocity: Vec2::ZERO, radii: 0.4, share, room, aside: Vec2::X }];
+        let seen = [Neighbour { offset, velocity: Vec2::ZERO, radii: 0.4, share, room, aside: Vec2::X, outline: Outline::POINT }];
         let chosen = orca.velocity(&view(Vec2::ZERO, offset, 100.0, &seen), &mut workspace);
         assert!(chosen.distance(Vec2::new(1.8 * room, 0.0)) < 1e-5, "{share} {room}: {chosen}");
     }

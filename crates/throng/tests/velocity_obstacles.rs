@@ -5,7 +5,7 @@ use glam::Vec2;
 use proptest::prelude::*;
 use std::sync::Arc;
 use throng::avoid::{
-    Forbidden, Hrvo, Line, LocalModel, Neighbour, Rvo, Unavoiding, View, Vo, Workspace, closest_outside, time_to_disc,
+    Forbidden, Hrvo, Line, LocalModel, Neighbour, Outline, Rvo, Unavoiding, View, Vo, Workspace, closest_outside, time_to_disc,
     time_to_segment,
 };
 use throng::{Agent, Goal, Group, Journey, Settings, Stop, World};
@@ -130,7 +130,7 @@ fn choose_freely(model: &dyn LocalModel, velocity: Vec2, preferred: Vec2, neighb
 }
 
 fn neighbour(offset: Vec2, velocity: Vec2, share: f32) -> Neighbour {
-    Neighbour { offset, velocity, radii: 0.4, share, room: 1.0, aside: Vec2::X }
+    Neighbour { offset, velocity, radii: 0.4, share, room: 1.0, aside: Vec2::X, outline: Outline::POINT }
 }
 
 fn choose(model: &dyn LocalModel, velocity: Vec2, preferred: Vec2, neighbours: &[Neighbour]) -> Vec2 {

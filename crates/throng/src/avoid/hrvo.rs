@@ -53,11 +53,11 @@ impl LocalModel for Hrvo {
 /// The hybrid reciprocal velocity obstacle of one neighbour for an agent of the given velocity; a half-plane that leads
 /// out of those who are too close.
 pub(super) fn hybrid(velocity: Vec2, other: &Neighbour, step: f32) -> Forbidden {
-    let Neighbour { offset, radii, share, .. } = *other;
-    if offset.length_squared() <= radii * radii {
+    let Neighbour { offset, share, .. } = *other;
+    if other.touches() {
         return Forbidden::RightOf(orca::line(velocity, other, 1.0, step));
     }
-    let (left, right) = obstacle_lines::tangents(offset, radii);
+    let (left, right) = other.legs();
     let relative = velocity - other.velocity;
     let opening = right.perp_dot(left);
     // where the leg of the reciprocal velocity obstacle on the side to pass meets the other leg of the plain one

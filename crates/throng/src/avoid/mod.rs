@@ -12,6 +12,7 @@ mod hrvo;
 mod none;
 mod obstacle_lines;
 mod orca;
+mod outline;
 mod rvo;
 mod sampling;
 mod vo;
@@ -23,6 +24,7 @@ pub use half_plane::{Line, closest_velocity, least_violation};
 pub use hrvo::Hrvo;
 pub use none::Unavoiding;
 pub use orca::Orca;
+pub use outline::Outline;
 pub use rvo::Rvo;
 pub use vo::Vo;
 
@@ -39,6 +41,8 @@ pub struct Neighbour {
     pub velocity: Vec2,
     /// Sum of the two radii, with the margin that the model keeps (see [`MARGIN`]).
     pub radii: f32,
+    /// What lies within `radii` of this polygon round `offset` touches; a point for two discs.
+    pub outline: Outline,
     /// The choosing agent's share of the avoiding, 0 (none) to 1 (all).
     pub share: f32,
     /// The choosing agent's part of the room that is left while the two are on no collision course, 0 to 1. Who
@@ -59,13 +63,15 @@ pub struct NearEdge {
     pub edge: Edge,
 }
 
-/// A solid disc near the choosing agent.
+/// A solid disc near the choosing agent; near one that is no disc, a wall edge too, as a disc without radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearDisc {
     /// Its centre, from the agent's.
     pub offset: Vec2,
     /// The disc.
     pub disc: Disc,
+    /// What lies within both radii of this polygon round `offset` touches; a point for an agent that is a disc.
+    pub outline: Outline,
 }
 
 /// What a model sees: one agent and what is near it. The default is a pedestrian that stands alone.

@@ -68,6 +68,7 @@ pub(super) fn disc_lines(view: &View<'_>, radius: f32, horizon: f32) -> impl Ite
             offset: near.offset,
             velocity: Vec2::ZERO,
             radii: near.disc.radius as f32 + radius,
+            outline: near.outline,
             share: 1.0,
             room: 1.0,
             aside: Vec2::X,
@@ -81,7 +82,9 @@ pub(super) fn line(velocity: Vec2, other: &Neighbour, horizon: f32, step: f32) -
     let Neighbour { offset, radii, .. } = *other;
     let relative = velocity - other.velocity;
     let distance_squared = offset.length_squared();
-    let (change, normal) = if distance_squared > radii * radii {
+    let (change, normal) = if !other.outline.is_point() {
+        other.change(relative, horizon, step.max(RECOVERY))
+    } else if distance_squared > radii * radii {
         let w = relative - offset / horizon;
         let along = w.dot(offset);
         if along < 0.0 && along * along > radii * radii * w.length_squared() {

@@ -6,7 +6,7 @@
 //! collision + distance from the preferred one (section V), so that there is one in any crowd. Walls do nothing: all
 //! of the avoiding falls on the agent, within a shorter horizon of their own.
 
-use super::{LocalModel, View, Workspace, sampling::cheapest, time_to_disc};
+use super::{LocalModel, View, Workspace, sampling::cheapest};
 use crate::Error;
 use glam::Vec2;
 
@@ -42,7 +42,7 @@ impl LocalModel for Rvo {
             let others = view.neighbours.iter().map(|n| {
                 let share = n.share.max(LEAST_SHARE);
                 let judged = v / share + view.velocity * (1.0 - 1.0 / share);
-                time_to_disc(n.offset, judged - n.velocity, n.radii)
+                n.time_to_collision(judged - n.velocity)
             });
             let time = others.fold(f32::INFINITY, f32::min);
             let walls = view.time_to_walls(v, view.radius);

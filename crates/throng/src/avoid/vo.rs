@@ -6,7 +6,7 @@
 //! who both do so see their conflict gone in the next step and turn back: they oscillate. That is what
 //! [`Rvo`](super::Rvo) mends.
 
-use super::{LocalModel, View, Workspace, sampling::cheapest, time_to_disc};
+use super::{LocalModel, View, Workspace, sampling::cheapest};
 use crate::Error;
 use glam::Vec2;
 
@@ -35,7 +35,7 @@ impl LocalModel for Vo {
     fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
         cheapest(view.preferred, view.velocity, view.max_speed, |v| {
             let others =
-                view.neighbours.iter().map(|n| time_to_disc(n.offset, v - n.velocity, n.radii) / self.time_horizon);
+                view.neighbours.iter().map(|n| n.time_to_collision(v - n.velocity) / self.time_horizon);
             let walls = view.time_to_walls(v, view.radius) / self.time_horizon_obstacles;
             let time = others.fold(walls, f32::min);
             // where no velocity is free, the one that is for longest: worse than any free one

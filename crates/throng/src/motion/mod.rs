@@ -3,5 +3,6 @@
 mod heading;
 mod limits;
 
+pub(crate) use heading::wrap;
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};

@@ -2,11 +2,11 @@
 
 use super::World;
 use crate::agent::Status;
-use crate::avoid::{MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, View, Workspace};
+use crate::avoid::{MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, Outline, View, Workspace};
 use crate::motion::{Limits, limit};
 use crate::parallel;
 use crate::random::{Dice, Purpose, unit};
-use crate::space::{Disc, Edge, NearWalls};
+use crate::space::{Core, Disc, Edge, NearWalls};
 use glam::{DVec2, Vec2};
 
 /// How much of the avoiding, beyond its half, falls on who has more way to go to the same goal, and on who rests.
@@ -41,10 +41,13 @@ impl World {
 
     fn chosen_velocity(&self, row: usize, seconds: f32, scratch: &mut Scratch) -> Vec2 {
         let agents = &self.agents;
+        if agents.script[row].is_some() {
+            return self.step.preferred[row].clamp_length_max(agents.max_speed[row]);
+        }
         let group = &self.groups[agents.group[row].index()];
         let Scratch { near, neighbours, edges, discs, workspace } = scratch;
         let at = agents.position[row].as_dvec2();
-        let range = group.model.wall_range(agents.radius[row], agents.max_speed[row]);
+        let range = group.model.wall_range(agents.body(row).bound(), agents.max_speed[row]);
         self.walls.near(at, f64::from(range), near);
         let to_local = |p: DVec2| (p - at).as_vec2();
         edges.clear();
@@ -55,15 +58,18 @@ impl World {
         discs.clear();
         discs.extend(near.discs.iter().map(|&(_, index)| {
             let disc: Disc = self.walls.discs()[index as usize];
-            NearDisc { offset: to_local(disc.center), disc }
+            NearDisc { offset: to_local(disc.center), disc, outline: Outline::POINT }
         }));
         neighbours.clear();
         let margin = 1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN };
         for near in self.neighbours(row) {
-            let neighbour = self.neighbour(row, near.row as usize, margin);
-            if !edges.iter().any(|edge| hides(edge, neighbour.offset)) {
-                neighbours.push(neighbour);
+            let other = near.row as usize;
+            if !edges.iter().any(|edge| hides(edge, agents.offset(row, other))) {
+                neighbours.push(self.neighbour(row, other, margin));
             }
+        }
+        if !agents.is_disc(row) {
+            see_with_core(&agents.core_of(row), edges, discs);
         }
         let wish = group.model.velocity(
             &View {
@@ -105,13 +111,20 @@ impl World {
             (1.0, 1.0)
         };
         let offset = agents.position[other] - agents.position[row];
-        let velocity = agents.velocity[other];
+        let velocity = agents.velocity_near(other, agents.position[row].as_dvec2());
+        let own_turn = agents.velocity_near(row, agents.position[other].as_dvec2()) - agents.velocity[row];
+        let outline = if agents.is_disc(row) && agents.is_disc(other) {
+            Outline::POINT
+        } else {
+            Outline::between(&agents.core_of(row), &agents.core_of(other))
+        };
         let wanted = self.step.preferred[other] - velocity;
         let granted = if wanted.dot(offset) < 0.0 { wanted * (GRANT * yields.max(0.0)) } else { Vec2::ZERO };
         Neighbour {
             offset,
-            velocity: velocity + granted,
+            velocity: velocity - own_turn + granted,
             radii: (agents.radius[row] + agents.radius[other]) * margin,
+            outline,
             share,
             room,
             aside: if offset == Vec2::ZERO { self.aside(row, other) } else { Vec2::X },
@@ -143,6 +156,18 @@ impl World {
         let (sin, cos) = libm::sincosf(draw * std::f32::consts::TAU);
         if a < b { Vec2::new(cos, sin) } else { -Vec2::new(cos, sin) }
     }
+}
+
+/// Makes what an agent that is no disc sees of walls: they touch its core, not only its centre.
+fn see_with_core(own: &Core, edges: &mut Vec<NearEdge>, discs: &mut Vec<NearDisc>) {
+    for near in &mut *discs {
+        near.outline = Outline::between(own, &Core::point(near.disc.center));
+    }
+    discs.extend(edges.drain(..).map(|NearEdge { start, end, edge }| NearDisc {
+        offset: start.midpoint(end),
+        disc: Disc { center: edge.start.midpoint(edge.end), radius: 0.0 },
+        outline: Outline::between(own, &Core::segment(edge.start, edge.end)),
+    }));
 }
 
 /// Whether an edge lies between the agent and what is at `offset`.
