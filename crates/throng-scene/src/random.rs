@@ -20,6 +20,8 @@ pub enum Purpose {
     Wait = 8,
     StopWait = 9,
     Choice = 10,
+    Length = 11,
+    Width = 12,
 }
 
 /// The random numbers of one agent for one purpose.

@@ -243,26 +243,32 @@ impl World {
         pairs
     }
 
-    /// How many there are and how many have arrived: cheap, for every frame of a recording.
+    /// Rows of the agents that follow no script: those that count.
+    fn walkers(&self) -> impl Iterator<Item = usize> {
+        (0..self.agents.len()).filter(|&row| self.agents.script[row].is_none())
+    }
+
+    /// How many there are and how many have arrived, moving obstacles left aside: cheap, for every frame of a recording.
     pub fn counts(&self) -> Counts {
-        let (present, removed) = (self.agents.len(), self.tally.removed.len());
+        let (present, removed) = (self.walkers().count(), self.tally.removed.len());
         Counts {
             agents: present + self.schedule.len() + removed,
             // whoever an exit removed had arrived at it
-            arrived: removed + self.agents.trip.iter().filter(|trip| trip.arrived.is_some()).count(),
+            arrived: removed + self.walkers().filter(|&row| self.agents.trip[row].arrived.is_some()).count(),
             removed,
             present,
         }
     }
 
-    /// How the run went so far.
+    /// How the run went so far. Moving obstacles do not count, but what they touch does.
     pub fn summary(&self) -> Summary {
         let agents = &self.agents;
-        let trips = (0..agents.len()).map(|row| {
+        let trips = self.walkers().map(|row| {
             (agents.number[row], Ended { trip: agents.trip[row], preferred_speed: agents.preferred_speed[row] })
         });
-        let resting = agents.velocity.iter().filter(|v| v.length() < 0.05).count();
-        let stuck = (0..agents.len())
+        let resting = self.walkers().filter(|&row| agents.velocity[row].length() < 0.05).count();
+        let stuck = self
+            .walkers()
             .filter(|&row| match agents.status[row] {
                 Status::Stranded => true,
                 Status::Walking => agents.travel[row].without_progress > 10.0,
@@ -270,7 +276,7 @@ impl World {
             })
             .count();
         let summary = Summary {
-            agents: agents.len() + self.schedule.len() + self.tally.removed.len(),
+            agents: self.walkers().count() + self.schedule.len() + self.tally.removed.len(),
             resting,
             stuck,
             time: self.time(),
