@@ -20,8 +20,9 @@ pub enum Purpose {
     Wait = 8,
     StopWait = 9,
     Choice = 10,
-    Length = 11,
-    Width = 12,
+    TrackingError = 11,
+    Length = 12,
+    Width = 13,
 }
 
 /// The random numbers of one agent for one purpose.
