@@ -6,8 +6,8 @@
 
 mod camera;
 mod color;
-mod disc;
 mod error;
+mod figure;
 mod film;
 mod image;
 mod legend;

@@ -1,6 +1,6 @@
 //! A moment as a vector picture.
 
-use crate::disc::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO};
+use crate::figure::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO};
 use crate::mark::{Anchor, Mark, Stroke};
 use crate::{Color, Painter};
 use glam::Vec2;
@@ -56,14 +56,24 @@ impl Painter {
 
     fn write_agents(&self, out: &mut String, frame: &Frame) -> fmt::Result {
         for body in &frame.bodies {
-            let disc = self.disc(body);
-            let (c, r) = (disc.center, disc.radius);
-            // The edge lies inside the disc.
-            let (x, y, inner) = (n(c.x), n(c.y), n(r - 0.5 * disc.rim_width));
-            let rim = stroke(Stroke::plain(disc.rim_width, disc.rim));
-            writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{inner}" {} {rim}/>"#, fill(disc.fill))?;
-            if let Some((direction, color)) = disc.notch {
-                let (a, b) = (c + direction * (NOTCH_FROM * r), c + direction * (NOTCH_TO * r));
+            let figure = self.figure(body);
+            let (c, core) = (figure.center, figure.core);
+            // The edge lies inside.
+            let inner = figure.radius - 0.5 * figure.rim_width;
+            let (x, y, r) = (n(c.x), n(c.y), n(inner.max(0.0)));
+            let rim = stroke(Stroke::plain(figure.rim_width, figure.rim));
+            if core == Vec2::ZERO {
+                writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" {} {rim}/>"#, fill(figure.fill))?;
+            } else {
+                let half = (core + inner).max(Vec2::ZERO);
+                let (left, top, width, height) = (n(-half.x), n(-half.y), n(2.0 * half.x), n(2.0 * half.y));
+                let turn = n(figure.along.y.atan2(figure.along.x).to_degrees());
+                write!(out, r#"<rect x="{left}" y="{top}" width="{width}" height="{height}" rx="{r}" "#)?;
+                writeln!(out, r#"transform="translate({x} {y}) rotate({turn})" {} {rim}/>"#, fill(figure.fill))?;
+            }
+            if let Some(color) = figure.notch {
+                let (c, r) = (figure.front(), figure.girth());
+                let (a, b) = (c + figure.along * (NOTCH_FROM * r), c + figure.along * (NOTCH_TO * r));
                 let notch = stroke(Stroke::plain((2.0 * NOTCH_HALF_WIDTH * r).max(1.2), color));
                 write!(out, r#"<path d="M{} {}L{} {}" "#, n(a.x), n(a.y), n(b.x), n(b.y))?;
                 writeln!(out, r#"stroke-linecap="round" {notch}/>"#)?;
