@@ -165,8 +165,7 @@ mod tests {
     fn the_notch_points_where_the_agent_does() {
         let mut image = Image::new(40, 40, BLACK);
         let grey = Color::rgb(0x808080);
-        Figure { fill: grey, rim: grey, notch: Some(WHITE), ..white(Vec2::splat(20.0), 12.0) }
-            .draw(&mut image);
+        Figure { fill: grey, rim: grey, notch: Some(WHITE), ..white(Vec2::splat(20.0), 12.0) }.draw(&mut image);
         assert_eq!(image.pixel(20, 27), WHITE);
         for (x, y) in [(20, 20), (20, 12), (12, 20), (27, 20)] {
             assert_eq!(image.pixel(x, y), grey, "at ({x}, {y})");

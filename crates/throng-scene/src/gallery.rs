@@ -21,6 +21,10 @@ const SCENES: &[(&str, &str)] = scenes![
     "ring",
     "ring-1000",
     "crossing",
+    // Bodies.
+    "mixed-sizes",
+    "vehicle",
+    "sliding-door",
     // Walls.
     "corridor",
     "bottleneck",

@@ -1,6 +1,6 @@
 //! Changing single values, as `--set` does.
 
-use throng_scene::{Body, Avoid, Kind, Number, Place, Scene, SubSteps, gallery};
+use throng_scene::{Avoid, Body, Kind, Number, Place, Scene, SubSteps, gallery};
 
 fn corridor() -> Scene {
     gallery::scene("corridor").unwrap()

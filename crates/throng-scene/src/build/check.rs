@@ -4,8 +4,8 @@ use super::limits::{Limit, check, check_number, check_point, check_some};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::{
-    Avoid, Body, Expect, Goal, Group, Mover, Obstacle, Place, Point, PointGoal, Rectangle, Region, Scene, Shape, Sides, Stop, SubSteps,
-    View,
+    Avoid, Body, Expect, Goal, Group, Mover, Obstacle, Place, Point, PointGoal, Rectangle, Region, Scene, Shape, Sides,
+    Stop, SubSteps, View,
 };
 
 type Checked = Result<(), Problem>;

@@ -1,8 +1,8 @@
 //! Where each agent starts.
 
+use super::ground::{obstacle_name, short, show};
 use super::movers::size;
 use super::size::Size;
-use super::ground::{obstacle_name, short, show};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::{DVec2, Solid, Spacing, Touch, bounds, contains, points, rectangle};

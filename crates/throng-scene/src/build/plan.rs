@@ -91,11 +91,8 @@ impl Scene {
         let walkable = ground::areas(self)?;
         let obstacles = ground::obstacles(self)?;
         let draws: Vec<Draw> = (0..self.groups.len()).map(|group| Draw { scene: self, group }).collect();
-        let sizes: Vec<Vec<Size>> = draws
-            .iter()
-            .zip(&counts)
-            .map(|(draw, count)| (0..count.agents).map(|k| draw.size(k)).collect())
-            .collect();
+        let sizes: Vec<Vec<Size>> =
+            draws.iter().zip(&counts).map(|(draw, count)| (0..count.agents).map(|k| draw.size(k)).collect()).collect();
         let largest = sizes.iter().flatten().fold(0.0_f64, |most, size| most.max(size.bound));
         let solid = Solid::new(&walkable, &obstacles, largest);
         let enters: Vec<bool> = counts.iter().map(|count| count.enters.is_some()).collect();
@@ -108,12 +105,9 @@ impl Scene {
             let middle = middle(&self.groups[i].place, &starts[i]);
             let journeys = goals.journeys_of(i, &starts[i], &sizes[i], middle)?;
             for (k, journey) in journeys.into_iter().enumerate() {
-                let agent = throng::Agent {
-                    position: starts[i][k],
-                    number: Some(agents.len() as u32),
-                    ..draws[i].agent(k)
-                }
-                .with_body(sizes[i][k].body);
+                let agent =
+                    throng::Agent { position: starts[i][k], number: Some(agents.len() as u32), ..draws[i].agent(k) }
+                        .with_body(sizes[i][k].body);
                 let enters = count.enters.as_ref().map(|times| times[k]);
                 agents.push(PlannedAgent { agent, group: i, journey, script: None, enters });
             }

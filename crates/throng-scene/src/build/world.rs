@@ -64,9 +64,7 @@ impl Scene {
             .scripts
             .iter()
             .enumerate()
-            .map(|(i, script)| {
-                world.add_script(script.clone()).map_err(|error| self.refused("mover", Some(i), &error))
-            })
+            .map(|(i, script)| world.add_script(script.clone()).map_err(|error| self.refused("mover", Some(i), &error)))
             .collect::<Result<_, Error>>()?;
         let built = self.built(&plan, &groups, &goals);
         let mut unturned = vec![];

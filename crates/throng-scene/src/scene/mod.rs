@@ -16,10 +16,10 @@ mod time;
 mod view;
 
 pub use avoid::{Avo, Avoid, BuiltFrom, Clearpath, Hrvo, Orca, Rvo, RvoLab, Unavoiding, Vo};
+pub use body::{Body, Sides};
 pub use expect::{Arrived, Expect, FlowExpect};
 pub use goal::{Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
 pub use ground::{Area, Rectangle, Region, Walkable};
-pub use body::{Body, Sides};
 pub use group::{Group, Speed};
 pub use mover::{Keyframe, Mover};
 pub use number::{Normal, Number};

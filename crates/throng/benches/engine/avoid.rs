@@ -4,7 +4,7 @@ use crate::scenes::{Dice, points};
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::{DVec2, Vec2};
-use throng::avoid::{LocalModel, Neighbour, Outline, Orca, View, Workspace};
+use throng::avoid::{LocalModel, Neighbour, Orca, Outline, View, Workspace};
 use throng::perceive::Grid;
 
 /// Everybody of a crowd, with the ten nearest; velocities and wishes at random, up to walking speed.

@@ -131,7 +131,8 @@ impl Outline {
         let sides = self.sides().map(|(_, normal)| normal);
         let lines = corners.clone().map(|corner| (velocity - corner).normalize_or_zero());
         let normals = legs.into_iter().flatten().chain(sides.chain(lines).filter(|&normal| within(normal)));
-        let depth = |normal: Vec2| corners.clone().map(|corner| normal.dot(velocity - corner)).fold(f32::INFINITY, f32::min);
+        let depth =
+            |normal: Vec2| corners.clone().map(|corner| normal.dot(velocity - corner)).fold(f32::INFINITY, f32::min);
         let normals = normals.filter(|&normal| normal != Vec2::ZERO).map(|normal| (depth(normal), normal));
         let nearest = normals.reduce(|a, b| if b.0 > a.0 { b } else { a }).unwrap_or((0.0, Vec2::ZERO));
         (nearest.0 - radii / time, nearest.1)

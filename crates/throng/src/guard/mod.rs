@@ -148,8 +148,7 @@ impl Guard {
                 1,
                 || (),
                 |(), row, verdict| {
-                    verdict[0] = !clamped[row]
-                        && (last && !contacts.is_alone(row) || !is_safe(row, solid, now));
+                    verdict[0] = !clamped[row] && (last && !contacts.is_alone(row) || !is_safe(row, solid, now));
                 },
             );
             if !verdicts.contains(&true) {

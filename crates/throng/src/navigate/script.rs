@@ -61,7 +61,12 @@ impl Script {
             let limit = "at least 0 s, finite, and later than the one before";
             let valid = keyframe.time >= 0.0 && keyframe.time.is_finite() && later;
             Error::unless(valid, "time of a keyframe", keyframe.time, limit)?;
-            Error::unless(keyframe.heading.abs() <= 1e6, "heading of a keyframe", keyframe.heading, "from -1e6 to 1e6 rad")?;
+            Error::unless(
+                keyframe.heading.abs() <= 1e6,
+                "heading of a keyframe",
+                keyframe.heading,
+                "from -1e6 to 1e6 rad",
+            )?;
             before = Some(keyframe.time);
         }
         Ok(())
@@ -95,7 +100,9 @@ mod tests {
             Script { keyframes, repeat }.check().is_ok()
         };
         assert!(at(&[0.0], false) && at(&[0.0, 1.0], true));
-        for (times, repeat) in [(&[][..], false), (&[1.0], true), (&[-1.0], false), (&[1.0, 1.0], false), (&[f64::NAN], false)] {
+        for (times, repeat) in
+            [(&[][..], false), (&[1.0], true), (&[-1.0], false), (&[1.0, 1.0], false), (&[f64::NAN], false)]
+        {
             assert!(!at(times, repeat), "{times:?}");
         }
     }

@@ -1,8 +1,8 @@
 //! The place: what is solid and what can be walked on, in world coordinates, and whether a body fits somewhere.
 
 use super::{Core, NearWalls, Obstacle, Walkable, Walls};
-use crate::agent::Body;
 use crate::Error;
+use crate::agent::Body;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 

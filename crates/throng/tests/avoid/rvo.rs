@@ -3,7 +3,9 @@
 use crate::common::{choose, grid, other, vector, view};
 use glam::Vec2;
 use proptest::prelude::*;
-use throng::avoid::{Dice, LocalModel, NearDisc, Neighbour, Outline, Reason, Rvo, Search, View, Workspace, time_to_disc};
+use throng::avoid::{
+    Dice, LocalModel, NearDisc, Neighbour, Outline, Reason, Rvo, Search, View, Workspace, time_to_disc,
+};
 use throng::space::Disc;
 
 /// As the authors' library searches.
