@@ -51,7 +51,7 @@ pub use contacts::Contacts;
 
 use crate::avoid::Line;
 use crate::parallel;
-use crate::space::Walls;
+use crate::space::{Core, Walls};
 use glam::{DVec2, Vec2};
 use solid::Solid;
 use sweep::Sweep;
@@ -112,6 +112,7 @@ pub struct Guard {
     next: Vec<Pose>,
     clamped: Vec<bool>,
     verdicts: Vec<bool>,
+    cores: Vec<Core>,
 }
 
 /// Memory for one agent's cell.
@@ -125,8 +126,13 @@ impl Guard {
     /// Makes the motion to `targets` certain, and puts what is certain there instead. `contacts` must hold every pair
     /// and every wall that the bodies' reach lets meet.
     pub fn certify(&mut self, bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, targets: &mut [Pose]) -> Report {
-        let Self { targets: now, next, clamped, verdicts } = self;
-        let solid = Solid { bodies, contacts, walls };
+        let Self { targets: now, next, clamped, verdicts, cores } = self;
+        cores.clear();
+        cores.extend(bodies.positions.iter().zip(bodies.headings).zip(bodies.cores).map(|((at, &heading), &half)| {
+            let center = at.as_dvec2();
+            if half == Vec2::ZERO { Core::point(center) } else { Core::new(center, heading, half) }
+        }));
+        let solid = Solid { bodies, contacts, walls, cores };
         now.clear();
         now.extend(targets.iter().enumerate().map(|(row, &Pose { position: to, heading })| {
             let (from, reach) = (bodies.positions[row], bodies.reach[row]);

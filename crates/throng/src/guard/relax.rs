@@ -88,6 +88,9 @@ fn clearance(distance: f64, radii: f64, reach: f64) -> f64 {
 /// line between their nearest points.
 fn parting_cores(own: &Sweep, other: &Sweep, radii: f64, reach: f64) -> DVec2 {
     let apart = own.start.separation(&other.start);
+    if apart.distance - own.closing(other) >= radii * (1.0 + SKIN) {
+        return DVec2::ZERO;
+    }
     let end = own.at(1.0).gap_along(&other.at(1.0), apart.normal);
     let clearance = clearance(apart.distance, radii, reach);
     apart.normal * (end - clearance).clamp(-2.0 * clearance.max(0.0), 0.0)

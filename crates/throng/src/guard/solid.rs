@@ -11,6 +11,8 @@ pub(super) struct Solid<'a> {
     pub bodies: &'a Bodies<'a>,
     pub contacts: &'a Contacts,
     pub walls: &'a Walls,
+    /// Cores at the start of the step; of discs, any.
+    pub cores: &'a [Core],
 }
 
 impl<'a> Solid<'a> {
@@ -46,8 +48,7 @@ impl<'a> Solid<'a> {
 
     /// The core of a body at the start of the step.
     pub fn core(self, row: usize) -> Core {
-        let Bodies { positions, headings, cores, .. } = self.bodies;
-        Core::new(positions[row].as_dvec2(), headings[row], cores[row])
+        self.cores[row]
     }
 
     /// The motion of a body to `target`: the shorter way round.

@@ -44,9 +44,16 @@ impl Sweep {
         -start - least_between(-start, -end, self.curvature())
     }
 
+    /// How much nearer than at the start two get at most.
+    pub fn closing(&self, other: &Self) -> f64 {
+        let turning = |sweep: &Self| sweep.start.half.length() * sweep.turn.abs();
+        (self.motion - other.motion).length() + turning(self) + turning(other)
+    }
+
     /// Whether two are never nearer than `needed`. It may say no where they are not, but never of two that stand.
     pub fn keeps(&self, other: &Self, needed: f64) -> bool {
-        self.keeps_between(other, needed, (0.0, 1.0), HALVINGS)
+        self.start.separation(&other.start).distance - self.closing(other) >= needed
+            || self.keeps_between(other, needed, (0.0, 1.0), HALVINGS)
     }
 
     fn keeps_between(&self, other: &Self, needed: f64, (from, to): (f64, f64), halvings: u32) -> bool {

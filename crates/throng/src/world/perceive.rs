@@ -113,11 +113,76 @@ impl Long {
             grid.within(at, range + self.reach + agents.core[row].length(), |near| found.push(near));
         }
         found.retain(accept);
-        for near in &mut *found {
+        // cores are at least this far apart: who is too far by that needs no closer look
+        let reach = |row: usize| agents.core[row].length();
+        let least = |near: &Near| {
+            let cores = reach(row) + reach(near.row as usize);
+            (at.distance(agents.position[near.row as usize]) - cores) * 0.9999
+        };
+        found.sort_unstable_by(|a, b| least(a).total_cmp(&least(b)).then(a.number.cmp(&b.number)));
+        let mut kept = 0;
+        for next in 0..found.len() {
+            let mut near = found[next];
+            let worst = if kept < k { range } else { found[k - 1].distance_squared.sqrt() };
+            if least(&near) > worst {
+                break;
+            }
             near.distance_squared = agents.offset(row, near.row as usize).length_squared();
+            if near.distance_squared > range * range {
+                continue;
+            }
+            let place = found[..kept].partition_point(|other| {
+                (other.distance_squared, other.number) < (near.distance_squared, near.number)
+            });
+            if place < k {
+                // the kept ones are in front, by distance
+                kept = (kept + 1).min(k);
+                found[place..=next].rotate_right(1);
+                found[place] = near;
+            }
         }
-        found.retain(|near| near.distance_squared <= range * range);
-        found.sort_unstable_by(|a, b| a.distance_squared.total_cmp(&b.distance_squared).then(a.number.cmp(&b.number)));
-        found.truncate(k);
+        found.truncate(kept);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Agent, Body, Group, Settings};
+    use glam::DVec2;
+    use proptest::prelude::*;
+
+    type One = ((f64, f64), f32, (f32, f32), bool);
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+
+        #[test]
+        fn the_nearest_are_those_of_a_search_through_all(
+            all in prop::collection::vec(((-6.0..6.0, -6.0..6.0), -3.0f32..3.0, (0.2f32..4.0, 0.2f32..0.6), any::<bool>()), 1..40),
+            k in 1usize..8, range in 1.0f32..6.0,
+        ) {
+            let mut world = World::new(Settings::default()).unwrap();
+            let group = Group { neighbours: k, neighbour_distance: range, ..Group::default() };
+            let group = world.add_group(group).unwrap();
+            for ((x, y), heading, (length, width), disc) in all as Vec<One> {
+                let body = if disc { Body::disc(width) } else { Body::capsule(length, width) };
+                let agent = Agent { position: DVec2::new(x, y), heading: Some(heading), group, ..Agent::default() };
+                world.add_agent(agent.with_body(body)).unwrap();
+            }
+            world.perceive();
+            let agents = &world.agents;
+            for row in 0..agents.len() {
+                let others = (0..agents.len()).filter(|&other| other != row);
+                let mut nearest: Vec<(f32, u32)> =
+                    others.map(|other| (agents.offset(row, other).length_squared(), agents.number[other])).collect();
+                nearest.retain(|near| near.0 <= range * range);
+                nearest.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+                nearest.truncate(k);
+                let found: Vec<(f32, u32)> =
+                    world.neighbours(row).iter().map(|near| (near.distance_squared, near.number)).collect();
+                prop_assert_eq!(found, nearest);
+            }
+        }
     }
 }
