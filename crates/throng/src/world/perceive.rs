@@ -73,7 +73,7 @@ impl World {
 }
 
 /// Bodies that are no discs: they may be near with their centres far.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Long {
     rows: Vec<usize>,
     grid: Grid,

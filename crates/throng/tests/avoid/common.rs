@@ -16,6 +16,8 @@ pub fn view(velocity: Vec2, preferred: Vec2, max_speed: f32, neighbours: &[Neigh
 pub fn other(offset: Vec2, velocity: Vec2, radii: f32, share: f32) -> Neighbour {
     Neighbour {
         offset,
+        above: 0.0,
+        climb: 0.0,
         velocity,
         preferred: velocity,
         radii,

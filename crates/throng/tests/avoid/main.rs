@@ -10,3 +10,4 @@ mod orca;
 mod outline;
 mod rvo;
 mod rvo_lab;
+mod space;

@@ -8,8 +8,8 @@ use crate::image::{Image, blend};
 use glam::Vec2;
 
 /// One body, in pixels: everything within a radius of a rectangle; of a point, a disc.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Figure {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Rounded {
     pub center: Vec2,
     /// Half extents of the rectangle, along and across `along`; zero for a disc.
     pub core: Vec2,
@@ -34,7 +34,7 @@ pub(crate) const NOTCH_HALF_WIDTH: f32 = 0.14;
 /// Discs smaller than this have no notch, pixels.
 pub(crate) const NOTCH_LEAST_RADIUS: f32 = 3.5;
 
-impl Figure {
+impl Rounded {
     /// Half of its narrower side.
     pub fn girth(&self) -> f32 {
         self.radius + self.core.min_element()
@@ -111,9 +111,9 @@ mod tests {
     const BLACK: Color = Color::rgb(0);
     const WHITE: Color = Color::rgb(0xffffff);
 
-    fn white(center: Vec2, radius: f32) -> Figure {
+    fn white(center: Vec2, radius: f32) -> Rounded {
         let (core, along) = (Vec2::ZERO, Vec2::Y);
-        Figure { center, core, along, radius, fill: WHITE, rim: WHITE, rim_width: 0.0, notch: None }
+        Rounded { center, core, along, radius, fill: WHITE, rim: WHITE, rim_width: 0.0, notch: None }
     }
 
     fn area(image: &Image) -> f64 {
@@ -141,7 +141,7 @@ mod tests {
                 let mut image = Image::new(64, 64, BLACK);
                 let along = Vec2::from_angle(k as f32 * 0.4);
                 let center = Vec2::new(32.0 + k as f32 * 0.0625, 32.0);
-                Figure { core, along, ..white(center, radius) }.draw(&mut image);
+                Rounded { core, along, ..white(center, radius) }.draw(&mut image);
                 let sides = 4.0 * core.x * core.y + 4.0 * radius * (core.x + core.y);
                 let want = f64::from(sides + std::f32::consts::PI * radius * radius);
                 let error = (area(&image) - want) / want;
@@ -165,7 +165,7 @@ mod tests {
     fn the_notch_points_where_the_agent_does() {
         let mut image = Image::new(40, 40, BLACK);
         let grey = Color::rgb(0x808080);
-        Figure { fill: grey, rim: grey, notch: Some(WHITE), ..white(Vec2::splat(20.0), 12.0) }.draw(&mut image);
+        Rounded { fill: grey, rim: grey, notch: Some(WHITE), ..white(Vec2::splat(20.0), 12.0) }.draw(&mut image);
         assert_eq!(image.pixel(20, 27), WHITE);
         for (x, y) in [(20, 20), (20, 12), (12, 20), (27, 20)] {
             assert_eq!(image.pixel(x, y), grey, "at ({x}, {y})");
