@@ -6,7 +6,6 @@
 
 mod camera;
 mod color;
-mod disc;
 mod error;
 mod figure;
 mod film;
@@ -18,6 +17,7 @@ mod painter;
 mod picture;
 mod place;
 mod raster;
+mod rounded;
 pub mod sink;
 mod style;
 mod svg;

@@ -1,6 +1,6 @@
 //! Changing single values, as `--set` does.
 
-use throng_scene::{Avoid, Kind, Number, Place, Scene, SubSteps, gallery};
+use throng_scene::{Avoid, Body, Kind, Number, Place, Scene, SubSteps, gallery};
 
 fn corridor() -> Scene {
     gallery::scene("corridor").unwrap()
@@ -30,8 +30,8 @@ fn a_value_of_one_group_by_name_or_number() {
     let mut scene = corridor();
     scene.set("groups.eastward.body.radius", "0.25").unwrap();
     scene.set("group.1.body.radius", "{ uniform = [0.2, 0.3] }").unwrap();
-    assert_eq!(scene.groups[0].body.radius, Number::Constant(0.25));
-    assert_eq!(scene.groups[1].body.radius, Number::Uniform([0.2, 0.3]));
+    assert_eq!(scene.groups[0].body, Body::Radius(Number::Constant(0.25)));
+    assert_eq!(scene.groups[1].body, Body::Radius(Number::Uniform([0.2, 0.3])));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::common::{other, vector, view};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
-use throng::avoid::{
+use throng::avoid::{Outline, 
     LocalModel, Neighbour, Orca, Orca3d, Plane, View, Workspace, closest_velocity_in_space, least_violation_in_space,
 };
 
@@ -130,7 +130,7 @@ fn tall_bodies_avoid_sideways() {
 fn walls_stand_upright() {
     use throng::avoid::NearDisc;
     let disc = throng::space::Disc { center: glam::DVec2::ZERO, radius: 1.0 };
-    let discs = [NearDisc { offset: Vec2::new(1.5, 0.0), disc }];
+    let discs = [NearDisc { offset: Vec2::new(1.5, 0.0), disc, outline: Outline::POINT }];
     let model = Orca3d::default();
     let seen = View { discs: &discs, preferred_climb: 1.0, ..view(Vec2::ZERO, Vec2::X * 1.0, 1.8, &[]) };
     let v = model.velocity_in_space(&seen, &mut Workspace::default());
