@@ -21,7 +21,7 @@ use crate::navigate::{Goal, Journey, Meshes, Script, Unreachable};
 use crate::perceive::{Grid, Near};
 use crate::space::{Place, Walls};
 use crate::summary::{Counts, Ended, Summary, Tally};
-use glam::{DVec2, Vec2};
+use glam::{DVec2, Vec2, Vec3};
 use schedule::Schedule;
 use serde::{Deserialize, Serialize};
 
@@ -101,8 +101,8 @@ struct StepMemory {
     neighbours: Vec<Near>,
     most_neighbours: usize,
     ways: Vec<Way>,
-    preferred: Vec<Vec2>,
-    wishes: Vec<Vec2>,
+    preferred: Vec<Vec3>,
+    wishes: Vec<Vec3>,
     targets: Vec<Pose>,
     reach: Vec<f32>,
     guarded: Vec<bool>,
@@ -117,7 +117,7 @@ struct Way {
     goal: Option<GoalId>,
     /// Unit vector towards what it heads for, detours left aside; zero for who isn't walking.
     direction: Vec2,
-    /// Metres still ahead.
+    /// Metres still ahead, in space.
     remaining: f32,
 }
 
@@ -280,7 +280,7 @@ impl World {
         let trips = self.walkers().map(|row| {
             (agents.number[row], Ended { trip: agents.trip[row], preferred_speed: agents.preferred_speed[row] })
         });
-        let resting = self.walkers().filter(|&row| agents.velocity[row].length() < 0.05).count();
+        let resting = self.walkers().filter(|&row| agents.velocity[row].extend(agents.climb[row]).length() < 0.05).count();
         let stuck = self
             .walkers()
             .filter(|&row| match agents.status[row] {
@@ -308,7 +308,7 @@ impl World {
         let words = rows.into_iter().flat_map(|row| {
             let (p, v) = (agents.position[row], agents.velocity[row]);
             let travel = &agents.travel[row];
-            [
+            let words = [
                 agents.number[row],
                 p.x.to_bits(),
                 p.y.to_bits(),
@@ -319,7 +319,10 @@ impl World {
                 travel.leg,
                 travel.progress.to_bits(),
                 travel.detour.to_bits(),
-            ]
+            ];
+            // those who walk have none
+            let air = [agents.altitude[row], agents.climb[row]].into_iter().filter(|&z| z != 0.0);
+            words.into_iter().chain(air.map(f32::to_bits))
         });
         words
             .flat_map(u32::to_le_bytes)

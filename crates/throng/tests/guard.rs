@@ -4,7 +4,7 @@
 #[path = "shared/polygons.rs"]
 mod polygons;
 
-use glam::{DVec2, Vec2};
+use glam::{DVec2, DVec3, Vec2};
 use polygons::apart;
 use proptest::prelude::*;
 use throng::Obstacle;
@@ -15,6 +15,7 @@ use throng::space::Walls;
 #[derive(Clone, Debug, Default)]
 struct Crowd {
     positions: Vec<Vec2>,
+    altitudes: Vec<f32>,
     headings: Vec<f32>,
     cores: Vec<Vec2>,
     radii: Vec<f32>,
@@ -27,6 +28,7 @@ impl Crowd {
     /// Adds a guarded body that wants to go somewhere.
     fn add(&mut self, (position, heading): (Vec2, f32), (core, radius): (Vec2, f32), reach: f32, target: Pose) {
         self.positions.push(position);
+        self.altitudes.push(0.0);
         self.headings.push(heading);
         self.cores.push(core);
         self.radii.push(radius);
@@ -37,7 +39,7 @@ impl Crowd {
 
     /// Adds a disc.
     fn add_disc(&mut self, position: Vec2, radius: f32, reach: f32, target: Vec2) {
-        self.add((position, 0.0), (Vec2::ZERO, radius), reach, Pose { position: target, heading: 0.0 });
+        self.add((position, 0.0), (Vec2::ZERO, radius), reach, Pose { position: target, altitude: 0.0, heading: 0.0 });
     }
 
     fn kept(&self, rows: &[usize]) -> Self {
@@ -46,6 +48,7 @@ impl Crowd {
         }
         Self {
             positions: of(rows, &self.positions),
+            altitudes: of(rows, &self.altitudes),
             headings: of(rows, &self.headings),
             cores: of(rows, &self.cores),
             radii: of(rows, &self.radii),
@@ -73,6 +76,7 @@ fn guarded(crowd: &Crowd, walls: &Walls) -> Vec<Pose> {
     grid.rebuild(&crowd.positions, &numbers, 1.0);
     let bodies = Bodies {
         positions: &crowd.positions,
+        altitudes: &crowd.altitudes,
         headings: &crowd.headings,
         cores: &crowd.cores,
         radii: &crowd.radii,
@@ -135,7 +139,7 @@ fn mixed(spread: f32) -> impl Strategy<Value = Crowd> {
             let at = Vec2::new(x, y);
             let position = at + Vec2::from_angle(angle) * way * haste;
             let turned = heading + (angle - 3.14) * haste;
-            let target = Pose { position, heading: (turned + 3.14).rem_euclid(6.28) - 3.14 };
+            let target = Pose { position, altitude: 0.0, heading: (turned + 3.14).rem_euclid(6.28) - 3.14 };
             crowd.add((at, heading), (Vec2::new(length, width), radius), 2.0, target);
         }
         crowd
@@ -238,7 +242,7 @@ proptest! {
     fn free_motion_is_left_alone(offset in 5.0f32..9.0, v in -1.0f32..1.0) {
         let mut crowd = Crowd::default();
         crowd.add_disc(Vec2::ZERO, 0.5, 1.5, Vec2::new(0.3, v));
-        let target = Pose { position: Vec2::new(offset - 0.4, -v), heading: 0.7 };
+        let target = Pose { position: Vec2::new(offset - 0.4, -v), altitude: 0.0, heading: 0.7 };
         crowd.add((Vec2::new(offset, 0.0), 0.2), (Vec2::new(1.0, 0.3), 0.2), 1.5, target);
         prop_assert_eq!(guarded(&crowd, &Walls::default()), crowd.targets);
     }
@@ -248,7 +252,7 @@ proptest! {
 fn a_wish_that_is_no_number_means_standing() {
     let mut crowd = Crowd::default();
     crowd.add_disc(Vec2::ZERO, 0.3, 1.0, Vec2::new(f32::NAN, 0.0));
-    let nonsense = Pose { position: Vec2::new(0.2, f32::INFINITY), heading: f32::NAN };
+    let nonsense = Pose { position: Vec2::new(0.2, f32::INFINITY), altitude: 0.0, heading: f32::NAN };
     crowd.add((Vec2::X, 0.0), (Vec2::new(0.1, 0.0), 0.3), 1.0, nonsense);
     let stood: Vec<Vec2> = guarded(&crowd, &Walls::default()).iter().map(|pose| pose.position).collect();
     assert_eq!(stood, crowd.positions);
@@ -263,7 +267,7 @@ fn a_bar_at_a_wall_that_cannot_move_turns_away_from_it_only() {
         let mut crowd = Crowd::default();
         // its lower end touches: it turns to lie along the wall, or to stand up
         let at = Vec2::new(0.0, 0.2 + (0.3f32).sin());
-        let target = Pose { position: at, heading };
+        let target = Pose { position: at, altitude: 0.0, heading };
         crowd.add((at, 0.3), (Vec2::X, 0.2), 0.0, target);
         let targets = guarded(&crowd, &walls);
         check(&crowd, &walls, &targets);
@@ -277,7 +281,7 @@ fn a_bullet_does_not_pass_through_a_thin_wall() {
     let walls = Walls::new(&[], &[wall], DVec2::ZERO);
     for core in [Vec2::ZERO, Vec2::new(0.3, 0.1)] {
         let mut crowd = Crowd::default();
-        let target = Pose { position: Vec2::new(40.0, 3.0), heading: 0.0 };
+        let target = Pose { position: Vec2::new(40.0, 3.0), altitude: 0.0, heading: 0.0 };
         crowd.add((Vec2::ZERO, 0.0), (core, 0.1), 50.0, target);
         let targets = guarded(&crowd, &walls);
         check(&crowd, &walls, &targets);
@@ -290,8 +294,8 @@ fn a_bullet_does_not_pass_through_a_thin_wall() {
 fn nearest_approach_is_the_least_over_time() {
     for i in 0..500 {
         let t = f64::from(i);
-        let offset = DVec2::new((t * 0.7).sin() * 3.0, (t * 1.3).cos() * 3.0);
-        let motion = DVec2::new((t * 2.1).cos(), (t * 0.9).sin()) * (t * 0.01);
+        let offset = DVec3::new((t * 0.7).sin(), (t * 1.3).cos(), (t * 1.9).cos()) * 3.0;
+        let motion = DVec3::new((t * 2.1).cos(), (t * 0.9).sin(), (t * 0.4).sin()) * (t * 0.01);
         let sampled =
             (0..=10_000).map(|k| (offset + motion * (f64::from(k) / 10_000.0)).length()).fold(f64::INFINITY, f64::min);
         let exact = nearest_approach(offset, motion);

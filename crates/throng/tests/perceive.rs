@@ -149,7 +149,7 @@ fn a_hundred_thousand_in_exactly_one_place() {
     grid.rebuild(&points, &numbers, 1.0);
     let mut found = Vec::new();
     for (row, own) in numbers.iter().enumerate() {
-        let accept = |near: &Near| near.row as usize != row;
+        let accept = |near: &mut Near| near.row as usize != row;
         grid.nearest(spot, 10, 5.0, accept, &mut found);
         let expected = sorted.iter().copied().filter(|number| number != own).take(10);
         assert!(found.iter().map(|near| near.number).eq(expected), "row {row}: {found:?}");

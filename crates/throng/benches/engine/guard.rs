@@ -18,7 +18,7 @@ fn packed(count: usize) -> (Vec<Vec2>, Vec<Pose>) {
     };
     let positions: Vec<Vec2> = (0..count).map(|k| place(k).as_vec2()).collect();
     let mut push = || (DVec2::from_angle(dice.between(0.0, 6.3)) * dice.between(0.0, 1.3 / 120.0)).as_vec2();
-    let targets = positions.iter().map(|&at| Pose { position: at + push(), heading: 0.0 }).collect();
+    let targets = positions.iter().map(|&at| Pose { position: at + push(), altitude: 0.0, heading: 0.0 }).collect();
     (positions, targets)
 }
 
@@ -31,6 +31,7 @@ fn collect_contacts(bencher: Bencher, count: usize) {
     let (headings, cores, guarded) = (vec![0.0; count], vec![Vec2::ZERO; count], vec![true; count]);
     let bodies = Bodies {
         positions: &positions,
+        altitudes: &vec![0.0; count],
         headings: &headings,
         cores: &cores,
         radii: &radii,
@@ -51,6 +52,7 @@ fn certify(bencher: Bencher, count: usize) {
     let (headings, cores, guarded) = (vec![0.0; count], vec![Vec2::ZERO; count], vec![true; count]);
     let bodies = Bodies {
         positions: &positions,
+        altitudes: &vec![0.0; count],
         headings: &headings,
         cores: &cores,
         radii: &radii,

@@ -1,8 +1,9 @@
 //! What an agent's body is: a rectangle along the heading, rounded.
 
 use super::{Agent, Columns};
+use crate::avoid::MARGIN_LONG_STEP;
 use crate::space::Core;
-use glam::{DVec2, Vec2};
+use glam::{DVec2, DVec3, Vec2, Vec3};
 use serde::{Deserialize, Serialize};
 
 /// Part of the shorter side of a rectangle that the radius of its corners is.
@@ -79,8 +80,30 @@ impl Columns {
         Core::new(self.position[row].as_dvec2(), self.heading[row], self.core[row])
     }
 
-    /// From the point of an agent's core that is nearest to another's core to that one's nearest point; from centre to
-    /// centre of discs. Bodies touch when it is as long as the sum of their radii. Cores that overlap: zero.
+    /// The centre of an agent, and its altitude.
+    pub(crate) fn center(&self, row: usize) -> DVec3 {
+        self.position[row].as_dvec2().extend(f64::from(self.altitude[row]))
+    }
+
+    /// How much higher another is: 0 where one of the two is no disc, since those stand upright without end.
+    pub fn above(&self, row: usize, other: usize) -> f32 {
+        if self.is_disc(row) && self.is_disc(other) { self.altitude[other] - self.altitude[row] } else { 0.0 }
+    }
+
+    /// [`offset`](Self::offset) and [`above`](Self::above) together: bodies touch when it is as long as the sum of their
+    /// radii.
+    pub fn offset_in_space(&self, row: usize, other: usize) -> Vec3 {
+        self.offset(row, other).extend(self.above(row, other))
+    }
+
+    /// Whether one is so far above the other that the two pass clear of each other, with all that models add to bodies.
+    pub(crate) fn passes_clear(&self, row: usize, other: usize) -> bool {
+        let radii = (self.radius[row] + self.radius[other]) * (1.0 + MARGIN_LONG_STEP);
+        self.above(row, other).abs() >= radii + (self.tracking_error[row] + self.tracking_error[other])
+    }
+
+    /// From the point of an agent's core that is nearest to another's core to that one's nearest point, along the
+    /// ground; from centre to centre of discs. Cores that overlap: zero.
     pub fn offset(&self, row: usize, other: usize) -> Vec2 {
         if self.is_disc(row) && self.is_disc(other) {
             return self.position[other] - self.position[row];
@@ -94,7 +117,7 @@ impl Columns {
     pub(crate) fn separation(&self, row: usize, other: usize) -> f64 {
         let radii = f64::from(self.radius[row]) + f64::from(self.radius[other]);
         let distance = if self.is_disc(row) && self.is_disc(other) {
-            self.position[row].as_dvec2().distance(self.position[other].as_dvec2())
+            self.center(row).distance(self.center(other))
         } else {
             self.core_of(row).separation(&self.core_of(other)).distance
         };

@@ -30,8 +30,12 @@ columns! {
     number: u32,
     /// Centre, metres from the world's origin.
     position: Vec2,
-    /// Velocity: the motion of the last sub-step, before positions were rounded.
+    /// Height of the centre above the ground, metres; 0 for those who walk.
+    altitude: f32,
+    /// Velocity along the ground: the motion of the last sub-step, before positions were rounded.
     velocity: Vec2,
+    /// Velocity upwards.
+    climb: f32,
     /// Direction of the body, radians counter-clockwise from +x, -pi to pi.
     heading: f32,
     /// Radians a second that the body turned in the last sub-step; 0 for discs, whose turning touches nobody.
@@ -77,7 +81,7 @@ pub struct Trip {
     pub entered: f64,
     /// Time it first came to the end of its journey.
     pub arrived: Option<f64>,
-    /// Metres walked.
+    /// Metres walked or flown.
     pub walked: f64,
     /// Radians its heading has turned, either way.
     pub turned: f64,
@@ -102,7 +106,9 @@ impl Columns {
         self.slot.push(slot);
         self.number.push(number);
         self.position.push((agent.position - origin).as_vec2());
+        self.altitude.push(agent.altitude);
         self.velocity.push(agent.velocity);
+        self.climb.push(0.0);
         self.heading.push(heading);
         self.spin.push(0.0);
         self.radius.push(agent.radius);

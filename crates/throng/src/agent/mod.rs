@@ -23,7 +23,9 @@ use serde::{Deserialize, Serialize};
 pub struct Agent {
     /// Centre of the body, world coordinates.
     pub position: DVec2,
-    /// Velocity at the start.
+    /// Height of the centre above the ground; more than 0 for those who fly. Limit: 0 to 20000.
+    pub altitude: f32,
+    /// Velocity at the start, along the ground.
     pub velocity: Vec2,
     /// Direction of the body, counter-clockwise from +x; `None`: towards the first goal.
     pub heading: Option<f32>,
@@ -68,6 +70,7 @@ impl Default for Agent {
     fn default() -> Self {
         Self {
             position: DVec2::ZERO,
+            altitude: 0.0,
             velocity: Vec2::ZERO,
             heading: None,
             group: GroupId(0),

@@ -200,6 +200,11 @@ pub trait LocalModel: std::fmt::Debug + Send + Sync {
         self.velocity(view, workspace).extend(view.preferred_climb)
     }
 
+    /// Whether the model looks up and down. One that does not sees nobody who passes clear above or below.
+    fn looks_in_space(&self) -> bool {
+        false
+    }
+
     /// Why [`velocity`](Self::velocity) answers as it does for this view, as data to draw: what each neighbour and
     /// each wall forbids, or what the model tried and what it found. Never called in a step.
     fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {

@@ -66,6 +66,10 @@ impl LocalModel for Orca3d {
             .unwrap_or_else(|failed| least_violation_in_space(planes, hard, view.max_speed, failed, fallback_planes))
     }
 
+    fn looks_in_space(&self) -> bool {
+        true
+    }
+
     fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
         self.time_horizon_obstacles * max_speed + radius
     }

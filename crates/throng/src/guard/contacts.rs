@@ -4,6 +4,7 @@ use super::Bodies;
 use crate::parallel;
 use crate::perceive::Grid;
 use crate::space::{NearWalls, Walls};
+use glam::Vec2;
 
 /// For each body, the others and the walls within its reach and theirs.
 #[derive(Clone, Debug, Default)]
@@ -34,6 +35,7 @@ impl Contacts {
     ) {
         let n = bodies.positions.len();
         self.own.resize_with(n, Found::default);
+        let is_disc = |row: usize| bodies.cores[row] == Vec2::ZERO;
         let farthest = bodies.reach.iter().copied().fold(0.0, f32::max);
         parallel::rows(&mut self.own, 1, NearWalls::default, |near, row, found| {
             let found = &mut found[0];
@@ -46,7 +48,9 @@ impl Contacts {
                 let size = bodies.bound(other);
                 let rank = |row: usize| (bodies.bound(row), numbers[row]);
                 let range = (radius + size + reach + bodies.reach[other]) * 1.0001;
-                if rank(other) < rank(row) && near.distance_squared <= range * range && meets(row, other) {
+                let above = if is_disc(row) && is_disc(other) { bodies.altitudes[other] - bodies.altitudes[row] } else { 0.0 };
+                let distance_squared = near.distance_squared + above * above;
+                if rank(other) < rank(row) && distance_squared <= range * range && meets(row, other) {
                     found.smaller.push((near.number, near.row));
                 }
             });

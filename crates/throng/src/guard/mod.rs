@@ -4,13 +4,14 @@
 //! little as it can. It knows nothing of models, goals or speeds, so it holds for any model and any time step.
 //!
 //! # Why it holds
-//! A body is everything within its radius of its *core*, a rectangle; the core of a disc is a point. Let `R` be the sum
-//! of two radii; over the step all bodies move and turn evenly, each by its own displacement and angle.
+//! A body is everything within its radius of its *core*. The core of a disc is a point at its altitude: the disc is a
+//! sphere. Other cores, and walls, stand upright without end: whatever they have to do with others is seen in the plan,
+//! where their cores are rectangles, and altitudes do not matter. Let `R` be the sum of two radii; over the step all bodies move and turn evenly, each by its own displacement and angle.
 //!
 //! 1. A pair is *safe* if the distance of its cores is at least `R`, less a slack of 1e-6 `R`, all through the step. A
 //!    pair closer than that at the start (a bad start) is safe if it is never closer than at the start; where cores
 //!    overlap, the least shift that parts them counts as a negative distance. The same for a body and a wall.
-//!    - Two discs: the least of `|xj - xi + t (dj - di)|` over the step is known exactly.
+//!    - Two discs: the least of `|xj - xi + t (dj - di)|` over the step, in space, is known exactly.
 //!    - Other cores (`sweep.rs`): along any fixed direction the gap between two cores is at most their distance, and
 //!      the least of `n . (q(t) - p(t))` over their corners. A corner at `r` from a centre that turns by `a` runs along
 //!      `n` with a second derivative of at most `r a^2`. So between its values at two times the gap sags no deeper than
@@ -22,7 +23,8 @@
 //!    no gap), and towards each near wall at most the gap. Two agents that both stay in their cells are safe: along that
 //!    normal they close at most the gap, so at every moment the distance of the cores, which is at least the gap along
 //!    it, is at least `R`. An edge of a wall lies wholly beyond the line across its nearest point, hence a cell is safe
-//!    for walls too. Standing still is in every cell.
+//!    for walls too. The ground is a side of every cell, at the altitude of the centre. Who is on it and does not want to
+//!    leave it has the cell's cut with the ground. Standing still is in every cell.
 //! 3. All start free. In each round every agent that is in an unsafe pair with any other, or unsafe with a wall,
 //!    while free, is *clamped*: moved into its cell, its turn kept if there is room for it, halved, or given up. A
 //!    clamped agent stays clamped. After eight rounds, or when nobody new is clamped, the rest: if rounds ran out
@@ -35,7 +37,7 @@
 //! The heading of a disc touches nobody: the guard leaves it alone. Two who are both unguarded are not held apart, nor
 //! is one who is unguarded held off walls.
 //!
-//! Only pairs that can meet need a look: nobody moves farther than its `reach`, and turning leaves a body within the disc
+//! Only pairs that can meet need a look: nobody moves farther in space than its `reach`, hence in the plan neither, and turning leaves a body within the disc
 //! about its centre that holds it at any heading; pairs whose discs are farther apart than both reaches are safe.
 //!
 //! Before certifying, a few symmetric relaxations (`relax.rs`) part the pairs that would collide: position-based, as
@@ -49,10 +51,10 @@ mod sweep;
 
 pub use contacts::Contacts;
 
-use crate::avoid::Line;
+use crate::avoid::{Line, Plane};
 use crate::parallel;
 use crate::space::{Core, Walls};
-use glam::{DVec2, Vec2};
+use glam::{DVec2, DVec3, Vec2, Vec3};
 use solid::Solid;
 use sweep::Sweep;
 
@@ -66,13 +68,15 @@ const ROUNDS: usize = 8;
 pub struct Bodies<'a> {
     /// Centres.
     pub positions: &'a [Vec2],
+    /// Heights of the centres above the ground, not negative.
+    pub altitudes: &'a [f32],
     /// Directions, radians counter-clockwise from +x.
     pub headings: &'a [f32],
     /// Half extents of the cores, along and across the heading; zero for discs.
     pub cores: &'a [Vec2],
     /// Radii: how far bodies reach beyond their cores.
     pub radii: &'a [f32],
-    /// How far each may move in the step at most, metres.
+    /// How far each may move in the step at most, in space, metres.
     pub reach: &'a [f32],
     /// Who is kept from overlapping: of two, one at least must be.
     pub guarded: &'a [bool],
@@ -83,6 +87,11 @@ impl Bodies<'_> {
     fn bound(&self, row: usize) -> f32 {
         self.radii[row] + self.cores[row].length()
     }
+
+    /// The centre of a body, in space.
+    fn place(&self, row: usize) -> Vec3 {
+        self.positions[row].extend(self.altitudes[row])
+    }
 }
 
 /// Where a body is, or is to be.
@@ -90,8 +99,22 @@ impl Bodies<'_> {
 pub struct Pose {
     /// Its centre.
     pub position: Vec2,
+    /// Height of its centre above the ground.
+    pub altitude: f32,
     /// Its direction, radians counter-clockwise from +x, -pi to pi.
     pub heading: f32,
+}
+
+impl Pose {
+    /// Its centre, in space.
+    pub fn place(&self) -> Vec3 {
+        self.position.extend(self.altitude)
+    }
+
+    /// The pose with its centre here, on the ground if that is below it.
+    pub(crate) fn with_place(self, place: Vec3) -> Self {
+        Self { position: place.truncate(), altitude: place.z.max(0.0), ..self }
+    }
 }
 
 /// What the guard did.
@@ -119,6 +142,7 @@ pub struct Guard {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scratch {
     pub(crate) lines: Vec<Line>,
+    pub(crate) planes: Vec<Plane>,
     pub(crate) sides: Vec<cell::Side>,
 }
 
@@ -134,12 +158,13 @@ impl Guard {
         }));
         let solid = Solid { bodies, contacts, walls, cores };
         now.clear();
-        now.extend(targets.iter().enumerate().map(|(row, &Pose { position: to, heading })| {
-            let (from, reach) = (bodies.positions[row], bodies.reach[row]);
+        now.extend(targets.iter().enumerate().map(|(row, target)| {
+            let (from, to, reach) = (bodies.place(row), target.place(), bodies.reach[row]);
             // a target that is not a number is no wish at all
-            let position = if to.is_finite() { from + (to - from).clamp_length_max(reach) } else { from };
-            let turns = heading.is_finite() && !solid.is_disc(row);
-            Pose { position, heading: if turns { heading } else { bodies.headings[row] } }
+            let place = if to.is_finite() { from + (to - from).clamp_length_max(reach) } else { from };
+            let turns = target.heading.is_finite() && !solid.is_disc(row);
+            let heading = if turns { target.heading } else { bodies.headings[row] };
+            Pose { heading, ..*target }.with_place(place)
         }));
         let mut report = Report::default();
         relax::relax(solid, now, next);
@@ -174,11 +199,11 @@ impl Guard {
         }
         report.clamped = clamped.iter().filter(|&&c| c).count();
         for (row, (target, &certain)) in targets.iter_mut().zip(&*now).enumerate() {
-            let wish = target.position;
+            let wish = target.place();
             // beyond a hundredth of the way, or of a thousandth of the body
-            let tolerance = wish.distance(bodies.positions[row]).max(1e-3 * bodies.radii[row]) * 1e-2;
+            let tolerance = wish.distance(bodies.place(row)).max(1e-3 * bodies.radii[row]) * 1e-2;
             let turned = !solid.is_disc(row) && target.heading != certain.heading;
-            report.changed += usize::from(!wish.is_finite() || wish.distance(certain.position) > tolerance || turned);
+            report.changed += usize::from(!wish.is_finite() || wish.distance(certain.place()) > tolerance || turned);
             *target = certain;
         }
         report
@@ -188,18 +213,17 @@ impl Guard {
 /// Whether the motion of `row` is safe with everybody and every wall.
 fn is_safe(row: usize, solid: Solid<'_>, targets: &[Pose]) -> bool {
     let bodies = solid.bodies;
-    let from = bodies.positions[row].as_dvec2();
-    let motion = targets[row].position.as_dvec2() - from;
+    let (from, motion) = (bodies.place(row).as_dvec3(), solid.motion(row, targets[row]));
     solid.others(row).all(|other| {
         let radii = f64::from(bodies.radii[row]) + f64::from(bodies.radii[other]);
         if solid.is_disc(row) && solid.is_disc(other) {
-            let offset = bodies.positions[other].as_dvec2() - from;
-            let relative = targets[other].position.as_dvec2() - bodies.positions[other].as_dvec2() - motion;
+            let offset = bodies.place(other).as_dvec3() - from;
+            let relative = solid.motion(other, targets[other]) - motion;
             return nearest_approach(offset, relative) >= needed(radii, offset.length());
         }
         keeps(&solid.sweep(row, targets[row]), &solid.sweep(other, targets[other]), radii)
     }) && if solid.is_disc(row) {
-        walls_are_safe(row, solid, from, motion)
+        walls_are_safe(row, solid, from.truncate(), motion.truncate())
     } else {
         let radius = f64::from(bodies.radii[row]);
         let own = solid.sweep(row, targets[row]);
@@ -232,12 +256,12 @@ fn walls_are_safe(row: usize, solid: Solid<'_>, from: DVec2, motion: DVec2) -> b
         swept >= needed(radius, at_start) && !cross(from, to, edge.start, edge.end)
     }) && solid.discs(row).all(|disc| {
         let offset = disc.center - from;
-        nearest_approach(offset, -motion) - disc.radius >= needed(radius, offset.length() - disc.radius)
+        nearest_approach(offset.extend(0.0), -motion.extend(0.0)) - disc.radius >= needed(radius, offset.length() - disc.radius)
     })
 }
 
 /// The least length of `offset + t * motion` for t in [0, 1].
-pub fn nearest_approach(offset: DVec2, motion: DVec2) -> f64 {
+pub fn nearest_approach(offset: DVec3, motion: DVec3) -> f64 {
     let along = -offset.dot(motion);
     if along <= 0.0 {
         return offset.length();

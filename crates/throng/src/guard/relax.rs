@@ -4,7 +4,7 @@ use super::Pose;
 use super::solid::Solid;
 use super::sweep::Sweep;
 use crate::parallel;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 const ITERATIONS: usize = 4;
 /// Part of the sum of radii that relaxed pairs keep between them.
@@ -38,44 +38,47 @@ pub(super) fn relax(solid: Solid<'_>, targets: &mut Vec<Pose>, next: &mut Vec<Po
 
 fn relaxed(row: usize, solid: Solid<'_>, targets: &[Pose]) -> Pose {
     let bodies = solid.bodies;
-    let from = bodies.positions[row].as_dvec2();
+    let (from, motion) = (bodies.place(row).as_dvec3(), solid.motion(row, targets[row]));
     let radius = f64::from(bodies.radii[row]);
-    let motion = targets[row].position.as_dvec2() - from;
     let is_disc = solid.is_disc(row);
-    let mut push = DVec2::ZERO;
+    let mut push = DVec3::ZERO;
     for other in solid.others(row) {
         let radii = radius + f64::from(bodies.radii[other]);
         let reach = f64::from(bodies.reach[row]) + f64::from(bodies.reach[other]);
         push += 0.5
             * if is_disc && solid.is_disc(other) {
-                let offset = from - bodies.positions[other].as_dvec2();
-                let relative = motion - (targets[other].position.as_dvec2() - bodies.positions[other].as_dvec2());
+                let offset = from - bodies.place(other).as_dvec3();
+                let relative = motion - solid.motion(other, targets[other]);
                 parting(offset, relative, clearance(offset.length(), radii, reach))
             } else {
                 let (own, theirs) = (solid.sweep(row, targets[row]), solid.sweep(other, targets[other]));
-                parting_cores(&own, &theirs, radii, reach)
+                parting_cores(&own, &theirs, radii, reach).extend(0.0)
             };
     }
     let reach = f64::from(bodies.reach[row]);
     if is_disc {
+        let (plan, along) = (from.truncate(), motion.with_z(0.0));
         for edge in solid.edges(row) {
-            let offset = from - edge.nearest(from);
-            push += parting(offset, motion, clearance(offset.length(), radius, reach));
+            let offset = plan - edge.nearest(plan);
+            push += parting(offset.extend(0.0), along, clearance(offset.length(), radius, reach));
         }
         for disc in solid.discs(row) {
-            push += parting(from - disc.center, motion, radius * (1.0 + SKIN) + disc.radius);
+            let offset = plan - disc.center;
+            push += parting(offset.extend(0.0), along, radius * (1.0 + SKIN) + disc.radius);
         }
     } else {
         let own = solid.sweep(row, targets[row]);
         for (core, size) in solid.standing(row) {
-            push += parting_cores(&own, &Sweep::still(core), radius + size, reach);
+            push += parting_cores(&own, &Sweep::still(core), radius + size, reach).extend(0.0);
         }
     }
-    if push == DVec2::ZERO {
+    if solid.is_grounded(row, targets[row]) {
+        push.z = 0.0;
+    }
+    if push == DVec3::ZERO {
         return targets[row];
     }
-    let position = bodies.positions[row] + (motion + push).clamp_length_max(reach).as_vec2();
-    Pose { position, ..targets[row] }
+    targets[row].with_place(bodies.place(row) + (motion + push).clamp_length_max(reach).as_vec3())
 }
 
 /// The distance to keep from what is at `distance` now and touches at `radii`.
@@ -99,7 +102,7 @@ fn parting_cores(own: &Sweep, other: &Sweep, radii: f64, reach: f64) -> DVec2 {
 /// How a relative motion must change so that `offset + t * motion` comes no nearer than `clearance` on its way: a
 /// push at the nearest approach. A pair that starts nearer is pushed back to its clearance as far as it moves away
 /// less than that.
-fn parting(offset: DVec2, motion: DVec2, clearance: f64) -> DVec2 {
+fn parting(offset: DVec3, motion: DVec3, clearance: f64) -> DVec3 {
     let length_squared = motion.length_squared();
     let t = if length_squared > 0.0 { (-offset.dot(motion) / length_squared).clamp(0.0, 1.0) } else { 1.0 };
     let starts_near = offset.length_squared() < clearance * clearance;
@@ -109,7 +112,7 @@ fn parting(offset: DVec2, motion: DVec2, clearance: f64) -> DVec2 {
     let distance = nearest.length();
     let deficit = clearance - distance;
     if deficit <= 0.0 {
-        return DVec2::ZERO;
+        return DVec3::ZERO;
     }
     // through each other: part along the line they began on
     let normal = if nearest.dot(offset) > 0.0 { nearest / distance } else { offset.normalize_or_zero() };

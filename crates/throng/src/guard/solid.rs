@@ -3,7 +3,7 @@
 use super::sweep::Sweep;
 use super::{Bodies, Contacts, Pose};
 use crate::space::{Core, Disc, Edge, Walls};
-use glam::Vec2;
+use glam::{DVec3, Vec2};
 
 /// Everything that the guard holds apart.
 #[derive(Clone, Copy)]
@@ -51,7 +51,17 @@ impl<'a> Solid<'a> {
         self.cores[row]
     }
 
-    /// The motion of a body to `target`: the shorter way round.
+    /// How the centre of a body moves to `target`.
+    pub fn motion(self, row: usize, target: Pose) -> DVec3 {
+        target.place().as_dvec3() - self.bodies.place(row).as_dvec3()
+    }
+
+    /// Whether a body is on the ground and does not want to leave it.
+    pub fn is_grounded(self, row: usize, target: Pose) -> bool {
+        self.bodies.altitudes[row] == 0.0 && target.altitude == 0.0
+    }
+
+    /// The motion of a body to `target` along the ground: the shorter way round.
     pub fn sweep(self, row: usize, target: Pose) -> Sweep {
         let start = self.core(row);
         let turn = f64::from(target.heading) - f64::from(self.bodies.headings[row]);

@@ -1,6 +1,6 @@
 //! Limits of acceleration, speed and turning.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 /// What a body can do in one step.
 #[derive(Clone, Copy, Debug)]
@@ -9,13 +9,14 @@ pub struct Limits {
     pub speed: f32,
     /// Change of velocity in the step, m/s.
     pub change: f32,
-    /// Turn of the direction of motion away from the heading in the step, radians.
+    /// Turn of the direction of motion along the ground away from the heading in the step, radians.
     pub turn: f32,
 }
 
 /// The velocity nearest to `wish` that a body with this velocity and heading can have after a step.
-pub fn limit(wish: Vec2, velocity: Vec2, heading: f32, limits: Limits) -> Vec2 {
-    let wish = if limits.turn < std::f32::consts::PI { turned(wish, heading, limits.turn) } else { wish };
+pub fn limit(wish: Vec3, velocity: Vec3, heading: f32, limits: Limits) -> Vec3 {
+    let turns = limits.turn < std::f32::consts::PI;
+    let wish = if turns { turned(wish.truncate(), heading, limits.turn).extend(wish.z) } else { wish };
     let change = (wish - velocity).clamp_length_max(limits.change);
     (velocity + change).clamp_length_max(limits.speed)
 }
@@ -39,15 +40,15 @@ mod tests {
     #[test]
     fn acceleration_is_limited() {
         let limits = Limits { speed: 2.0, change: 0.1, turn: f32::INFINITY };
-        let v = limit(Vec2::new(2.0, 0.0), Vec2::ZERO, 0.0, limits);
+        let v = limit(Vec3::new(2.0, 0.0, 1.0), Vec3::ZERO, 0.0, limits);
         assert!((v.length() - 0.1).abs() < 1e-6);
     }
 
     #[test]
     fn a_body_that_turns_slowly_goes_round() {
         let limits = Limits { speed: 2.0, change: 9.0, turn: 0.2 };
-        let v = limit(Vec2::Y, Vec2::X, 0.0, limits);
+        let v = limit(Vec3::Y, Vec3::X, 0.0, limits);
         assert!((libm::atan2f(v.y, v.x) - 0.2).abs() < 1e-6, "{v}");
-        assert_eq!(limit(-Vec2::X, Vec2::X, 0.0, limits), Vec2::ZERO, "it stops rather than skid backwards");
+        assert_eq!(limit(-Vec3::X, Vec3::X, 0.0, limits), Vec3::ZERO, "it stops rather than skid backwards");
     }
 }

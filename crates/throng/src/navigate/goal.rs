@@ -1,7 +1,8 @@
 //! Goals, and journeys from goal to goal.
 
 use crate::agent::GoalId;
-use glam::DVec2;
+use crate::space::is_inside;
+use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
 /// A place to go to, world coordinates in metres.
@@ -12,6 +13,13 @@ pub enum Goal {
     Point {
         /// The point.
         at: DVec2,
+        /// Distance that counts as there. Limit: > 0.
+        tolerance: f32,
+    },
+    /// A point in the air, z up from the ground; as a point, with distances in space.
+    Air {
+        /// The point. Limit of z: 0 to 20000.
+        at: DVec3,
         /// Distance that counts as there. Limit: > 0.
         tolerance: f32,
     },
@@ -50,9 +58,41 @@ impl Goal {
     pub fn middle(&self) -> DVec2 {
         match self {
             Self::Point { at, .. } => *at,
+            Self::Air { at, .. } => at.truncate(),
             Self::Area { corners } | Self::Exit { corners } => {
                 corners.iter().sum::<DVec2>() / corners.len().max(1) as f64
             }
         }
+    }
+
+    /// The corners, of a goal that is an area.
+    pub fn corners(&self) -> Option<&[DVec2]> {
+        match self {
+            Self::Area { corners } | Self::Exit { corners } => Some(corners),
+            Self::Point { .. } | Self::Air { .. } => None,
+        }
+    }
+
+    /// The altitude to be at there; `None`: any. Who flies keeps theirs on the way to a goal on the ground.
+    pub fn altitude(&self) -> Option<f64> {
+        match self {
+            Self::Air { at, .. } => Some(at.z),
+            _ => None,
+        }
+    }
+
+    /// From a place to the point straight on, and the distance that counts as there; `None` for an area.
+    pub fn offset(&self, from: DVec3) -> Option<(DVec3, f32)> {
+        match self {
+            Self::Point { at, tolerance } => Some(((*at - from.truncate()).extend(0.0), *tolerance)),
+            Self::Air { at, tolerance } => Some((*at - from, *tolerance)),
+            Self::Area { .. } | Self::Exit { .. } => None,
+        }
+    }
+
+    /// Whether a place is within the tolerance of the point, or inside the area.
+    pub fn holds(&self, place: DVec3) -> bool {
+        let near = self.offset(place).is_some_and(|(offset, tolerance)| offset.length() <= f64::from(tolerance));
+        near || self.corners().is_some_and(|corners| is_inside(corners, place.truncate()))
     }
 }

@@ -43,7 +43,7 @@ impl Meshes {
                 let radius = (f64::from(class_of(radius)) + CLEARANCE) * 1e-3;
                 Class { mesh: NavMesh::build(&place.areas, obstacles, radius, extent), areas: BTreeMap::new() }
             });
-            if let (Ok(mesh), Goal::Area { corners } | Goal::Exit { corners }) = (&class.mesh, &goals[goal.index()]) {
+            if let (Ok(mesh), Some(corners)) = (&class.mesh, goals[goal.index()].corners()) {
                 class.areas.entry(goal).or_insert_with(|| mesh.area(corners).ok());
             }
         }
@@ -67,26 +67,23 @@ impl Meshes {
         let Ok(mesh) = &class.mesh else {
             return Err(Unreachable::StartInWall { at: from, distance: f64::INFINITY });
         };
-        match goal {
-            Goal::Point { at, .. } => mesh.path(search, from, *at).map(|path| (path, 0.0)),
-            Goal::Area { .. } | Goal::Exit { .. } => match class.areas.get(&id).and_then(Option::as_ref) {
-                Some(area) => mesh.path_to(search, from, area).map(|path| (path, area.gap())),
-                None => Err(Unreachable::GoalInWall { at: goal.middle(), distance: f64::INFINITY }),
-            },
+        if goal.corners().is_none() {
+            return mesh.path(search, from, goal.middle()).map(|path| (path, 0.0));
+        }
+        match class.areas.get(&id).and_then(Option::as_ref) {
+            Some(area) => mesh.path_to(search, from, area).map(|path| (path, area.gap())),
+            None => Err(Unreachable::GoalInWall { at: goal.middle(), distance: f64::INFINITY }),
         }
     }
 }
 
 /// The way in the open: to the point, or a little way into the area.
 fn straight(from: DVec2, goal: &Goal) -> Path {
-    let end = match goal {
-        Goal::Point { at, .. } => *at,
-        Goal::Area { corners } | Goal::Exit { corners } if is_inside(corners, from) => from,
-        Goal::Area { corners } | Goal::Exit { corners } => {
-            let nearest = nearest_on_ring(corners, from);
-            // a tenth of the way from the rim to the middle
-            nearest.lerp(goal.middle(), 0.1)
-        }
+    let end = match goal.corners() {
+        None => goal.middle(),
+        Some(corners) if is_inside(corners, from) => from,
+        // a tenth of the way from the rim to the middle
+        Some(corners) => nearest_on_ring(corners, from).lerp(goal.middle(), 0.1),
     };
     Path { start: from, corners: vec![end], length: from.distance(end) }
 }

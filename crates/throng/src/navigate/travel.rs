@@ -43,8 +43,10 @@ pub struct Travel {
     pub route: Option<Route>,
     /// What it heads for now, world coordinates.
     pub aim: DVec2,
-    /// Metres of way still ahead.
+    /// Metres of way still ahead, along the ground.
     pub remaining: f32,
+    /// Metres still to rise on that way, negative to sink; 0 for those whose goal is on the ground.
+    pub rise: f32,
     /// How near to an area in a wall counts as there, metres.
     pub gap: f32,
     /// Whether the length of this leg has been noted.
@@ -57,6 +59,16 @@ impl Travel {
     /// Starts a leg of the journey.
     pub(crate) fn begin(&mut self, leg: u32) {
         *self = Self { leg, progress: 1.0, ..Self::default() };
+    }
+
+    /// Metres still ahead in space.
+    pub fn distance(&self) -> f32 {
+        if self.rise == 0.0 { self.remaining } else { Vec2::new(self.remaining, self.rise).length() }
+    }
+
+    /// The parts of the speed along the ground and upwards: both are to come to an end together.
+    pub(crate) fn slope(&self) -> Vec2 {
+        if self.rise == 0.0 { Vec2::X } else { Vec2::new(self.remaining, self.rise).normalize_or(Vec2::Y) }
     }
 
     /// Notes how far the agent got in the last step, and tells by what angle to the right its preferred direction

@@ -9,7 +9,7 @@ pub struct Near {
     pub row: u32,
     /// Its number: ties in distance go to the lower one.
     pub number: u32,
-    /// Square of the distance, `f32` arithmetic: `dx * dx + dy * dy`.
+    /// Square of the distance, `f32` arithmetic: `dx * dx + dy * dy`, and what was added by who accepted it.
     pub distance_squared: f32,
 }
 
@@ -196,8 +196,9 @@ impl Grid {
     }
 
     /// The `k` nearest points within `range` of `from` (inclusive) that `accept` accepts, nearest first, ties by
-    /// number, into `found` (emptied first).
-    pub fn nearest(&self, from: Vec2, k: usize, range: f32, accept: impl Fn(&Near) -> bool, found: &mut Vec<Near>) {
+    /// number, into `found` (emptied first). Where more than the plane separates points, `accept` adds it to their
+    /// distances: what lies in the plane is the least that they can be.
+    pub fn nearest(&self, from: Vec2, k: usize, range: f32, accept: impl Fn(&mut Near) -> bool, found: &mut Vec<Near>) {
         found.clear();
         if self.order.is_empty() || k == 0 {
             return;
@@ -221,7 +222,7 @@ impl Grid {
         from: Vec2,
         k: usize,
         limit: Near,
-        accept: &impl Fn(&Near) -> bool,
+        accept: &impl Fn(&mut Near) -> bool,
         found: &mut Vec<Near>,
     ) {
         let worst = if found.len() == k { found[k - 1] } else { limit };
@@ -238,11 +239,12 @@ impl Grid {
             return;
         }
         for at in block.start as usize..block.end as usize {
-            let near = self.near(from, at);
+            let mut near = self.near(from, at);
             let worst = if found.len() == k { found[k - 1] } else { limit };
-            if (near.before(&worst) || near.distance_squared == limit.distance_squared && found.len() < k)
-                && accept(&near)
-            {
+            let counts = |near: &Near| {
+                near.before(&worst) || near.distance_squared == limit.distance_squared && found.len() < k
+            };
+            if counts(&near) && accept(&mut near) && counts(&near) {
                 if found.len() == k {
                     found.pop();
                 }

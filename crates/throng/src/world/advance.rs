@@ -5,7 +5,7 @@ use crate::agent::Status;
 use crate::guard::{Bodies, Pose};
 use crate::motion::{faces, turn, wrap};
 use crate::space::Core;
-use glam::Vec2;
+use glam::Vec3;
 
 impl World {
     /// 4. What is certain: nobody overlaps.
@@ -13,7 +13,8 @@ impl World {
         let mut targets = std::mem::take(&mut self.step.targets);
         targets.clear();
         targets.extend((0..self.agents.len()).map(|row| Pose {
-            position: self.agents.position[row] + self.step.wishes[row] * seconds,
+            position: self.agents.position[row] + self.step.wishes[row].truncate() * seconds,
+            altitude: self.agents.altitude[row] + self.step.wishes[row].z * seconds,
             heading: self.wished_heading(row, seconds, now),
         }));
         let Self { agents, step, groups, walls, tally, .. } = self;
@@ -23,6 +24,7 @@ impl World {
         step.guarded.extend(agents.group.iter().map(|group| groups[group.index()].guard));
         let bodies = Bodies {
             positions: &agents.position,
+            altitudes: &agents.altitude,
             headings: &agents.heading,
             cores: &agents.core,
             radii: &agents.radius,
@@ -52,7 +54,7 @@ impl World {
         } else if agents.is_disc(row) {
             heading
         } else {
-            turn(heading, faces(self.step.wishes[row], self.step.preferred[row], most), seconds, most)
+            turn(heading, faces(self.step.wishes[row].truncate(), self.step.preferred[row].truncate(), most), seconds, most)
         }
     }
 
@@ -60,18 +62,22 @@ impl World {
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
         let agents = &mut self.agents;
         for row in 0..agents.len() {
-            let from = agents.position[row];
-            let Pose { position: to, heading: certain } = self.step.targets[row];
-            let motion = to - from;
-            agents.position[row] = to;
-            agents.velocity[row] = velocity(from, to, self.step.wishes[row], seconds);
+            let from = agents.position[row].extend(agents.altitude[row]);
+            let target = self.step.targets[row];
+            let velocity = velocity(from, target.place(), self.step.wishes[row], seconds);
+            (agents.position[row], agents.altitude[row]) = (target.position, target.altitude);
+            (agents.velocity[row], agents.climb[row]) = (velocity.truncate(), velocity.z);
             let before = agents.heading[row];
             let heading = if agents.is_disc(row) {
-                let facing = faces(agents.velocity[row], self.step.preferred[row], agents.max_turn_rate[row]);
+                let facing = faces(
+                    agents.velocity[row],
+                    self.step.preferred[row].truncate(),
+                    agents.max_turn_rate[row],
+                );
                 turn(before, facing, seconds, agents.max_turn_rate[row])
             } else {
-                agents.spin[row] = wrap(certain - before) / seconds;
-                certain
+                agents.spin[row] = wrap(target.heading - before) / seconds;
+                target.heading
             };
             agents.heading[row] = heading;
             if agents.status[row] == Status::Walking {
@@ -79,7 +85,7 @@ impl World {
                 let turned = f64::from((heading - before).abs());
                 trip.turned += turned.min(std::f64::consts::TAU - turned);
                 trip.on_way += f64::from(seconds);
-                trip.walked += f64::from(motion.length());
+                trip.walked += f64::from((target.place() - from).length());
             }
         }
         self.measure();
@@ -87,8 +93,9 @@ impl World {
     }
 
     /// The velocity that the guard leaves to an agent that has yet to move.
-    pub(super) fn certain_velocity(&self, row: usize, seconds: f32) -> Vec2 {
-        velocity(self.agents.position[row], self.step.targets[row].position, self.step.wishes[row], seconds)
+    pub(super) fn certain_velocity(&self, row: usize, seconds: f32) -> Vec3 {
+        let from = self.agents.position[row].extend(self.agents.altitude[row]);
+        velocity(from, self.step.targets[row].place(), self.step.wishes[row], seconds)
     }
 
     /// Notes how close bodies came to each other and to walls.
@@ -133,7 +140,7 @@ impl World {
 
 /// The velocity of a motion. What was certified as it was wished is the wish: the motion may be far below what
 /// positions resolve.
-fn velocity(from: Vec2, to: Vec2, wish: Vec2, seconds: f32) -> Vec2 {
+fn velocity(from: Vec3, to: Vec3, wish: Vec3, seconds: f32) -> Vec3 {
     let unchanged = to.distance(from + wish * seconds) <= to.abs().max_element() * f32::EPSILON;
     if unchanged { wish } else { (to - from) / seconds }
 }

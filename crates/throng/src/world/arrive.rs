@@ -3,7 +3,6 @@
 use super::World;
 use crate::agent::{JourneyId, Status};
 use crate::navigate::{Goal, nearest_on_ring};
-use crate::space::is_inside;
 use crate::summary::Ended;
 
 /// Seconds without progress after which twice the distance to a point that others have taken is near enough.
@@ -74,7 +73,7 @@ impl World {
                 let trip = &mut self.agents.trip[row];
                 trip.arrived = Some(now);
                 // whoever arrives by contact has not the whole way to go
-                trip.shortest -= f64::from(self.agents.travel[row].remaining);
+                trip.shortest -= f64::from(self.agents.travel[row].distance());
             }
             self.agents.status[row] = status;
         }
@@ -106,20 +105,18 @@ impl World {
             Status::Waiting if agents.travel[row].wait <= seconds => Status::Walking,
             Status::Walking => {
                 let Some(stop) = self.stop(row, agents.travel[row].leg) else { return Status::Arrived };
-                let at = self.world_position(row);
-                let there = match &self.goals[stop.goal.index()] {
-                    Goal::Point { at: goal, tolerance } => {
-                        let distance = at.distance(*goal);
-                        distance <= f64::from(*tolerance)
-                            || self.arrives_by_contact(row, stop.goal, distance, arrived[stop.goal.index()])
+                let (place, goal) = (self.world_place(row), &self.goals[stop.goal.index()]);
+                let near = || match (goal.offset(place), goal.corners()) {
+                    (Some((offset, _)), _) => {
+                        self.arrives_by_contact(row, stop.goal, offset.length(), arrived[stop.goal.index()])
                     }
-                    Goal::Area { corners } | Goal::Exit { corners } => {
-                        let gap = f64::from(agents.travel[row].gap);
-                        is_inside(corners, at)
-                            || gap > 0.0 && nearest_on_ring(corners, at).distance(at) <= gap + GAP_TOLERANCE
+                    (None, Some(corners)) => {
+                        let (at, gap) = (place.truncate(), f64::from(agents.travel[row].gap));
+                        gap > 0.0 && nearest_on_ring(corners, at).distance(at) <= gap + GAP_TOLERANCE
                     }
+                    (None, None) => false,
                 };
-                if there { Status::Arrived } else { Status::Walking }
+                if goal.holds(place) || near() { Status::Arrived } else { Status::Walking }
             }
             status => status,
         }
@@ -127,10 +124,8 @@ impl World {
 
     /// Whether an agent is at the very point it was on its way to.
     fn is_at_point(&self, row: usize) -> bool {
-        match self.goal_of(row).map(|goal| &self.goals[goal.index()]) {
-            Some(Goal::Point { at, tolerance }) => at.distance(self.world_position(row)) <= f64::from(*tolerance),
-            _ => false,
-        }
+        let goal = self.goal_of(row).map(|goal| &self.goals[goal.index()]);
+        goal.is_some_and(|goal| goal.corners().is_none() && goal.holds(self.world_place(row)))
     }
 
     /// Arrival by contact (MODELS 1.9): near enough to a point that others have taken, and touching one of them. Who
@@ -148,7 +143,7 @@ impl World {
             let touch = (agents.radius[row] + agents.radius[other]) * 1.1;
             agents.status[other] == Status::Arrived
                 && self.goal_of(other) == Some(goal)
-                && agents.offset(row, other).length() <= touch
+                && agents.offset_in_space(row, other).length() <= touch
         })
     }
 }

@@ -7,7 +7,7 @@ use crate::motion::{Limits, follow, limit};
 use crate::parallel;
 use crate::random::{Dice, Purpose, unit};
 use crate::space::{Core, Disc, Edge, NearWalls};
-use glam::{DVec2, Vec2};
+use glam::{DVec2, Vec2, Vec3};
 
 /// How much of the avoiding, beyond its half, falls on who has more way to go to the same goal, and on who rests.
 const YIELD_TO_FIRST: f32 = 0.15;
@@ -39,7 +39,7 @@ impl World {
     pub(super) fn avoid(&mut self, seconds: f32) {
         let mut wishes = std::mem::take(&mut self.step.wishes);
         wishes.clear();
-        wishes.resize(self.agents.len(), Vec2::ZERO);
+        wishes.resize(self.agents.len(), Vec3::ZERO);
         let world = &*self;
         parallel::rows(&mut wishes, 1, Scratch::default, |scratch, row, wish| {
             if world.agents.script[row].is_some() {
@@ -47,7 +47,7 @@ impl World {
                 return;
             }
             let view = world.view(row, seconds, &mut scratch.sight);
-            let chosen = world.model(row).velocity(&view, &mut scratch.workspace);
+            let chosen = world.chosen_velocity(row, &view, &mut scratch.workspace);
             wish[0] = world.limited_velocity(row, chosen, seconds);
         });
         self.step.wishes = wishes;
@@ -55,6 +55,12 @@ impl World {
 
     pub(super) fn model(&self, row: usize) -> &dyn LocalModel {
         &*self.groups[self.agents.group[row].index()].model
+    }
+
+    /// What the model of an agent chooses. Who is on the ground and does not want to leave it stays there.
+    pub(super) fn chosen_velocity(&self, row: usize, view: &View<'_>, workspace: &mut Workspace) -> Vec3 {
+        let chosen = self.model(row).velocity_in_space(view, workspace);
+        if self.agents.altitude[row] == 0.0 && view.preferred_climb <= 0.0 { chosen.with_z(0.0) } else { chosen }
     }
 
     /// What the model of an agent sees.
@@ -92,9 +98,9 @@ impl World {
         View {
             velocity: agents.velocity[row],
             heading: agents.heading[row],
-            preferred: self.step.preferred[row],
-            climb: 0.0,
-            preferred_climb: 0.0,
+            preferred: self.step.preferred[row].truncate(),
+            climb: agents.climb[row],
+            preferred_climb: self.step.preferred[row].z,
             radius: agents.radius[row] + agents.tracking_error[row],
             max_speed: agents.max_speed[row],
             max_acceleration: agents.max_acceleration[row],
@@ -110,7 +116,7 @@ impl World {
     }
 
     /// What of a chosen velocity the body can do.
-    fn limited_velocity(&self, row: usize, chosen: Vec2, seconds: f32) -> Vec2 {
+    fn limited_velocity(&self, row: usize, chosen: Vec3, seconds: f32) -> Vec3 {
         let agents = &self.agents;
         let limits = Limits {
             speed: agents.max_speed[row],
@@ -119,8 +125,12 @@ impl World {
         };
         let heading = agents.heading[row];
         let drives = agents.tracking_error[row] > 0.0;
-        let wish = if drives { follow(chosen, heading, agents.max_turn_rate[row], seconds) } else { chosen };
-        limit(wish, agents.velocity[row], heading, limits)
+        let wish = if drives {
+            follow(chosen.truncate(), heading, agents.max_turn_rate[row], seconds).extend(chosen.z)
+        } else {
+            chosen
+        };
+        limit(wish, agents.velocity[row].extend(agents.climb[row]), heading, limits)
     }
 
     /// What the random numbers of an agent depend on in this sub-step.
@@ -146,14 +156,15 @@ impl World {
         } else {
             Outline::between(&agents.core_of(row), &agents.core_of(other))
         };
-        let wanted = self.step.preferred[other] - velocity;
+        let preferred = self.step.preferred[other].truncate();
+        let wanted = preferred - velocity;
         let granted = if wanted.dot(offset) < 0.0 { wanted * (GRANT * yields.max(0.0)) } else { Vec2::ZERO };
         Neighbour {
             offset,
-            above: 0.0,
-            climb: 0.0,
+            above: agents.above(row, other),
+            climb: agents.climb[other],
             velocity: velocity - own_turn + granted,
-            preferred: self.step.preferred[other],
+            preferred,
             radii: (agents.radius[row] + agents.radius[other]) * margin
                 + (agents.tracking_error[row] + agents.tracking_error[other]),
             outline,
@@ -241,7 +252,7 @@ mod tests {
             .iter()
             .map(|&(_, goal, remaining, ..)| Way { goal: goal.map(GoalId), direction: Vec2::X, remaining })
             .collect();
-        world.step.preferred = vec![Vec2::ZERO; 2];
+        world.step.preferred = vec![Vec3::ZERO; 2];
         world
     }
 

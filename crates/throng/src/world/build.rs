@@ -3,10 +3,10 @@
 use super::{Settings, Slots, StepMemory, SubSteps, World};
 use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
 use crate::navigate::{Goal, Journey, Meshes, Script, union};
-use crate::space::{Core, Obstacle, Place, Walkable, Walls, check_polygon, is_inside};
+use crate::space::{Core, Obstacle, Place, Walkable, Walls, check_polygon};
 use crate::summary::Tally;
 use crate::{Error, world::schedule::Schedule};
-use glam::{DVec2, Vec2};
+use glam::{DVec2, DVec3, Vec2};
 
 /// Distance from the origin, in metres, up to which a world keeps its promises: beyond it `f32` is too coarse.
 const FARTHEST: f64 = 20_000.0;
@@ -63,6 +63,11 @@ impl World {
         match &goal {
             Goal::Point { at, tolerance } => {
                 self.check_position("goal", *at)?;
+                Error::unless_positive("tolerance", *tolerance)?;
+            }
+            Goal::Air { at, tolerance } => {
+                self.check_position("goal", at.truncate())?;
+                check_altitude("altitude of the goal", at.z)?;
                 Error::unless_positive("tolerance", *tolerance)?;
             }
             Goal::Area { corners } | Goal::Exit { corners } => check_polygon("goal area", corners)?,
@@ -245,25 +250,22 @@ impl World {
     /// The heading that an agent begins with: its own, or towards its first goal.
     pub(super) fn first_heading(&self, agent: &Agent) -> f32 {
         let towards_goal = || {
-            let leg = self.first_leg(agent.journey, agent.position)?;
+            let leg = self.first_leg(agent.journey, agent.position.extend(agent.altitude.into()))?;
             let stop = self.journeys[agent.journey.index()].stops[leg as usize];
             direction(self.goals[stop.goal.index()].middle() - agent.position)
         };
         agent.heading.map(within_a_turn).or_else(towards_goal).unwrap_or(0.0)
     }
 
-    /// The first leg of a journey that leads away from `at`: a stop to wait at where one stands does not.
-    pub(super) fn first_leg(&self, journey: JourneyId, at: DVec2) -> Option<u32> {
+    /// The first leg of a journey that leads away from a place: a stop to wait at where one stands does not.
+    pub(super) fn first_leg(&self, journey: JourneyId, place: DVec3) -> Option<u32> {
         let stops = &self.journeys[journey.index()].stops;
-        let leads_away = |goal: &Goal| match goal {
-            Goal::Point { at: goal, tolerance } => goal.distance(at) > f64::from(*tolerance),
-            Goal::Area { corners } | Goal::Exit { corners } => !is_inside(corners, at),
-        };
-        stops.iter().position(|stop| leads_away(&self.goals[stop.goal.index()])).map(|leg| leg as u32)
+        stops.iter().position(|stop| !self.goals[stop.goal.index()].holds(place)).map(|leg| leg as u32)
     }
 
     fn check(&self, agent: &Agent) -> Result<(), Error> {
         self.check_position("position", agent.position)?;
+        check_altitude("altitude", agent.altitude.into())?;
         Error::unless_finite("velocity", f64::from(agent.velocity.x + agent.velocity.y))?;
         Error::unless_finite("heading", f64::from(agent.heading.unwrap_or(0.0)))?;
         Error::unless(agent.radius >= 1e-3 && agent.radius <= 1e3, "radius", agent.radius, "from 0.001 to 1000 m")?;
@@ -344,6 +346,10 @@ impl World {
 /// The heading along a vector; none for one that has no length.
 pub(super) fn direction(along: DVec2) -> Option<f32> {
     (along != DVec2::ZERO).then(|| libm::atan2f(along.y as f32, along.x as f32))
+}
+
+fn check_altitude(what: &'static str, altitude: f64) -> Result<(), Error> {
+    Error::unless((0.0..=FARTHEST).contains(&altitude), what, altitude, "from 0 to 20000 m")
 }
 
 fn known(what: &'static str, index: usize, count: usize) -> Result<(), Error> {

@@ -6,7 +6,8 @@ use crate::agent::AgentId;
 use crate::avoid::{Cause, NearDisc, NearEdge, Neighbour, Reason, Workspace, time_to_segment};
 use glam::{DVec2, Vec2};
 
-/// What would happen to one agent in the next sub-step, and why. Metres, seconds, radians; velocities in m/s.
+/// What would happen to one agent in the next sub-step, and why. Metres, seconds, radians; velocities along the ground
+/// in m/s.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
     /// The agent's own number.
@@ -94,7 +95,7 @@ impl World {
         let (agents, model) = (&self.agents, self.model(row));
         let (mut sight, mut workspace) = (Sight::default(), Workspace::default());
         let view = self.view(row, seconds, &mut sight);
-        let chosen = model.velocity(&view, &mut workspace);
+        let chosen = self.chosen_velocity(row, &view, &mut workspace).truncate();
         let reasons = model.explain(&view, &mut workspace);
         let see = |(&other, &seen): (&u32, &Neighbour)| {
             let other = other as usize;
@@ -112,11 +113,11 @@ impl World {
             max_speed: agents.max_speed[row],
             max_acceleration: agents.max_acceleration[row],
             velocity: agents.velocity[row],
-            preferred: self.step.preferred[row],
+            preferred: self.step.preferred[row].truncate(),
             reasons,
             chosen,
-            limited: self.step.wishes[row],
-            guarded: self.certain_velocity(row, seconds),
+            limited: self.step.wishes[row].truncate(),
+            guarded: self.certain_velocity(row, seconds).truncate(),
             neighbours: sight.rows.iter().zip(&sight.neighbours).map(see).collect(),
             edges: sight.edges,
             discs: sight.discs,

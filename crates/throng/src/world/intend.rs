@@ -4,7 +4,7 @@ use super::{Way, World};
 use crate::agent::Status;
 use crate::navigate::{Goal, Keyframe, Travel, turned_right};
 use crate::parallel;
-use glam::{DVec2, Vec2};
+use glam::{Vec2, Vec3};
 
 /// Seconds in which an agent that was pushed off its goal comes back.
 const RETURN_TIME: f32 = 0.5;
@@ -15,10 +15,10 @@ impl World {
         self.plan();
         self.show_ways();
         self.step.preferred.clear();
-        self.step.preferred.resize(self.agents.len(), Vec2::ZERO);
+        self.step.preferred.resize(self.agents.len(), Vec3::ZERO);
         let mut travels = std::mem::take(&mut self.agents.travel);
         let mut preferred = std::mem::take(&mut self.step.preferred);
-        let mut out: Vec<(&mut Travel, &mut Vec2)> = travels.iter_mut().zip(&mut preferred).collect();
+        let mut out: Vec<(&mut Travel, &mut Vec3)> = travels.iter_mut().zip(&mut preferred).collect();
         let world = &*self;
         parallel::rows(
             &mut out,
@@ -27,7 +27,7 @@ impl World {
             |(), row, out| {
                 let (travel, preferred) = &mut out[0];
                 **preferred = match world.scripted(row, now) {
-                    Some(there) => (there.at - world.world_position(row)).as_vec2() / seconds,
+                    Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
                     None => world.preferred_velocity(row, travel, seconds),
                 };
             },
@@ -51,42 +51,43 @@ impl World {
                 Status::Walking => self.towards(row, travel).normalize_or_zero(),
                 _ => Vec2::ZERO,
             },
-            remaining: travel.remaining,
+            remaining: travel.distance(),
         }));
         self.step.ways = ways;
     }
 
-    fn preferred_velocity(&self, row: usize, travel: &mut Travel, seconds: f32) -> Vec2 {
+    fn preferred_velocity(&self, row: usize, travel: &mut Travel, seconds: f32) -> Vec3 {
         let agents = &self.agents;
         if agents.status[row] == Status::Arrived {
             return self.back_to_goal(row, travel);
         }
         if agents.status[row] != Status::Walking {
-            return Vec2::ZERO;
+            return Vec3::ZERO;
         }
         let Some(goal) = self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]) else {
-            return Vec2::ZERO;
+            return Vec3::ZERO;
         };
         let towards = self.towards(row, travel);
-        let (distance, remaining) = (towards.length(), travel.remaining);
+        let (distance, remaining, slope) = (towards.length(), travel.distance(), travel.slope());
         let direction = towards.normalize_or_zero();
         let speed = agents.preferred_speed[row];
         let group = &self.groups[agents.group[row].index()];
-        let made = if speed > 0.0 { agents.velocity[row].dot(direction) / speed } else { 1.0 };
+        let onwards = agents.velocity[row].dot(direction) * slope.x + agents.climb[row] * slope.y;
+        let made = if speed > 0.0 { onwards / speed } else { 1.0 };
         let dice = self.dice(row);
         let detour =
             if group.detour { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
         // coming to a point: as slow as stopping there takes, half of the acceleration left to turn with, and never
         // past it
-        let arriving = match goal {
-            Goal::Point { .. } if self.is_last(row, travel.leg) => {
-                (agents.max_acceleration[row] * remaining).sqrt().min(remaining / seconds)
-            }
-            _ => f32::INFINITY,
+        let arriving = if goal.corners().is_none() && self.is_last(row, travel.leg) {
+            (agents.max_acceleration[row] * remaining).sqrt().min(remaining / seconds)
+        } else {
+            f32::INFINITY
         };
         let bias = if distance > 2.0 * agents.radius[row] { group.keep_right } else { 0.0 };
         let following = if detour == 0.0 { self.following_speed(row, direction) } else { f32::INFINITY };
-        turned_right(direction, bias + detour) * speed.min(arriving).min(following)
+        let speed = speed.min(arriving).min(following);
+        (turned_right(direction, bias + detour) * (speed * slope.x)).extend(speed * slope.y)
     }
 
     /// From an agent to what it heads for.
@@ -96,23 +97,24 @@ impl World {
 
     /// What an agent would like that has arrived: to rest, or to come gently back to its point if it was pushed away
     /// and nobody else has taken it.
-    fn back_to_goal(&self, row: usize, travel: &Travel) -> Vec2 {
-        match self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]) {
-            Some(Goal::Point { at, tolerance }) if travel.at_point && !self.is_taken(row, *at) => {
-                let offset = (*at - self.world_position(row)).as_vec2();
+    fn back_to_goal(&self, row: usize, travel: &Travel) -> Vec3 {
+        let goal = self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]);
+        match goal.and_then(|goal| Some((goal, goal.offset(self.world_place(row))?))) {
+            Some((goal, (offset, tolerance))) if travel.at_point && !self.is_taken(row, goal) => {
+                let offset = offset.as_vec3();
                 let beyond = offset.length() - tolerance;
                 let speed = (beyond / RETURN_TIME).min(0.5 * self.agents.preferred_speed[row]);
                 offset.normalize_or_zero() * speed.max(0.0)
             }
-            _ => Vec2::ZERO,
+            _ => Vec3::ZERO,
         }
     }
 
     /// Whether somebody who has arrived at the same goal is nearer to it.
-    fn is_taken(&self, row: usize, point: DVec2) -> bool {
+    fn is_taken(&self, row: usize, point: &Goal) -> bool {
         let agents = &self.agents;
         let goal = |row: usize| self.step.ways[row].goal;
-        let distance = |row: usize| self.world_position(row).distance_squared(point);
+        let distance = |row: usize| point.offset(self.world_place(row)).map(|(offset, _)| offset.length_squared());
         self.neighbours(row).iter().map(|near| near.row as usize).any(|other| {
             agents.status[other] == Status::Arrived && goal(other) == goal(row) && distance(other) < distance(row)
         })

@@ -34,7 +34,10 @@ impl World {
         let grid = &self.step.grid;
         (0..agents.len()).any(|row| {
             let mut near = 0;
-            grid.within(agents.position[row], widest * 2.0, |_| near += 1);
+            grid.within(agents.position[row], widest * 2.0, |other| {
+                let above = agents.above(row, other.row as usize);
+                near += u32::from(other.distance_squared + above * above <= 4.0 * widest * widest);
+            });
             near > 1
         })
     }
@@ -48,9 +51,20 @@ impl World {
         step.most_neighbours = groups.iter().map(|group| group.neighbours).max().unwrap_or(1);
         step.neighbours.resize(agents.len() * step.most_neighbours, Near::default());
         let (grid, long) = (&step.grid, &step.long);
+        let anybody_flies = agents.altitude.iter().any(|&altitude| altitude != 0.0);
         parallel::rows(&mut step.neighbours, step.most_neighbours, Vec::new, |found, row, places| {
             let group = &groups[agents.group[row].index()];
-            let accept = |near: &Near| near.row as usize != row && agents.avoids(row, near.row as usize);
+            let flat = !group.model.looks_in_space();
+            let accept = |near: &mut Near| {
+                let other = near.row as usize;
+                if other == row || !agents.avoids(row, other) || anybody_flies && flat && agents.passes_clear(row, other) {
+                    return false;
+                }
+                if anybody_flies {
+                    near.distance_squared += agents.above(row, other) * agents.above(row, other);
+                }
+                true
+            };
             let at = agents.position[row];
             grid.nearest(at, group.neighbours, group.neighbour_distance, accept, found);
             if !long.rows.is_empty() {
@@ -99,7 +113,7 @@ impl Long {
         grid: &Grid,
         row: usize,
         (k, range): (usize, f32),
-        accept: impl Fn(&Near) -> bool,
+        accept: impl Fn(&mut Near) -> bool,
         found: &mut Vec<Near>,
     ) {
         let at = agents.position[row];
@@ -112,7 +126,7 @@ impl Long {
             found.clear();
             grid.within(at, range + self.reach + agents.core[row].length(), |near| found.push(near));
         }
-        found.retain(accept);
+        found.retain_mut(accept);
         // cores are at least this far apart: who is too far by that needs no closer look
         let reach = |row: usize| agents.core[row].length();
         let least = |near: &Near| {
@@ -127,7 +141,7 @@ impl Long {
             if least(&near) > worst {
                 break;
             }
-            near.distance_squared = agents.offset(row, near.row as usize).length_squared();
+            near.distance_squared = agents.offset_in_space(row, near.row as usize).length_squared();
             if near.distance_squared > range * range {
                 continue;
             }

@@ -5,7 +5,7 @@ use super::build::direction;
 use crate::agent::{AgentId, Status};
 use crate::navigate::{Goal, Heading, Meshes, Route, Search, Travel, Unreachable};
 use crate::parallel;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 impl World {
     /// Brings everybody's way up to date: what to head for, and how far it still is.
@@ -27,13 +27,13 @@ impl World {
                 match outcome {
                     Some(Ok((route, length, gap))) => {
                         let travel = &mut travels[row];
-                        if !travel.measured {
-                            travel.measured = true;
-                            self.agents.trip[row].shortest += length;
-                        }
                         travel.route = Some(route);
                         travel.gap = gap;
                         self.follow(row, travel);
+                        if !travel.measured {
+                            travel.measured = true;
+                            self.agents.trip[row].shortest += DVec2::new(length, travel.rise.into()).length();
+                        }
                     }
                     Some(Err(why)) => {
                         self.agents.status[row] = Status::Stranded;
@@ -52,7 +52,7 @@ impl World {
     /// they might not fit. Meant for the start: agents that were added without a heading face their goals, even through
     /// walls.
     pub fn face_ways(&mut self, agents: &[AgentId]) {
-        let leg = |row: usize| self.first_leg(self.agents.journey[row], self.world_position(row));
+        let leg = |row: usize| self.first_leg(self.agents.journey[row], self.world_place(row));
         let rows = agents.iter().filter_map(|&id| self.row(id)).filter(|&row| self.agents.is_disc(row));
         let mut ways: Vec<Planned> =
             rows.filter_map(|row| Some(Planned { row, leg: leg(row)?, outcome: None })).collect();
@@ -80,6 +80,8 @@ impl World {
             Heading::Corner(p) | Heading::End(p) => {
                 travel.aim = p;
                 travel.remaining = route.remaining(at) as f32;
+                let altitude = self.stop(row, travel.leg).and_then(|stop| self.goals[stop.goal.index()].altitude());
+                travel.rise = altitude.map_or(0.0, |altitude| (altitude - self.world_place(row).z) as f32);
             }
             Heading::Lost => travel.route = None,
         }
@@ -144,6 +146,11 @@ impl World {
 
     pub(super) fn world_position(&self, row: usize) -> DVec2 {
         self.agents.position[row].as_dvec2() + self.settings.origin
+    }
+
+    /// Where an agent is, and how high.
+    pub(super) fn world_place(&self, row: usize) -> DVec3 {
+        self.agents.center(row) + self.settings.origin.extend(0.0)
     }
 }
 

@@ -20,7 +20,7 @@ impl World {
     /// queues does not push, nor mill about. In counterflow nobody queues: there one squeezes by.
     pub(super) fn following_speed(&self, row: usize, direction: Vec2) -> f32 {
         let agents = &self.agents;
-        let others = || self.neighbours(row).iter().map(|near| near.row as usize);
+        let others = || self.level_neighbours(row);
         if others().any(|other| self.step.ways[other].direction.dot(direction) < -SAME_WAY) {
             return f32::INFINITY;
         }
@@ -41,8 +41,7 @@ impl World {
     pub(super) fn queues(&self, row: usize, direction: Vec2) -> bool {
         let agents = &self.agents;
         let way = &self.step.ways[row];
-        self.neighbours(row).iter().any(|near| {
-            let other = near.row as usize;
+        self.level_neighbours(row).any(|other| {
             let theirs = &self.step.ways[other];
             let offset = agents.offset(row, other);
             let distance = offset.length();
@@ -56,6 +55,12 @@ impl World {
                 ahead > RIGHT_AHEAD && self.leads(other, offset, direction)
             }
         })
+    }
+
+    /// Neighbours who are not far above or below: nobody queues behind those.
+    fn level_neighbours(&self, row: usize) -> impl Iterator<Item = usize> {
+        let others = self.neighbours(row).iter().map(|near| near.row as usize);
+        others.filter(move |&other| !self.agents.passes_clear(row, other))
     }
 
     /// Whether the one at `offset` goes ahead of who wants to go in `direction`: the same way, and away. Of two, at

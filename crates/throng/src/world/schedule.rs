@@ -64,7 +64,7 @@ impl World {
             let core = Core::new(at.as_dvec2(), self.first_heading(&agent), agent.core);
             let touches = |other: usize| {
                 let d = if agent.core == Vec2::ZERO && self.agents.is_disc(other) {
-                    self.agents.position[other].as_dvec2().distance(core.center)
+                    self.agents.center(other).distance(core.center.extend(agent.altitude.into()))
                 } else {
                     core.separation(&self.agents.core_of(other)).distance
                 };

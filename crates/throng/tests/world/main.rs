@@ -22,6 +22,7 @@ mod overlap;
 mod polygons;
 mod saved;
 mod scenes;
+mod space;
 mod stranded;
 mod stuck;
 mod sub_steps;

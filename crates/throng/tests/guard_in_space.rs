@@ -1,0 +1,145 @@
+//! The guard in space: spheres, walkers under them, oblong bodies and walls that stand upright, checked by sampling the
+//! time of every step in `f64`.
+
+use glam::{DVec2, DVec3, Vec2, Vec3};
+use proptest::prelude::*;
+use throng::Obstacle;
+use throng::guard::{Bodies, Contacts, Guard, Pose, SLACK};
+use throng::perceive::Grid;
+use throng::space::{Core, Walls};
+
+const TIMES: u32 = 100;
+
+/// A body: where, how large, and where it is pushed in every step.
+#[derive(Clone, Copy, Debug)]
+struct One {
+    place: Vec3,
+    radius: f32,
+    /// Half length of the core.
+    half: f32,
+    push: Vec3,
+}
+
+fn one(spread: f32, walls: bool) -> impl Strategy<Value = One> {
+    let place = (-spread..spread, -spread..spread, prop_oneof![Just(0.0f32), 0.0..spread]);
+    let push = (-1.0f32..1.0, -1.0f32..1.0, prop_oneof![Just(0.0f32), -1.0f32..1.0]);
+    let half = if walls { prop_oneof![3 => Just(0.0f32), 1 => 0.05f32..0.5] } else { prop_oneof![3 => Just(0.0f32), 0 => 0.0f32..0.5] };
+    (place, 0.05f32..0.6, half, push).prop_map(|(place, radius, half, push)| One {
+        place: place.into(),
+        radius,
+        half,
+        push: push.into(),
+    })
+}
+
+/// Distance of two bodies' cores: of spheres in space, of others in the plan.
+fn apart(a: (&One, DVec3), b: (&One, DVec3)) -> f64 {
+    if a.0.half == 0.0 && b.0.half == 0.0 {
+        return a.1.distance(b.1);
+    }
+    let core = |(one, at): (&One, DVec3)| Core::new(at.truncate(), 0.0, Vec2::new(one.half, 0.0));
+    core(a).separation(&core(b)).distance
+}
+
+fn to_walls((one, at): (&One, DVec3), walls: &Walls) -> f64 {
+    let core = Core::new(at.truncate(), 0.0, Vec2::new(one.half, 0.0));
+    let edges = walls.edges().iter().map(|edge| core.separation(&Core::segment(edge.start, edge.end)).distance);
+    edges.fold(f64::INFINITY, f64::min)
+}
+
+/// Moves everybody for some steps, and checks every moment of each.
+fn run(all: &mut [One], walls: &Walls, reach: f32) -> Result<(), TestCaseError> {
+    let numbers: Vec<u32> = (0..all.len() as u32).collect();
+    let zero = vec![0.0; all.len()];
+    let (reaches, guarded) = (vec![reach; all.len()], vec![true; all.len()]);
+    let mut guard = Guard::default();
+    for step in 0..12 {
+        let positions: Vec<Vec2> = all.iter().map(|one| one.place.truncate()).collect();
+        let altitudes: Vec<f32> = all.iter().map(|one| one.place.z).collect();
+        let cores: Vec<Vec2> = all.iter().map(|one| Vec2::new(one.half, 0.0)).collect();
+        let radii: Vec<f32> = all.iter().map(|one| one.radius).collect();
+        let mut grid = Grid::default();
+        grid.rebuild(&positions, &numbers, 1.0);
+        let bodies = Bodies {
+            positions: &positions,
+            altitudes: &altitudes,
+            headings: &zero,
+            cores: &cores,
+            radii: &radii,
+            reach: &reaches,
+            guarded: &guarded,
+        };
+        let mut contacts = Contacts::default();
+        contacts.collect(&bodies, &numbers, &grid, walls, |_, _| true);
+        let wish = |one: &One| {
+            let to = one.place + one.push * reach * if step % 3 == 2 { -1.0 } else { 1.0 };
+            Pose { position: to.truncate(), altitude: to.z, heading: 0.0 }
+        };
+        let mut targets: Vec<Pose> = all.iter().map(wish).collect();
+        let wished = targets.clone();
+        guard.certify(&bodies, &contacts, walls, &mut targets);
+        for (a, target) in targets.iter().enumerate() {
+            let one = &all[a];
+            prop_assert!(target.place().distance(one.place) <= reach * 1.0001, "{} too far", a);
+            prop_assert!(target.altitude >= 0.0, "{} under the ground", a);
+            let grounded = one.place.z == 0.0 && wished[a].altitude <= 0.0;
+            prop_assert!(!grounded || target.altitude == 0.0, "{} lifted off the ground", a);
+            let at = |row: usize, i: u32| {
+                let (from, to) = (all[row].place.as_dvec3(), targets[row].place().as_dvec3());
+                from.lerp(to, f64::from(i) / f64::from(TIMES))
+            };
+            for b in 0..a {
+                let radii = f64::from(one.radius) + f64::from(all[b].radius);
+                let gap = |i: u32| apart((one, at(a, i)), (&all[b], at(b, i)));
+                let needed = radii.min(gap(0)) - 1.1 * SLACK * radii;
+                let least = (0..=TIMES).map(gap).fold(f64::INFINITY, f64::min);
+                prop_assert!(least >= needed, "{} and {} in step {}: {} of {}", a, b, step, least, radii);
+            }
+            let gap = |i: u32| to_walls((one, at(a, i)), walls);
+            let needed = f64::from(one.radius).min(gap(0)) - 1.1e-6 * f64::from(one.radius);
+            let least = (0..=TIMES).map(gap).fold(f64::INFINITY, f64::min);
+            prop_assert!(least >= needed, "{} and a wall in step {}: {}", a, step, least);
+        }
+        for (one, target) in all.iter_mut().zip(&targets) {
+            one.place = target.place();
+        }
+    }
+    Ok(())
+}
+
+fn walls() -> Walls {
+    let wall = |points: &[(f64, f64)]| Obstacle::Wall { points: points.iter().map(|&p| DVec2::from(p)).collect() };
+    Walls::new(&[], &[wall(&[(-2.0, -1.0), (2.0, 1.0)]), wall(&[(0.5, -2.0), (0.5, -0.5), (1.5, -0.5)])], DVec2::ZERO)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(150))]
+
+    #[test]
+    fn spheres_do_not_overlap(mut all in prop::collection::vec(one(2.0, false), 2..40), reach in 0.02f32..1.0) {
+        run(&mut all, &Walls::default(), reach)?;
+    }
+
+    #[test]
+    fn spheres_oblong_bodies_and_walls_do_not_overlap(
+        mut all in prop::collection::vec(one(2.0, true), 2..20), reach in 0.02f32..1.0,
+    ) {
+        run(&mut all, &walls(), reach)?;
+    }
+
+    /// Nobody below or above notices who passes clear.
+    #[test]
+    fn who_passes_above_leaves_those_below_alone(
+        below in prop::collection::vec(one(1.5, false), 2..15), above in prop::collection::vec(one(1.5, false), 2..15),
+    ) {
+        let flat = |one: &One| One { place: one.place.with_z(0.0), push: one.push.with_z(0.0), ..*one };
+        let mut alone: Vec<One> = below.iter().map(flat).collect();
+        let mut both: Vec<One> = alone.clone();
+        both.extend(above.iter().map(|one| One { place: one.place + Vec3::Z * 30.0, ..*one }));
+        run(&mut alone, &Walls::default(), 0.3)?;
+        run(&mut both, &Walls::default(), 0.3)?;
+        for (alone, both) in alone.iter().zip(&both) {
+            prop_assert_eq!(alone.place, both.place);
+        }
+    }
+}
