@@ -23,6 +23,7 @@ pub enum Purpose {
     TrackingError = 11,
     Length = 12,
     Width = 13,
+    Altitude = 14,
 }
 
 /// The random numbers of one agent for one purpose.

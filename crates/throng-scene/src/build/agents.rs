@@ -5,7 +5,7 @@ use crate::random::{Purpose, Random};
 use crate::scene::{self, Avoid, Group, Number, Scene};
 use std::sync::Arc;
 use throng::Agent;
-use throng::avoid::{Avo, BuiltFrom, ClearPath, Hrvo, LocalModel, Orca, Rvo, RvoLab, Search, Unavoiding, Vo};
+use throng::avoid::{Avo, BuiltFrom, ClearPath, Hrvo, LocalModel, Orca, Orca3d, Rvo, RvoLab, Search, Unavoiding, Vo};
 
 /// Draws what differs from agent to agent.
 pub(super) struct Draw<'a> {
@@ -28,6 +28,11 @@ impl Draw<'_> {
     /// The size of the k-th agent.
     pub fn size(&self, k: usize) -> Size {
         Size::of(&self.group().body, |purpose, number| self.number(k, purpose, number))
+    }
+
+    /// How high above its place the k-th agent starts.
+    pub fn altitude(&self, k: usize) -> f64 {
+        self.group().altitude.map_or(0.0, |altitude| self.number(k, Purpose::Altitude, &altitude))
     }
 
     /// The k-th agent, without its place, body, ids and number.
@@ -84,6 +89,11 @@ fn model(avoid: &Avoid) -> Arc<dyn LocalModel> {
                 scene::BuiltFrom::Preferred => BuiltFrom::Preferred,
                 scene::BuiltFrom::Zero => BuiltFrom::Zero,
             },
+        }),
+        Avoid::Orca3d(model) => Arc::new(Orca3d {
+            time_horizon: model.time_horizon as f32,
+            time_horizon_obstacles: model.time_horizon_obstacles as f32,
+            vertical_scale: model.vertical_scale as f32,
         }),
         Avoid::Avo(model) => Arc::new(Avo {
             time_horizon: model.time_horizon as f32,

@@ -1,6 +1,6 @@
 //! Are all numbers of a scene within their limits?
 
-use super::limits::{Limit, check, check_number, check_point, check_some};
+use super::limits::{Limit, check, check_number, check_point, check_some, check_spot};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::{
@@ -108,6 +108,7 @@ fn check_group(path: &Path, group: &Group) -> Checked {
         ("acceleration", group.acceleration.as_ref(), Limit::Positive),
         ("turn_rate", group.turn_rate.as_ref(), Limit::Positive),
         ("tracking_error", group.tracking_error.as_ref(), Limit::Between(0.0, 10.0)),
+        ("altitude", group.altitude.as_ref(), Limit::Between(0.0, super::limits::HIGHEST)),
         ("heading", group.heading.as_ref(), Limit::Finite),
     ];
     check_body(&path.key("body"), &group.body)?;
@@ -123,6 +124,13 @@ fn check_group(path: &Path, group: &Group) -> Checked {
             return Err(Problem::new(&path.key("speed.max"), Kind::OutOfRange, message)
                 .hint("the greatest speed must be at least the preferred one"));
         }
+    }
+    if group.altitude.is_some() && (matches!(group.place, Place::Sphere(_)) || !matches!(group.body, Body::Radius(_))) {
+        let message = match group.place {
+            Place::Sphere(_) => "place.sphere says how high everybody starts, and altitude says it again",
+            _ => "only bodies that are discs have an altitude: others stand upright without end",
+        };
+        return Err(Problem::new(&path.key("altitude"), Kind::Conflict, message).hint("leave altitude away"));
     }
     if group.turn_rate.is_none() && group.tracking_error.as_ref().is_some_and(|error| error.bounds()[1] > 0.0) {
         let message = "tracking_error is for bodies that turn slowly, but there is no turn_rate";
@@ -164,6 +172,13 @@ fn check_avoid(path: &Path, avoid: &Avoid) -> Checked {
             ahead(&path, model.time_horizon)?;
             walls(&path, model.time_horizon_obstacles)?;
             check(&path.key("turning_bias"), model.turning_bias, Limit::Between(0.1, 10.0))?;
+            path
+        }
+        Avoid::Orca3d(model) => {
+            let path = key("orca_3d");
+            ahead(&path, model.time_horizon)?;
+            walls(&path, model.time_horizon_obstacles)?;
+            check(&path.key("vertical_scale"), model.vertical_scale, Limit::Between(1.0, 10.0))?;
             path
         }
         Avoid::Avo(model) => {
@@ -220,6 +235,14 @@ fn check_place(path: &Path, place: &Place) -> Checked {
             check(&path.key("ring.radius"), ring.radius, Limit::UpTo(super::limits::FARTHEST))?;
             check(&path.key("ring.start"), ring.start, Limit::Finite)
         }
+        Place::Sphere(sphere) => {
+            let path = path.key("sphere");
+            check_spot(&path.key("center"), &sphere.center)?;
+            check(&path.key("radius"), sphere.radius, Limit::UpTo(super::limits::HIGHEST))?;
+            check(&path.key("radius"), sphere.radius, Limit::UpTo(sphere.center[2])).map_err(|problem| {
+                problem.hint("all of the sphere must be above the ground: put its center higher, or make it smaller")
+            })
+        }
         Place::Grid(grid) => {
             check_point(&path.key("grid.center"), &grid.center)?;
             check(&path.key("grid.columns"), grid.columns as f64, Limit::UpTo(super::MAX_AGENTS as f64))?;
@@ -253,6 +276,10 @@ fn check_goal(path: &Path, goal: &Goal, inner: bool) -> Checked {
             check_point(&path.key("point"), at)?;
             tolerance(&path.key("point"), *t)
         }
+        Goal::Air(goal) => {
+            check_spot(&path.key("air.at"), &goal.at)?;
+            tolerance(&path.key("air"), goal.tolerance)
+        }
         Goal::Points(goal) => {
             check_points(&path.key("points.at"), &goal.at)?;
             tolerance(&path.key("points"), goal.tolerance)
@@ -265,6 +292,7 @@ fn check_goal(path: &Path, goal: &Goal, inner: bool) -> Checked {
         }
         Goal::Shift(goal) => {
             check_point(&path.key("shift.by"), &goal.by)?;
+            check(&path.key("shift.rise"), goal.rise, Limit::Finite)?;
             tolerance(&path.key("shift"), goal.tolerance)
         }
         Goal::Area(region) => check_region(&path.key("area"), region),

@@ -1,11 +1,13 @@
 //! Where each agent goes: goals shared by a group, goals of each agent's own, journeys made of them.
 
 use super::ground::{has_room, obstacle_name, short, show};
+use super::limits::HIGHEST;
+use super::place::Middle;
 use super::plan::PlannedJourney;
 use super::size::Size;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
-use crate::geometry::{DVec2, Solid, Touch, bounds, contains, distance_to_segment, outline_of_region};
+use crate::geometry::{DVec2, DVec3, Solid, Touch, bounds, contains, distance_to_segment, outline_of_region};
 use crate::random::{Purpose, Random};
 use crate::scene::{Goal, Number, Region, Scene, Stop};
 use std::collections::HashMap;
@@ -30,8 +32,8 @@ struct Each {
 
 enum Rule {
     Listed(Vec<DVec2>),
-    Opposite(DVec2),
-    Shift(DVec2),
+    Opposite(Middle),
+    Shift(DVec3),
 }
 
 /// Collects goals and journeys.
@@ -49,7 +51,7 @@ pub(super) struct Goals<'a> {
 /// One agent, as far as its goals are concerned.
 struct Walker {
     k: usize,
-    start: DVec2,
+    start: DVec3,
     radius: f64,
     choice: Random,
     wait: Random,
@@ -67,9 +69,9 @@ impl<'a> Goals<'a> {
     pub fn journeys_of(
         &mut self,
         i: usize,
-        starts: &[DVec2],
+        starts: &[DVec3],
         sizes: &[Size],
-        middle: DVec2,
+        middle: Middle,
     ) -> Result<Vec<Option<usize>>, Problem> {
         let group = &self.scene.groups[i];
         let Some(goal) = &group.goal else { return Ok(vec![None; starts.len()]) };
@@ -91,7 +93,7 @@ impl<'a> Goals<'a> {
             let mut stops = vec![];
             if first > 0.0 {
                 let tolerance = size.girth.max(0.1) as f32;
-                stops.push((self.add(throng::Goal::Point { at: *start, tolerance }), first as f32));
+                stops.push((self.add(walker.goal(*start, tolerance)), first as f32));
             }
             let repeat = self.resolve(&target, &mut walker, &mut ways, 0.0, &mut stops)?;
             out.push(Some(self.journey(stops, repeat)));
@@ -123,12 +125,17 @@ impl<'a> Goals<'a> {
         })
     }
 
-    fn prepare(&mut self, goal: &Goal, path: &Path, radius: f64, middle: DVec2, n: usize) -> Result<Target, Problem> {
+    fn prepare(&mut self, goal: &Goal, path: &Path, radius: f64, middle: Middle, n: usize) -> Result<Target, Problem> {
         Ok(match goal {
             Goal::Point(point) => {
                 let at = DVec2::from_array(point.at);
                 self.check_point(&path.key("point"), at, point.tolerance, radius, "the goal")?;
                 self.add_shared(throng::Goal::Point { at, tolerance: point.tolerance as f32 })
+            }
+            Goal::Air(air) => {
+                let at = DVec3::from_array(air.at);
+                self.check_point(&path.key("air"), at.truncate(), air.tolerance, radius, "the goal")?;
+                self.add_shared(throng::Goal::Air { at, tolerance: air.tolerance as f32 })
             }
             Goal::Area(region) => {
                 let corners = self.check_region(&path.key("area"), region, radius, "the goal's area")?;
@@ -155,12 +162,12 @@ impl<'a> Goals<'a> {
             Goal::Opposite(opposite) => Target::Point(Each {
                 path: path.key("opposite"),
                 tolerance: opposite.tolerance,
-                rule: Rule::Opposite(opposite.center.map_or(middle, DVec2::from_array)),
+                rule: Rule::Opposite(Middle { at: opposite.center.map_or(middle.at, DVec2::from_array), ..middle }),
             }),
             Goal::Shift(shift) => Target::Point(Each {
                 path: path.key("shift"),
                 tolerance: shift.tolerance,
-                rule: Rule::Shift(DVec2::from_array(shift.by)),
+                rule: Rule::Shift(DVec2::from_array(shift.by).extend(shift.rise)),
             }),
             Goal::Journey(stops) => self.prepare_stops(stops, &path.key("journey"), false, radius, middle, n)?,
             Goal::Cycle(stops) => self.prepare_stops(stops, &path.key("cycle"), true, radius, middle, n)?,
@@ -188,7 +195,7 @@ impl<'a> Goals<'a> {
         path: &Path,
         repeat: bool,
         radius: f64,
-        middle: DVec2,
+        middle: Middle,
         n: usize,
     ) -> Result<Target, Problem> {
         let one = |(i, stop): (usize, &Stop)| {
@@ -211,8 +218,12 @@ impl<'a> Goals<'a> {
             Target::Point(each) => {
                 let at = each.at(walker);
                 let what = format!("the goal of agent {}", walker.k);
-                self.check_point(&each.path, at, each.tolerance, walker.radius, &what)?;
-                stops.push((self.add(throng::Goal::Point { at, tolerance: each.tolerance as f32 }), wait));
+                self.check_point(&each.path, at.truncate(), each.tolerance, walker.radius, &what)?;
+                if !(0.0..=HIGHEST).contains(&at.z) {
+                    let message = format!("{what} is {} m above the ground, but must be from 0 to {HIGHEST}", short(at.z));
+                    return Err(Problem::new(&each.path, Kind::OutOfRange, message));
+                }
+                stops.push((self.add(walker.goal(at, each.tolerance as f32)), wait));
             }
             Target::Stops(list, repeat) => {
                 for (target, wait) in list {
@@ -246,26 +257,27 @@ impl<'a> Goals<'a> {
         Ok(false)
     }
 
-    /// From an agent's start to a target: along `ways` round walls, or as the crow flies.
+    /// From an agent's start to a target, on the ground: along `ways` round walls, or as the crow flies.
     fn distance(&self, target: &Target, walker: &Walker, ways: &mut Option<Ways>) -> f64 {
+        let start = walker.start.truncate();
         match target {
-            Target::Shared(goal) => match (&self.goals[*goal], ways) {
-                (throng::Goal::Point { at, .. }, Some(ways)) => ways.length_to_point(walker.start, *at),
-                (throng::Goal::Point { at, .. }, None) => at.distance(walker.start),
-                (throng::Goal::Area { corners } | throng::Goal::Exit { corners }, ways) => {
-                    if contains(corners, walker.start) {
+            Target::Shared(goal) => match (self.goals[*goal].corners(), ways) {
+                (None, Some(ways)) => ways.length_to_point(start, self.goals[*goal].middle()),
+                (None, None) => self.goals[*goal].middle().distance(start),
+                (Some(corners), ways) => {
+                    if contains(corners, start) {
                         return 0.0;
                     }
                     if let Some(ways) = ways {
-                        return ways.length_to_area(walker.start, *goal, corners);
+                        return ways.length_to_area(start, *goal, corners);
                     }
                     let ends = corners.iter().zip(corners.iter().cycle().skip(1));
-                    ends.fold(f64::INFINITY, |least, (a, b)| least.min(distance_to_segment(walker.start, *a, *b)))
+                    ends.fold(f64::INFINITY, |least, (a, b)| least.min(distance_to_segment(start, *a, *b)))
                 }
             },
             Target::Point(each) => match ways {
-                Some(ways) => ways.length_to_point(walker.start, each.at(walker)),
-                None => each.at(walker).distance(walker.start),
+                Some(ways) => ways.length_to_point(start, each.at(walker).truncate()),
+                None => each.at(walker).truncate().distance(start),
             },
             Target::Stops(list, _) => {
                 list.first().map_or(f64::INFINITY, |(first, _)| self.distance(first, walker, ways))
@@ -352,11 +364,11 @@ struct Ways {
 
 impl Ways {
     /// None where nothing is in the way, or no ground is left to walk on.
-    fn new((walkable, obstacles): Place, radius: f64, starts: &[DVec2], goals: &[throng::Goal]) -> Option<Self> {
+    fn new((walkable, obstacles): Place, radius: f64, starts: &[DVec3], goals: &[throng::Goal]) -> Option<Self> {
         if walkable.is_empty() && obstacles.is_empty() {
             return None;
         }
-        let [low, high] = bounds(starts.iter().copied().chain(goals.iter().map(throng::Goal::middle)))?;
+        let [low, high] = bounds(starts.iter().map(|start| start.truncate()).chain(goals.iter().map(throng::Goal::middle)))?;
         // as the world has it: a millimetre wider than the body
         let mesh = NavMesh::build(walkable, obstacles, radius + 0.001, (low, high)).ok()?;
         Some(Self { mesh, search: Search::new(), areas: HashMap::new() })
@@ -374,11 +386,25 @@ impl Ways {
     }
 }
 
+impl Walker {
+    /// A point of its own: in the air if it is, or starts there.
+    fn goal(&self, at: DVec3, tolerance: f32) -> throng::Goal {
+        if self.start.z == 0.0 && at.z == 0.0 {
+            throng::Goal::Point { at: at.truncate(), tolerance }
+        } else {
+            throng::Goal::Air { at, tolerance }
+        }
+    }
+}
+
 impl Each {
-    fn at(&self, walker: &Walker) -> DVec2 {
+    /// Where a walker goes; at its own altitude where the rule names none.
+    fn at(&self, walker: &Walker) -> DVec3 {
         match &self.rule {
-            Rule::Listed(points) => points[walker.k],
-            Rule::Opposite(center) => 2.0 * *center - walker.start,
+            Rule::Listed(points) => points[walker.k].extend(walker.start.z),
+            Rule::Opposite(Middle { at, altitude }) => {
+                2.0 * at.extend(altitude.unwrap_or(walker.start.z)) - walker.start
+            }
             Rule::Shift(by) => walker.start + *by,
         }
     }

@@ -2,10 +2,13 @@
 
 use crate::error::Kind;
 use crate::file::{Path, Problem};
-use crate::scene::{Number, Point};
+use crate::scene::{Number, Point, Spot};
 
 /// Greatest coordinate, metres: three times round the Earth, and still exact to 2e-8 m in f64.
 pub(super) const FARTHEST: f64 = 1e8;
+
+/// Greatest altitude, metres: the world's.
+pub(super) const HIGHEST: f64 = 20_000.0;
 
 /// What a number may be.
 #[derive(Clone, Copy, Debug)]
@@ -59,6 +62,12 @@ pub(super) fn check_some(path: &Path, x: Option<f64>, limit: Limit) -> Result<()
 /// Checks both coordinates of a point.
 pub(super) fn check_point(path: &Path, point: &Point) -> Result<(), Problem> {
     point.iter().enumerate().try_for_each(|(i, x)| check(&path.index(i), *x, Limit::Finite))
+}
+
+/// Checks the coordinates of a point above the ground.
+pub(super) fn check_spot(path: &Path, [x, y, z]: &Spot) -> Result<(), Problem> {
+    check_point(path, &[*x, *y])?;
+    check(&path.index(2), *z, Limit::Between(0.0, HIGHEST))
 }
 
 /// Checks a number that may be a distribution: everything it can give must be within the limit.

@@ -5,9 +5,9 @@ use super::movers::size;
 use super::size::Size;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
-use crate::geometry::{DVec2, Solid, Spacing, Touch, bounds, contains, points, rectangle};
+use crate::geometry::{DVec2, DVec3, Solid, Spacing, Touch, bounds, contains, points, rectangle};
 use crate::random::{Purpose, Random};
-use crate::scene::{Grid, Group, Place, Rectangle, Scene};
+use crate::scene::{Grid, Group, Place, Rectangle, Scene, Sphere};
 
 /// Draws before a spot is given up: finds the last percent of free ground with near certainty.
 const TRIES: usize = 4000;
@@ -19,13 +19,15 @@ pub(super) struct Ground<'a> {
     pub areas: &'a [throng::Walkable],
     /// Bodies: for every group, the size of every agent.
     pub sizes: &'a [Vec<Size>],
+    /// How high above its place every agent starts.
+    pub altitudes: &'a [Vec<f64>],
     /// Whether a group enters through sources.
     pub enters: &'a [bool],
 }
 
 impl Ground<'_> {
     /// The starts of all agents, by group. Given spots are taken first, drawn ones fill what is left.
-    pub fn place(&self) -> Result<Vec<Vec<DVec2>>, Problem> {
+    pub fn place(&self) -> Result<Vec<Vec<DVec3>>, Problem> {
         let groups = &self.scene.groups;
         let sizes = self.sizes.iter().flatten().copied().chain(self.scene.movers.iter().map(size));
         let largest = sizes.fold(0.0_f64, |most, size| most.max(size.bound));
@@ -43,7 +45,7 @@ impl Ground<'_> {
         }
         for mover in &self.scene.movers {
             let at = mover.script.first().map_or(DVec2::ZERO, |first| DVec2::from_array(first.at));
-            spacing.add(at, size(mover).bound, u32::MAX);
+            spacing.add(at.extend(0.0), size(mover).bound, u32::MAX);
         }
         for i in drawn {
             starts[i] = self.drawn(i, &mut spacing)?;
@@ -52,15 +54,16 @@ impl Ground<'_> {
     }
 
     /// At spots that the scene names.
-    fn given(&self, i: usize, spacing: &mut Spacing) -> Result<Vec<DVec2>, Problem> {
+    fn given(&self, i: usize, spacing: &mut Spacing) -> Result<Vec<DVec3>, Problem> {
         let group = &self.scene.groups[i];
         let path = Path::of("group").index(i).key("place");
         let n = self.sizes[i].len();
-        let spots: Vec<DVec2> = (0..n).map(|k| spot(&group.place, k, n)).collect();
+        let above = |k: usize| DVec3::Z * self.altitudes[i][k];
+        let spots: Vec<DVec3> = (0..n).map(|k| spot(&group.place, k, n) + above(k)).collect();
         for (k, (spot, size)) in spots.iter().zip(&self.sizes[i]).enumerate() {
             let radius = size.girth;
-            if let Some(touch) = self.solid.touch(*spot, radius * (1.0 - 1e-6)) {
-                return Err(self.in_wall(&path, i, k, *spot, radius, touch));
+            if let Some(touch) = self.solid.touch(spot.truncate(), radius * (1.0 - 1e-6)) {
+                return Err(self.in_wall(&path, i, k, spot.truncate(), radius, touch));
             }
             if self.enters[i] {
                 continue;
@@ -69,7 +72,7 @@ impl Ground<'_> {
                 let (a, b) = (self.agent_name(other as usize), self.agent_name(self.number(i, k)));
                 let needed = radius + self.radius_of(other as usize);
                 let message = if distance == 0.0 {
-                    format!("{a} and {b} start at one place, {}", show(*spot))
+                    format!("{a} and {b} start at one place, {}", show(spot.truncate()))
                 } else {
                     format!(
                         "{a} and {b} overlap: their centres are {} m apart, their bodies need {} m",
@@ -86,21 +89,21 @@ impl Ground<'_> {
     }
 
     /// At spots that are drawn.
-    fn drawn(&self, i: usize, spacing: &mut Spacing) -> Result<Vec<DVec2>, Problem> {
+    fn drawn(&self, i: usize, spacing: &mut Spacing) -> Result<Vec<DVec3>, Problem> {
         let group = &self.scene.groups[i];
         let path = Path::of("group").index(i).key("place");
         let shape = Drawn::new(&group.place, self.areas, &path)?;
         let gap = gap(&group.place);
         let mut spots = Vec::with_capacity(self.sizes[i].len());
         for (k, size) in self.sizes[i].iter().enumerate() {
-            let radius = size.bound;
+            let (radius, altitude) = (size.bound, self.altitudes[i][k]);
             let mut random = Random::new(self.scene.seed, i as u64, k as u64, Purpose::Place);
             let found = (0..TRIES).map(|_| shape.draw(&mut random)).find(|p| {
                 shape.contains(*p)
-                    && (self.enters[i] || spacing.too_near(*p, radius, gap).is_none())
+                    && (self.enters[i] || spacing.too_near(p.extend(altitude), radius, gap).is_none())
                     && self.solid.fits(*p, radius)
             });
-            let Some(p) = found else {
+            let Some(p) = found.map(|p| p.extend(altitude)) else {
                 let named = Group::name_at(&group.name, i);
                 let message = format!("group `{named}`: only {k} of {} agents fit into its place", self.sizes[i].len());
                 return Err(Problem::new(&path, Kind::NoRoom, message)
@@ -175,7 +178,8 @@ impl Ground<'_> {
 }
 
 fn is_given(place: &Place) -> bool {
-    matches!(place, Place::Point(_) | Place::Points(_) | Place::Line(_) | Place::Ring(_) | Place::Grid(_))
+    use Place::{Grid, Line, Point, Points, Ring, Sphere};
+    matches!(place, Point(_) | Points(_) | Line(_) | Ring(_) | Sphere(_) | Grid(_))
 }
 
 fn gap(place: &Place) -> f64 {
@@ -188,21 +192,35 @@ fn gap(place: &Place) -> f64 {
     }
 }
 
+/// The middle of a place, and its altitude: that of each agent itself where the place is level.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Middle {
+    pub at: DVec2,
+    pub altitude: Option<f64>,
+}
+
 /// The middle of a place.
-pub(super) fn middle(place: &Place, starts: &[DVec2]) -> DVec2 {
-    match place {
+pub(super) fn middle(place: &Place, starts: &[DVec3]) -> Middle {
+    let mut altitude = None;
+    let at = match place {
+        Place::Sphere(sphere) => {
+            altitude = Some(sphere.center[2]);
+            DVec3::from_array(sphere.center).truncate()
+        }
         Place::Ring(ring) => DVec2::from_array(ring.center),
         Place::Grid(grid) => DVec2::from_array(grid.center),
         Place::Disc(disc) => DVec2::from_array(disc.center),
         Place::Rectangle(r) => DVec2::from_array(r.center),
         Place::Line(line) => DVec2::from_array(line.from).lerp(DVec2::from_array(line.to), 0.5),
-        _ => bounds(starts.iter().copied()).map_or(DVec2::ZERO, |[low, high]| (low + high) * 0.5),
-    }
+        _ => bounds(starts.iter().map(|start| start.truncate())).map_or(DVec2::ZERO, |[low, high]| (low + high) * 0.5),
+    };
+    Middle { at, altitude }
 }
 
 /// The k-th of n spots. More agents than spots (with sources) take them in turn.
-fn spot(place: &Place, k: usize, n: usize) -> DVec2 {
-    match place {
+fn spot(place: &Place, k: usize, n: usize) -> DVec3 {
+    let level = match place {
+        Place::Sphere(sphere) => return sphere_spot(sphere, k, n),
         Place::Point(point) => DVec2::from_array(*point),
         Place::Points(points) => points.get(k % points.len().max(1)).map_or(DVec2::ZERO, |p| DVec2::from_array(*p)),
         Place::Line(line) => {
@@ -216,7 +234,17 @@ fn spot(place: &Place, k: usize, n: usize) -> DVec2 {
         }
         Place::Grid(grid) => grid_spot(grid, k as u64 % (grid.columns * grid.rows).max(1)),
         _ => DVec2::ZERO,
-    }
+    };
+    level.extend(0.0)
+}
+
+/// Spots at even heights, each a golden angle on from the one before.
+fn sphere_spot(sphere: &Sphere, k: usize, n: usize) -> DVec3 {
+    let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
+    let z = 1.0 - (2 * k + 1) as f64 / n as f64;
+    let (sin, cos) = libm::sincos(golden * k as f64);
+    let around = (DVec2::new(cos, sin) * (1.0 - z * z).sqrt()).extend(z);
+    DVec3::from_array(sphere.center) + around * sphere.radius
 }
 
 fn grid_spot(grid: &Grid, k: u64) -> DVec2 {

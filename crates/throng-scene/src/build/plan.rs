@@ -93,10 +93,16 @@ impl Scene {
         let draws: Vec<Draw> = (0..self.groups.len()).map(|group| Draw { scene: self, group }).collect();
         let sizes: Vec<Vec<Size>> =
             draws.iter().zip(&counts).map(|(draw, count)| (0..count.agents).map(|k| draw.size(k)).collect()).collect();
+        let altitudes: Vec<Vec<f64>> = draws
+            .iter()
+            .zip(&counts)
+            .map(|(draw, count)| (0..count.agents).map(|k| draw.altitude(k)).collect())
+            .collect();
         let largest = sizes.iter().flatten().fold(0.0_f64, |most, size| most.max(size.bound));
         let solid = Solid::new(&walkable, &obstacles, largest);
         let enters: Vec<bool> = counts.iter().map(|count| count.enters.is_some()).collect();
-        let ground = Ground { scene: self, solid: &solid, areas: &walkable, sizes: &sizes, enters: &enters };
+        let (sizes, altitudes) = (&sizes, &altitudes);
+        let ground = Ground { scene: self, solid: &solid, areas: &walkable, sizes, altitudes, enters: &enters };
         let starts = ground.place()?;
 
         let mut goals = Goals::new(self, &solid, (&walkable, &obstacles));
@@ -105,9 +111,9 @@ impl Scene {
             let middle = middle(&self.groups[i].place, &starts[i]);
             let journeys = goals.journeys_of(i, &starts[i], &sizes[i], middle)?;
             for (k, journey) in journeys.into_iter().enumerate() {
-                let agent =
-                    throng::Agent { position: starts[i][k], number: Some(agents.len() as u32), ..draws[i].agent(k) }
-                        .with_body(sizes[i][k].body);
+                let (position, altitude) = (starts[i][k].truncate(), starts[i][k].z as f32);
+                let number = Some(agents.len() as u32);
+                let agent = throng::Agent { position, altitude, number, ..draws[i].agent(k) }.with_body(sizes[i][k].body);
                 let enters = count.enters.as_ref().map(|times| times[k]);
                 agents.push(PlannedAgent { agent, group: i, journey, script: None, enters });
             }
@@ -141,10 +147,7 @@ fn all_bounds(
         throng::Obstacle::Polygon { corners } => corners.clone(),
         throng::Obstacle::Wall { points } => points.clone(),
     });
-    let goals = goals.iter().flat_map(|goal| match goal {
-        throng::Goal::Point { at, .. } => vec![*at],
-        throng::Goal::Area { corners } | throng::Goal::Exit { corners } => corners.clone(),
-    });
+    let goals = goals.iter().flat_map(|goal| goal.corners().map_or_else(|| vec![goal.middle()], <[DVec2]>::to_vec));
     let bodies = agents.iter().flat_map(|planned| {
         let radius = f64::from(planned.agent.body().bound());
         [planned.agent.position - radius, planned.agent.position + radius]

@@ -10,4 +10,4 @@ pub(crate) use polygon::{
 pub(crate) use solid::{Solid, Touch};
 pub(crate) use spacing::Spacing;
 
-pub(crate) use glam::DVec2;
+pub(crate) use glam::{DVec2, DVec3};

@@ -9,6 +9,9 @@ use serde::{Deserialize, Serialize};
 pub enum Avoid {
     /// Optimal reciprocal collision avoidance (van den Berg, Guy, Lin, Manocha, 2011).
     Orca(Orca),
+    /// Optimal reciprocal collision avoidance in space, for those who fly.
+    #[serde(rename = "orca_3d")]
+    Orca3d(Orca3d),
     /// Acceleration-velocity obstacles (van den Berg, Snape, Guy, Manocha, 2011): ORCA for bodies that come to a new
     /// velocity with a delay.
     Avo(Avo),
@@ -66,6 +69,16 @@ parameters! {
         turning_bias: f64 = 1.0,
         /// The velocity that half-planes are built from.
         built_from: BuiltFrom = BuiltFrom::Current,
+    }
+    /// Parameters of optimal reciprocal collision avoidance in space.
+    Orca3d {
+        /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
+        time_horizon: f64 = 2.0,
+        /// Seconds ahead for which a velocity must be safe from obstacles. Limit: > 0.
+        time_horizon_obstacles: f64 = 0.7,
+        /// How much taller than they are bodies are taken to be: above 1 they rather avoid sideways than up and down.
+        /// Limit: 1 to 10.
+        vertical_scale: f64 = 1.0,
     }
     /// Parameters of acceleration-velocity obstacles.
     Avo {
@@ -142,6 +155,7 @@ impl Avoid {
     pub fn sight(&self) -> (u32, f64) {
         match self {
             Self::Orca(model) => (model.neighbours, model.neighbour_distance),
+            Self::Orca3d(model) => (model.neighbours, model.neighbour_distance),
             Self::Avo(model) => (model.neighbours, model.neighbour_distance),
             Self::Hrvo(model) => (model.neighbours, model.neighbour_distance),
             Self::Clearpath(model) => (model.neighbours, model.neighbour_distance),

@@ -1,6 +1,7 @@
 //! Where agents go.
 
-use super::{Number, Point, Region};
+use super::ground::is_zero;
+use super::{Number, Point, Region, Spot};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
 use serde::{Deserialize, Deserializer, Serialize, de};
@@ -16,6 +17,8 @@ pub(crate) const TOLERANCE: f64 = 0.1;
 pub enum Goal {
     /// A point for all of them.
     Point(PointGoal),
+    /// A point in the air for all of them.
+    Air(AirGoal),
     /// A point for each: agent number k goes to the k-th.
     Points(PointsGoal),
     /// For each the point opposite its own start.
@@ -42,6 +45,17 @@ pub struct PointGoal {
     /// The point.
     pub at: Point,
     /// Metres that count as there. Limit: > 0.
+    pub tolerance: f64,
+}
+
+/// A point in the air for all.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AirGoal {
+    /// The point. Limit of z: 0 to 20000.
+    pub at: Spot,
+    /// Metres that count as there. Limit: > 0.
+    #[serde(default = "tolerance")]
     pub tolerance: f64,
 }
 
@@ -80,6 +94,9 @@ impl Default for Opposite {
 pub struct Shift {
     /// How far along x and y, metres.
     pub by: Point,
+    /// How far up, metres; negative for down.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub rise: f64,
     /// Metres that count as there. Limit: > 0.
     #[serde(default = "tolerance")]
     pub tolerance: f64,

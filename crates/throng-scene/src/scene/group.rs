@@ -42,6 +42,9 @@ pub struct Group {
     /// robot on two wheels, and taken to be larger by so much. It needs a `turn_rate`. Limit: 0 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tracking_error: Option<Number>,
+    /// Height of the centre above the ground at the start, metres; more than 0 for those who fly. Limit: 0 to 20000.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub altitude: Option<Number>,
     /// Direction of the body at the start, degrees counter-clockwise from +x. Without it, towards the goal.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heading: Option<Number>,
@@ -86,6 +89,7 @@ impl Default for Group {
             acceleration: None,
             turn_rate: None,
             tracking_error: None,
+            altitude: None,
             heading: None,
             priority: 0.0,
             layers: first_layer(),

@@ -15,16 +15,16 @@ mod source;
 mod time;
 mod view;
 
-pub use avoid::{Avo, Avoid, BuiltFrom, Clearpath, Hrvo, Orca, Rvo, RvoLab, Unavoiding, Vo};
+pub use avoid::{Avo, Avoid, BuiltFrom, Clearpath, Hrvo, Orca, Orca3d, Rvo, RvoLab, Unavoiding, Vo};
 pub use body::{Body, Sides};
 pub use expect::{Arrived, Expect, FlowExpect};
-pub use goal::{Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
+pub use goal::{AirGoal, Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
 pub use ground::{Area, Rectangle, Region, Walkable};
 pub use group::{Group, Speed};
 pub use mover::{Keyframe, Mover};
 pub use number::{Normal, Number};
 pub use obstacle::{As, Circle, Obstacle, Shape};
-pub use place::{DiscPlace, Grid, Line, Place, PolygonPlace, RectanglePlace, Ring, WalkablePlace};
+pub use place::{DiscPlace, Grid, Line, Place, PolygonPlace, RectanglePlace, Ring, Sphere, WalkablePlace};
 pub use schema::schema;
 pub use source::Source;
 pub use time::{SubSteps, Time, Until};
@@ -36,6 +36,9 @@ use serde::{Deserialize, Serialize};
 
 /// A point, `[x, y]` in metres, world coordinates.
 pub type Point = [f64; 2];
+
+/// A point in space, `[x, y, z]` in metres, z up from the ground.
+pub type Spot = [f64; 3];
 
 /// Everything a scene file says.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -1,13 +1,13 @@
 //! Where agents start.
 
-use super::Point;
+use super::{Point, Spot};
 use super::ground::is_zero;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Where the agents of a group start.
 ///
-/// Points, line, ring and grid put agent number k at the k-th spot. Disc, rectangle, polygon and walkable draw a
+/// Points, line, ring, sphere and grid put agent number k at the k-th spot. Disc, rectangle, polygon and walkable draw a
 /// spot for each, clear of walls, of obstacles and of everybody else.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -20,6 +20,8 @@ pub enum Place {
     Line(Line),
     /// Evenly on a circle.
     Ring(Ring),
+    /// Evenly on a sphere, in the air.
+    Sphere(Sphere),
     /// On a square grid, row by row.
     Grid(Grid),
     /// At random in a disc.
@@ -60,6 +62,16 @@ pub struct Ring {
     /// Where the first stands, degrees counter-clockwise from +x.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub start: f64,
+}
+
+/// Evenly on a sphere, from its top down in a spiral (a Fibonacci lattice).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Sphere {
+    /// Its middle. Limit of z: at least `radius`, so that all of it is above the ground.
+    pub center: Spot,
+    /// Its radius. Limit: > 0.
+    pub radius: f64,
 }
 
 /// On a square grid, row by row.
