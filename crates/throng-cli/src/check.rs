@@ -43,6 +43,7 @@ fn people(built: &Built, out: &mut Out) -> Result<(), Failure> {
     let count = |test: fn(&Goal) -> bool| built.goals.iter().filter(|(_, goal)| test(goal)).count();
     let kinds = [
         (count(|goal| matches!(goal, Goal::Point { .. })), "point"),
+        (count(|goal| matches!(goal, Goal::Air { .. })), "air point"),
         (count(|goal| matches!(goal, Goal::Area { .. })), "area"),
         (count(|goal| matches!(goal, Goal::Exit { .. })), "exit"),
     ];

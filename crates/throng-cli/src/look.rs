@@ -41,6 +41,8 @@ pub enum ColorArg {
     Speed,
     /// Where it goes
     Goal,
+    /// How high it flies
+    Altitude,
 }
 
 impl LookArgs {
@@ -85,6 +87,7 @@ impl LookArgs {
                 ColorArg::Group => ColorBy::Group,
                 ColorArg::Speed => ColorBy::Speed { max: None },
                 ColorArg::Goal => ColorBy::Goal,
+                ColorArg::Altitude => ColorBy::Altitude,
             },
             groups: scene.groups.iter().map(|group| group.colour.map(color)).collect(),
             headings: !self.no_headings,

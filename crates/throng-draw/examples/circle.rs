@@ -32,6 +32,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 goal: Some(n),
                 position: -inward * ring + direction * 1.3 * time,
                 velocity: (direction * 1.3).as_vec2(),
+                altitude: 0.0,
+                climb: 0.0,
                 heading: (f64::from(n) / f64::from(count) * TAU + PI + turn) as f32,
                 radius: 0.2,
                 core: glam::Vec2::ZERO,

@@ -20,6 +20,8 @@ fn moment(agents: u32, k: u32) -> Frame {
                 goal: None,
                 position: DVec2::new(angle.cos(), angle.sin()) * distance,
                 velocity: Vec2::ONE,
+                altitude: 0.0,
+                climb: 0.0,
                 heading: angle as f32 + 1.57,
                 radius: 0.25,
                 core: Vec2::ZERO,

@@ -1,7 +1,7 @@
 //! From metres to pixels.
 
 use glam::{DVec2, Vec2};
-use throng::{Goal, Obstacle};
+use throng::Obstacle;
 use throng_record::{Frame, Setting};
 
 /// How far people stray from where they start and where they go, over their radius, where nothing bounds the ground.
@@ -34,9 +34,9 @@ impl WorldBox {
             }
         }
         for goal in &setting.goals {
-            match goal {
-                Goal::Point { at, tolerance } => all.add(*at, f64::from(*tolerance).min(1.0)),
-                Goal::Area { corners } | Goal::Exit { corners } => corners.iter().for_each(|&p| all.add(p, 0.0)),
+            match goal.tolerance() {
+                Some(tolerance) => all.add(goal.middle(), f64::from(tolerance).min(1.0)),
+                None => goal.corners().into_iter().flatten().for_each(|&p| all.add(p, 0.0)),
             }
         }
         frame.bodies.iter().for_each(|b| all.add(b.position, f64::from(b.shape().bound())));

@@ -54,9 +54,9 @@ impl Layout {
         let mut marks = Vec::new();
         let bar = self.scale_bar(style, camera, &mut marks);
         let room = self.width - 2.0 * self.margin - bar - 2.0 * self.size;
-        match style.color_by {
-            ColorBy::Speed { .. } => self.speed_key(style, look, &mut marks),
-            ColorBy::Group if setting.groups.len() > 1 => {
+        match (look.most(), style.color_by) {
+            (Some(most), _) => self.ramp_key(style, most, &mut marks),
+            (None, ColorBy::Group) if setting.groups.len() > 1 => {
                 self.group_key(setting, style, look, typeface, room, &mut marks);
             }
             _ => {}
@@ -132,7 +132,7 @@ impl Layout {
         }
     }
 
-    fn speed_key(&self, style: &Style, look: &Look, marks: &mut Vec<Mark>) {
+    fn ramp_key(&self, style: &Style, (most, unit): (f32, &str), marks: &mut Vec<Mark>) {
         const STEPS: usize = 48;
         let (length, thickness) = (110.0 * self.unit, 5.0 * self.unit);
         let corner = Vec2::new(self.margin, self.bottom() - thickness);
@@ -145,7 +145,7 @@ impl Layout {
         let (low, high) = (corner - Vec2::new(0.0, 4.0 * self.unit), corner.x + length);
         let size = 0.92 * self.size;
         marks.push(self.text("0".into(), low, Anchor::Start, size, style.theme.quiet));
-        let most = format!("{} m/s", (look.fastest() * 100.0).round() / 100.0);
+        let most = format!("{} {unit}", (most * 100.0).round() / 100.0);
         marks.push(self.text(most, Vec2::new(high, low.y), Anchor::End, size, style.theme.quiet));
     }
 }

@@ -14,6 +14,7 @@ pub(crate) struct Look {
     /// What edges go towards: dark on light ground, light on dark.
     rim: Color,
     fastest: f32,
+    highest: f32,
     /// The colours of groups that have their own.
     groups: Vec<Option<Color>>,
     /// The colour of each goal.
@@ -35,11 +36,16 @@ impl Look {
             _ if preferred > 0.0 => preferred,
             _ => 1.5,
         };
+        let starts = first.bodies.iter().map(|body| body.altitude);
+        let goals = setting.goals.iter().filter_map(|goal| Some(goal.altitude()? as f32));
+        let highest = starts.chain(goals).filter(|z| z.is_finite()).fold(0.0, f32::max);
+        let highest = if highest > 0.0 { highest } else { 1.0 };
         Self {
             by: style.color_by,
             ground: style.theme.ground,
             rim: style.theme.text,
             fastest,
+            highest,
             groups: style.groups.clone(),
             goals: goal_colors(&setting.goals),
         }
@@ -50,15 +56,20 @@ impl Look {
         self.groups.get(index).copied().flatten().unwrap_or_else(|| palette(index))
     }
 
-    /// The speed at the end of the ramp, m/s.
-    pub(crate) fn fastest(&self) -> f32 {
-        self.fastest
+    /// What the end of the ramp says, where there is one.
+    pub(crate) fn most(&self) -> Option<(f32, &'static str)> {
+        match self.by {
+            ColorBy::Speed { .. } => Some((self.fastest, "m/s")),
+            ColorBy::Altitude => Some((self.highest, "m")),
+            ColorBy::Group | ColorBy::Goal => None,
+        }
     }
 
     /// The colour that says what [`ColorBy`] asks for.
     pub(crate) fn color(&self, body: &Body) -> Color {
         match self.by {
             ColorBy::Group => self.group(body.group as usize),
+            ColorBy::Altitude => ramp(body.altitude / self.highest),
             ColorBy::Speed { .. } => ramp(body.velocity.length() / self.fastest),
             ColorBy::Goal => {
                 body.goal.and_then(|goal| self.goals.get(goal as usize).copied()).unwrap_or(Color::rgb(0x8a9099))
@@ -83,14 +94,7 @@ fn goal_colors(goals: &[Goal]) -> Vec<Color> {
     if goals.len() <= PALETTE.len() {
         return (0..goals.len()).map(palette).collect();
     }
-    let middles: Vec<DVec2> = goals.iter().map(middle).collect();
+    let middles: Vec<DVec2> = goals.iter().map(Goal::middle).collect();
     let center = middles.iter().filter(|m| m.is_finite()).sum::<DVec2>() / goals.len() as f64;
     middles.iter().map(|m| wheel(((m.y - center.y).atan2(m.x - center.x) / std::f64::consts::TAU) as f32)).collect()
-}
-
-fn middle(goal: &Goal) -> DVec2 {
-    match goal {
-        Goal::Point { at, .. } => *at,
-        Goal::Area { corners } | Goal::Exit { corners } => corners.iter().sum::<DVec2>() / corners.len().max(1) as f64,
-    }
 }

@@ -6,7 +6,7 @@ use crate::look::Look;
 use crate::mark::Mark;
 use crate::text::Type;
 use crate::trail::{End, Track, TrailLayer, Trails, freshness};
-use crate::{Camera, Error, Image, Style, WorldBox, place, raster};
+use crate::{Camera, Color, Error, Image, Style, WorldBox, place, raster};
 use glam::{DVec2, Vec2};
 use throng_record::{Body, Frame, Setting};
 
@@ -18,6 +18,9 @@ const TRAIL_HALF_WIDTH: f32 = 0.42;
 const TRAIL_SPACING: f32 = 4.5;
 /// The least radius an agent is drawn with, pixels.
 const LEAST_RADIUS: f32 = 1.5;
+/// How far aside, along both axes, a shadow lies, in altitudes; and its opacity.
+const SHADOW: f32 = 0.12;
+const SHADOW_OPACITY: f32 = 0.13;
 
 /// Paints the moments of one recording, one after the other.
 ///
@@ -36,7 +39,7 @@ const LEAST_RADIUS: f32 = 1.5;
 #[derive(Debug)]
 pub struct Painter {
     pub(crate) style: Style,
-    base: crate::Color,
+    base: Color,
     pub(crate) camera: Camera,
     pub(crate) layout: Layout,
     pub(crate) look: Look,
@@ -95,7 +98,7 @@ impl Painter {
     }
 
     /// The colour under everything.
-    pub(crate) fn base(&self) -> crate::Color {
+    pub(crate) fn base(&self) -> Color {
         self.base
     }
 
@@ -122,7 +125,10 @@ impl Painter {
             }
         }
         self.layer.lay(&mut self.image);
-        for body in &frame.bodies {
+        let bodies = stacked(frame);
+        let shadows: Vec<Mark> = bodies.iter().filter_map(|body| self.shadow(body)).collect();
+        raster::draw(&mut self.image, &mut self.typeface, &shadows);
+        for body in bodies {
             self.rounded(body).draw(&mut self.image);
         }
         raster::draw(&mut self.image, &mut self.typeface, &self.legend);
@@ -136,6 +142,15 @@ impl Painter {
     /// How trails are drawn.
     pub(crate) fn brush(&self) -> Brush {
         Brush { camera: self.camera, seconds: f64::from(self.style.trails) }
+    }
+
+    /// The shadow of who is in the air, on the ground: the farther off, the higher.
+    pub(crate) fn shadow(&self, body: &Body) -> Option<Mark> {
+        let off = SHADOW * body.altitude * self.camera.scale as f32;
+        let radius = self.camera.length(f64::from(body.radius)).max(LEAST_RADIUS);
+        let center = self.camera.pixel(body.position) + Vec2::new(off, off);
+        let fill = Color::rgb(0).alpha(SHADOW_OPACITY);
+        (body.altitude > 0.0 && center.is_finite()).then_some(Mark::Disc { center, radius, fill })
     }
 
     /// How an agent is drawn.
@@ -161,6 +176,13 @@ impl Painter {
             notch,
         }
     }
+}
+
+/// Everybody, the lower first, of those at one altitude by number.
+pub(crate) fn stacked(frame: &Frame) -> Vec<&Body> {
+    let mut bodies: Vec<&Body> = frame.bodies.iter().collect();
+    bodies.sort_by(|a, b| a.altitude.total_cmp(&b.altitude));
+    bodies
 }
 
 /// What it takes to draw a trail.

@@ -88,7 +88,7 @@ fn goal_areas(setting: &Setting, style: &Style, camera: &Camera, unit: f32, mark
     let color = style.theme.goal;
     for goal in &setting.goals {
         let (corners, tint) = match goal {
-            Goal::Point { .. } => continue,
+            Goal::Point { .. } | Goal::Air { .. } => continue,
             Goal::Area { corners } => (corners, 0.10),
             Goal::Exit { corners } => (corners, 0.24),
         };
@@ -111,18 +111,18 @@ fn goal_points(setting: &Setting, style: &Style, camera: &Camera, unit: f32, fir
     for body in &first.bodies {
         let goal = body.goal.map(|goal| goal as usize).filter(|&goal| goal < waits.len());
         if let Some(goal) = goal
-            && let Goal::Point { at, tolerance } = &setting.goals[goal]
+            && setting.goals[goal].tolerance().is_some()
         {
-            waits[goal] |= at.distance(body.position) <= f64::from(*tolerance);
+            waits[goal] |= setting.goals[goal].holds(body.position.extend(body.altitude.into()));
         }
     }
     let mut rings: Vec<(Vec2, f32)> = setting
         .goals
         .iter()
         .zip(waits)
-        .filter_map(|(goal, waits)| match goal {
-            Goal::Point { at, tolerance } if !waits => Some((camera.pixel(*at), camera.length(f64::from(*tolerance)))),
-            _ => None,
+        .filter_map(|(goal, waits)| {
+            let tolerance = goal.tolerance().filter(|_| !waits)?;
+            Some((camera.pixel(goal.middle()), camera.length(f64::from(tolerance))))
         })
         .filter(|(center, radius)| center.is_finite() && radius.is_finite())
         .collect();

@@ -55,6 +55,8 @@ pub enum ColorBy {
         /// The speed at the end of the ramp, greater than 0.
         max: Option<f32>,
     },
+    /// How high above the ground it is, up to the greatest altitude of the first frame and of all goals.
+    Altitude,
     /// Where it is going: a colour for each goal, or, where there are more than the palette holds, for the direction
     /// in which the goal lies from the middle of all goals.
     Goal,

@@ -2,6 +2,7 @@
 
 use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};
 use crate::mark::{Anchor, Mark, Stroke};
+use crate::painter::stacked;
 use crate::{Color, Painter};
 use glam::Vec2;
 use std::fmt::{self, Write};
@@ -20,7 +21,12 @@ impl Painter {
         document(out, (self.style.width, self.style.height), self.base(), |out| {
             group(out, "place", |out| write_marks(out, &self.place))?;
             group(out, "trails", |out| self.write_trails(out, frame))?;
-            group(out, "agents", |out| frame.bodies.iter().try_for_each(|body| write_body(out, &self.rounded(body))))?;
+            let bodies = stacked(frame);
+            if bodies.last().is_some_and(|body| body.altitude > 0.0) {
+                let shadows: Vec<Mark> = bodies.iter().filter_map(|body| self.shadow(body)).collect();
+                group(out, "shadows", |out| write_marks(out, &shadows))?;
+            }
+            group(out, "agents", |out| bodies.iter().try_for_each(|body| write_body(out, &self.rounded(body))))?;
             group(out, "legend", |out| {
                 write_marks(out, &self.legend)?;
                 if self.style.legend {

@@ -188,6 +188,8 @@ mod tests {
             goal: None,
             position,
             velocity: Vec2::ZERO,
+            altitude: 0.0,
+            climb: 0.0,
             heading: 0.0,
             radius: 0.2,
             core: Vec2::ZERO,

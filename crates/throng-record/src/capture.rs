@@ -21,6 +21,7 @@ impl Setting {
             obstacles: world.place().obstacles().cloned().collect(),
             groups: world.groups().iter().map(|group| group.name.clone()).collect(),
             goals: world.goals().to_vec(),
+            in_space: world.in_space(),
         }
     }
 }
@@ -46,7 +47,9 @@ impl Frame {
             group: agents.group[row].index() as u32,
             goal: world.goal_of(row).map(|goal| goal.index() as u32),
             position: agents.position[row].as_dvec2() + origin,
+            altitude: agents.altitude[row],
             velocity: agents.velocity[row],
+            climb: agents.climb[row],
             heading: agents.heading[row],
             radius: agents.radius[row],
             core: agents.core[row],

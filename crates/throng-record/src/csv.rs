@@ -12,6 +12,10 @@
 //! | `heading` | direction of the body, counter-clockwise from +x | rad |
 //! | `radius` | radius of the body; of one that is no disc, half of its narrower side | m |
 //! | `status` | `walking`, `waiting`, `arrived` or `stranded` | |
+//! | `z` | height of the centre above the ground | m |
+//! | `vz` | velocity upwards | m/s |
+//!
+//! The last two are there only where somebody flies, or will ([`Setting::in_space`]).
 //!
 //! Numbers are written with as many digits as it takes to read the same bits back. Text is UTF-8, quoted where it
 //! holds commas, quotes or line breaks; lines end in a line feed.
@@ -22,8 +26,8 @@ use std::io;
 use std::path::Path;
 use throng::Status;
 
-/// The names of the columns, in order.
-pub const COLUMNS: [&str; 10] = ["number", "group", "time", "x", "y", "vx", "vy", "heading", "radius", "status"];
+/// The names of the columns, in order; the last two are for those who fly.
+pub const COLUMNS: [&str; 12] = ["number", "group", "time", "x", "y", "vx", "vy", "heading", "radius", "status", "z", "vz"];
 
 /// Writes trajectories as they happen. See the [module](self) for the columns.
 ///
@@ -41,6 +45,7 @@ pub struct CsvWriter {
     lines: Option<csv::Writer<Output>>,
     path: std::path::PathBuf,
     groups: Vec<String>,
+    in_space: bool,
     text: String,
 }
 
@@ -55,9 +60,11 @@ impl CsvWriter {
             lines: Some(csv::Writer::from_writer(output)),
             path: path.as_ref().to_path_buf(),
             groups: setting.groups.clone(),
+            in_space: setting.in_space,
             text: String::new(),
         };
-        writer.lines(|lines| lines.write_record(COLUMNS))?;
+        let columns = if setting.in_space { &COLUMNS } else { &COLUMNS[..10] };
+        writer.lines(|lines| lines.write_record(columns))?;
         Ok(writer)
     }
 
@@ -67,8 +74,11 @@ impl CsvWriter {
     /// The system's, such as a full disk.
     pub fn push(&mut self, frame: &Frame) -> Result<(), OutputError> {
         let (groups, mut text) = (std::mem::take(&mut self.groups), std::mem::take(&mut self.text));
-        let result = self
-            .lines(|lines| frame.bodies.iter().try_for_each(|body| line(lines, &groups, frame.time, body, &mut text)));
+        let in_space = self.in_space;
+        let result = self.lines(|lines| {
+            let one = |body| line(lines, (&groups, in_space), frame.time, body, &mut text);
+            frame.bodies.iter().try_for_each(one)
+        });
         (self.groups, self.text) = (groups, text);
         result
     }
@@ -97,7 +107,7 @@ impl CsvWriter {
 
 fn line(
     lines: &mut csv::Writer<Output>,
-    groups: &[String],
+    (groups, in_space): (&[String], bool),
     time: f64,
     body: &Body,
     text: &mut String,
@@ -119,6 +129,9 @@ fn line(
         field(lines, &value)?;
     }
     lines.write_field(status_name(body.status))?;
+    for value in [body.altitude, body.climb].into_iter().filter(|_| in_space) {
+        field(lines, &value)?;
+    }
     lines.write_record(None::<&[u8]>)
 }
 
@@ -143,7 +156,9 @@ mod tests {
             group,
             goal: None,
             position: DVec2::new(-1800.123456789, 0.1 + 0.2),
+            altitude: 2.7,
             velocity: Vec2::new(1.3, -0.25),
+            climb: -0.3,
             heading: 0.1,
             radius: 0.2,
             core: Vec2::ZERO,
@@ -156,7 +171,7 @@ mod tests {
     fn what_is_written_reads_back_to_the_same_bits() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("run.csv");
-        let setting = Setting { groups: vec!["red, \"quick\"".into()], ..Setting::default() };
+        let setting = Setting { groups: vec!["red, \"quick\"".into()], in_space: true, ..Setting::default() };
         let mut writer = CsvWriter::create(&path, &setting).unwrap();
         for k in 0..3 {
             writer
@@ -181,7 +196,20 @@ mod tests {
             assert_eq!(row[7].parse::<f32>().unwrap(), want.heading);
             assert_eq!(row[8].parse::<f32>().unwrap(), want.radius);
             assert_eq!(&row[9], "waiting");
+            assert_eq!((row[10].parse::<f32>().unwrap(), row[11].parse::<f32>().unwrap()), (want.altitude, want.climb));
         }
+    }
+
+    #[test]
+    fn on_the_ground_there_is_no_third_axis() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("run.csv");
+        let mut writer = CsvWriter::create(&path, &Setting::default()).unwrap();
+        writer.push(&Frame { bodies: vec![body(1, 0)], ..Frame::default() }).unwrap();
+        writer.finish().unwrap();
+        let mut reader = csv::Reader::from_path(&path).unwrap();
+        assert_eq!(reader.headers().unwrap().iter().collect::<Vec<_>>(), COLUMNS[..10]);
+        assert_eq!(reader.records().next().unwrap().unwrap().len(), 10);
     }
 
     #[test]

@@ -17,6 +17,8 @@ pub struct Setting {
     pub groups: Vec<String>,
     /// The goals; [`Body::goal`] indexes them.
     pub goals: Vec<Goal>,
+    /// Whether somebody flies, or will.
+    pub in_space: bool,
 }
 
 /// Everybody at one moment.
@@ -43,8 +45,12 @@ pub struct Body {
     pub goal: Option<u32>,
     /// Centre, world coordinates, metres.
     pub position: DVec2,
-    /// Velocity, m/s.
+    /// Height of its centre above the ground, metres.
+    pub altitude: f32,
+    /// Velocity along the ground, m/s.
     pub velocity: Vec2,
+    /// Velocity upwards, m/s.
+    pub climb: f32,
     /// Direction of the body, radians counter-clockwise from +x.
     pub heading: f32,
     /// Radius of a disc, or of the rounding of another body, metres.

@@ -23,6 +23,9 @@ const SCENES: &[(&str, &str)] = scenes![
     "crossing",
     "gathering",
     "robots",
+    // In the air.
+    "sphere",
+    "drones",
     // Bodies.
     "mixed-sizes",
     "vehicle",

@@ -11,6 +11,7 @@ pub fn crossing() -> Setting {
     };
     let pillar = |x: f64, y: f64| Obstacle::Circle { center: DVec2::new(x, y), radius: 0.45 };
     Setting {
+        in_space: false,
         title: "Two streams crossing".into(),
         walkable: vec![Walkable { outer: corners(0.0, 0.4, 24.0, 15.0), holes: vec![corners(9.0, 12.0, 12.5, 13.6)] }],
         obstacles: vec![
@@ -49,6 +50,8 @@ pub fn moment(k: usize) -> Frame {
             goal: Some(u32::from(!east)),
             position: DVec2::new(x, sway(along)),
             velocity,
+            altitude: 0.0,
+            climb: 0.0,
             heading: velocity.y.atan2(velocity.x),
             radius: 0.24,
             core: Vec2::ZERO,
@@ -67,6 +70,8 @@ pub fn moment(k: usize) -> Frame {
             goal: Some(2),
             position: DVec2::new(17.0, 12.8) + outward * DVec2::new(distance, distance.min(2.0)),
             velocity: if there { Vec2::ZERO } else { outward.as_vec2() * -0.35 },
+            altitude: 0.0,
+            climb: 0.0,
             heading: (angle + std::f64::consts::PI) as f32,
             radius: 0.24,
             core: Vec2::ZERO,

@@ -30,6 +30,8 @@ pub fn moment(k: usize) -> Frame {
         goal: Some(0),
         position,
         velocity,
+        altitude: 0.0,
+        climb: 0.0,
         heading: velocity.y.atan2(velocity.x),
         radius: 0.5,
         core: Vec2::ZERO,

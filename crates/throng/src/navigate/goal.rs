@@ -81,6 +81,14 @@ impl Goal {
         }
     }
 
+    /// The distance that counts as there, of a goal that is a point.
+    pub fn tolerance(&self) -> Option<f32> {
+        match self {
+            Self::Point { tolerance, .. } | Self::Air { tolerance, .. } => Some(*tolerance),
+            Self::Area { .. } | Self::Exit { .. } => None,
+        }
+    }
+
     /// From a place to the point straight on, and the distance that counts as there; `None` for an area.
     pub fn offset(&self, from: DVec3) -> Option<(DVec3, f32)> {
         match self {

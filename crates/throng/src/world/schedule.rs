@@ -29,6 +29,10 @@ impl Schedule {
         self.entries.is_empty()
     }
 
+    pub(super) fn anybody_flies(&self) -> bool {
+        self.entries.iter().any(|(_, agent)| agent.altitude != 0.0)
+    }
+
     pub(super) fn has(&self, number: u32) -> bool {
         self.entries.iter().any(|(_, agent)| agent.number == Some(number))
     }
