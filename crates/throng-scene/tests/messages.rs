@@ -99,6 +99,22 @@ a.toml:5:9: this value cannot be: the whole number -3, but should be a whole num
     |         ^^",
     );
     assert_message(
+        &group("place.sphere = { center = [0, 0, 9, 1], radius = 2 }"),
+        Kind::WrongType,
+        r"
+a.toml:5:27: this has the wrong number of entries: 4, but should be three numbers, [x, y, z]
+  5 | place.sphere = { center = [0, 0, 9, 1], radius = 2 }
+    |                           ^^^^^^^^^^^^",
+    );
+    assert_message(
+        &group("place.sphere = { center = [0, 0], radius = 2 }"),
+        Kind::WrongType,
+        r"
+a.toml:5:27: this has the wrong number of entries: 2, but should be three numbers, [x, y, z]
+  5 | place.sphere = { center = [0, 0], radius = 2 }
+    |                           ^^^^^^",
+    );
+    assert_message(
         &group("place.point = [0, 0, 0]"),
         Kind::WrongType,
         r"

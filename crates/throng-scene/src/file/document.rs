@@ -64,16 +64,16 @@ impl Document {
     /// Reads the document as a `T`.
     pub fn read<T: for<'de> Deserialize<'de>>(&self) -> Result<T, Error> {
         let tree = self.tree()?;
-        let surplus = not_a_pair(tree.get_ref());
+        let surplus = surplus(tree.get_ref(), 2);
         let read = T::deserialize(Deserializer::from(tree)).map_err(|error| {
             let out = serde_message::explain(error.message());
             self.place(out, error.span().unwrap_or(0..0))
         })?;
         match surplus {
             None => Ok(read),
-            Some((span, length)) => {
-                let message =
-                    format!("this has the wrong number of entries: {length}, but should be two numbers, [x, y]");
+            Some((span, length, most)) => {
+                let point = serde_message::point(most);
+                let message = format!("this has the wrong number of entries: {length}, but should be {point}");
                 Err(self.place(Error::new(Kind::WrongType, message), span))
             }
         }
@@ -138,23 +138,29 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
     span
 }
 
-/// Lists of numbers that may have any length; all others are pairs.
+/// Lists of numbers that may have any length; all others are points of the plane ...
 const NUMBER_LISTS: [&str; 2] = ["layers", "avoids"];
+/// ... but those in these tables, which are points in space.
+const IN_SPACE: [&str; 2] = ["sphere", "air"];
 
-/// The place of a list of numbers that is not a pair: the deserialiser would drop all after the second.
-fn not_a_pair(table: &DeTable) -> Option<(Range<usize>, usize)> {
-    fn inside(value: &Spanned<DeValue>) -> Option<(Range<usize>, usize)> {
+/// The place of a list with more numbers than a point has, how many, and how many it should have: the deserialiser
+/// would drop the surplus.
+fn surplus(table: &DeTable, most: usize) -> Option<(Range<usize>, usize, usize)> {
+    fn inside(value: &Spanned<DeValue>, most: usize) -> Option<(Range<usize>, usize, usize)> {
         match value.get_ref() {
-            DeValue::Table(table) => not_a_pair(table),
+            DeValue::Table(table) => surplus(table, most),
             DeValue::Array(items) => {
                 let number = |item: &Spanned<DeValue>| item.get_ref().is_float() || item.get_ref().is_integer();
-                if items.len() > 2 && items.iter().all(number) {
-                    return Some((value.span(), items.len()));
+                if items.len() > most && items.iter().all(number) {
+                    return Some((value.span(), items.len(), most));
                 }
-                items.iter().find_map(inside)
+                items.iter().find_map(|item| inside(item, most))
             }
             _ => None,
         }
     }
-    table.iter().filter(|(key, _)| !NUMBER_LISTS.contains(&key.get_ref().as_ref())).find_map(|(_, value)| inside(value))
+    let points = table.iter().filter(|(key, _)| !NUMBER_LISTS.contains(&key.get_ref().as_ref()));
+    points.into_iter().find_map(|(key, value)| {
+        inside(value, if IN_SPACE.contains(&key.get_ref().as_ref()) { 3 } else { most })
+    })
 }

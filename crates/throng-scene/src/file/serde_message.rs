@@ -97,6 +97,11 @@ fn quoted(message: &str) -> Vec<String> {
     message.split('`').skip(1).step_by(2).map(str::to_owned).collect()
 }
 
+/// What a point of so many coordinates is.
+pub(crate) fn point(coordinates: usize) -> &'static str {
+    if coordinates == 2 { "two numbers, [x, y]" } else { "three numbers, [x, y, z]" }
+}
+
 /// Rust's and serde's type names in plain words.
 fn in_plain_words(message: &str) -> String {
     let (found, expected) = match message.split_once(", expected ") {
@@ -121,7 +126,8 @@ fn in_plain_words(message: &str) -> String {
             "a boolean" => "true or false".to_owned(),
             "a string" => "a text in quotes".to_owned(),
             "a sequence" => "a list".to_owned(),
-            "an array of length 2" => "two numbers, [x, y]".to_owned(),
+            "an array of length 2" => point(2).to_owned(),
+            "an array of length 3" => point(3).to_owned(),
             text if text.starts_with("struct ") => "a table such as { key = value }".to_owned(),
             text if text.starts_with("enum ") || text == "string or map" || text == "string or table" => {
                 "a choice, as in `place.ring = { .. }`".to_owned()
