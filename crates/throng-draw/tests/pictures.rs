@@ -40,6 +40,40 @@ fn an_agent_has_the_colour_of_its_speed_or_goal_where_the_style_says_so() {
 }
 
 #[test]
+fn the_higher_is_above_and_the_lower_below() {
+    let mut frame = moment(0);
+    frame.bodies[0].position = frame.bodies[1].position;
+    let shown = |heights: [f32; 2], color_by| {
+        let mut frame = frame.clone();
+        for (body, height) in frame.bodies.iter_mut().zip(heights) {
+            body.altitude = height;
+        }
+        let (painter, image) = paint(&setting(), &Style { color_by, ..style() }, &frame);
+        at(&painter, &image, frame.bodies[1].position)
+    };
+    let [first, second] = [0, 1].map(|k| palette(frame.bodies[k].group as usize));
+    assert_eq!(shown([3.0, 1.0], ColorBy::Group), first);
+    assert_eq!(shown([1.0, 3.0], ColorBy::Group), second);
+    assert_eq!(shown([0.0, 0.0], ColorBy::Group), second, "at one height the later number");
+    assert_eq!(shown([4.0, 1.0], ColorBy::Altitude), ramp(1.0));
+}
+
+#[test]
+fn who_flies_has_a_shadow_that_leaves_with_the_height() {
+    let mut frame = moment(0);
+    frame.bodies.truncate(1);
+    let ground = Theme::light().ground;
+    let body = frame.bodies[0];
+    let dark = |height: f32, off: f64| {
+        let mut frame = frame.clone();
+        frame.bodies[0].altitude = height;
+        let (painter, image) = paint(&setting(), &Style { trails: 0.0, goals: false, ..style() }, &frame);
+        at(&painter, &image, body.position + DVec2::new(off, -off)) != ground
+    };
+    assert!(!dark(0.0, 0.6) && dark(5.0, 0.6) && !dark(10.0, 0.6) && dark(10.0, 1.2));
+}
+
+#[test]
 fn the_notch_is_in_front() {
     let frame = moment(0);
     let (painter, image) = paint(&setting(), &style(), &frame);

@@ -27,7 +27,8 @@ use std::path::Path;
 use throng::Status;
 
 /// The names of the columns, in order; the last two are for those who fly.
-pub const COLUMNS: [&str; 12] = ["number", "group", "time", "x", "y", "vx", "vy", "heading", "radius", "status", "z", "vz"];
+pub const COLUMNS: [&str; 12] =
+    ["number", "group", "time", "x", "y", "vx", "vy", "heading", "radius", "status", "z", "vz"];
 
 /// Writes trajectories as they happen. See the [module](self) for the columns.
 ///

@@ -1,5 +1,6 @@
 //! Where people stand and go.
 
+use glam::DVec3;
 use throng_scene::{Scene, gallery};
 
 fn plan(text: &str) -> throng_scene::Plan {
@@ -38,6 +39,62 @@ fn a_ring_goes_to_the_opposite_side() {
         let throng::Goal::Point { at, .. } = plan.goals[goal] else { panic!() };
         assert!((at + planned.agent.position).length() < 1e-12 && wait == 0.0);
     }
+}
+
+#[test]
+fn a_sphere_is_even_and_goes_to_its_antipodes() {
+    let plan = gallery::scene("sphere").unwrap().plan().unwrap();
+    let center = DVec3::new(0.0, 0.0, 10.0);
+    let place = |agent: &throng::Agent| agent.position.extend(agent.altitude.into()) - center;
+    let spots: Vec<DVec3> = plan.agents.iter().map(|planned| place(&planned.agent)).collect();
+    for (planned, spot) in plan.agents.iter().zip(&spots) {
+        let throng::Goal::Air { at, .. } = plan.goals[plan.journeys[planned.journey.unwrap()].stops[0].0] else {
+            panic!()
+        };
+        assert!((at - center + *spot).length() < 1e-5 && (spot.length() - 8.0).abs() < 1e-5);
+        let nearest =
+            spots.iter().filter(|other| *other != spot).map(|other| other.distance(*spot)).fold(9.0, f64::min);
+        // hexagons of that area would be as far apart as this
+        let even = 8.0 * (8.0 * std::f64::consts::PI / (3.0_f64.sqrt() * spots.len() as f64)).sqrt();
+        assert!(nearest > 0.75 * even, "{nearest} of {even}");
+    }
+    assert!(spots.iter().sum::<DVec3>().length() < 0.5 * spots.len() as f64 * 0.05, "no side has more");
+}
+
+#[test]
+fn those_who_start_in_the_air_have_their_own_goals_there() {
+    let goals = |goal: &str| -> Vec<(throng::Goal, f32)> {
+        let text = format!("[[group]]\nplace.points = [[0, 0], [4, 0]]\naltitude = {{ uniform = [2, 5] }}\n{goal}\n");
+        let plan = plan(&text);
+        let of = |planned: &throng_scene::PlannedAgent| plan.journeys[planned.journey.unwrap()].stops[0].0;
+        plan.agents.iter().map(|planned| (plan.goals[of(planned)].clone(), planned.agent.altitude)).collect()
+    };
+    for (text, rise, in_air) in [
+        ("goal.opposite = {}", 0.0, true),
+        ("goal.shift = { by = [0, 9], rise = 1.5 }", 1.5, true),
+        ("goal.points.at = [[0, 9], [4, 9]]", 0.0, true),
+        ("goal.point = [0, 9]", 0.0, false),
+    ] {
+        for (goal, altitude) in goals(text) {
+            assert!((2.0..5.0).contains(&altitude));
+            let want = in_air.then_some(f64::from(altitude) + rise);
+            assert!(goal.altitude().zip(want).is_none_or(|(a, b)| (a - b).abs() < 1e-6), "{text}: {goal:?}");
+            assert_eq!(goal.altitude().is_some(), in_air, "{text}");
+        }
+    }
+    let shared = goals("goal.air = { at = [1, 2, 3] }");
+    assert!(shared.iter().all(|(goal, _)| goal.altitude() == Some(3.0)));
+}
+
+/// One above the other is not in each other's way.
+#[test]
+fn spots_above_each_other_are_apart() {
+    let layers = |altitude: f64| {
+        let layer =
+            |z: f64| format!("[[group]]\nplace.grid = {{ columns = 3, rows = 3, spacing = 0.5 }}\naltitude = {z}\n");
+        (layer(1.0) + &layer(altitude)).parse::<Scene>().and_then(|scene| scene.plan()).is_ok()
+    };
+    assert!(layers(1.5) && !layers(1.3));
 }
 
 #[test]

@@ -187,6 +187,45 @@ a.toml:6:22: group `walkers`: body.radius.normal can give -0.10000000000000003 t
 }
 
 #[test]
+fn those_who_fly_stay_above_the_ground() {
+    let count = |text: &str| group(&format!("count = 2\n{text}"));
+    assert_message(
+        &count("place.sphere = { center = [0, 0, 3], radius = 4 }"),
+        Kind::OutOfRange,
+        r"
+a.toml:6:48: group `walkers`: place.sphere.radius is 4, but must be more than 0 and at most 3
+  6 | place.sphere = { center = [0, 0, 3], radius = 4 }
+    |                                               ^
+  hint: all of the sphere must be above the ground: put its center higher, or make it smaller",
+    );
+    assert_message(
+        &count("place.line = { from = [0, 0], to = [3, 0] }\naltitude = 3\ngoal.shift = { by = [9, 0], rise = -4 }"),
+        Kind::OutOfRange,
+        r"
+a.toml:8:14: the goal of agent 0 is -1 m above the ground, but must be from 0 to 20000
+  8 | goal.shift = { by = [9, 0], rise = -4 }
+    |              ^^^^^^^^^^^^^^^^^^^^^^^^^^",
+    );
+    assert_message(
+        &count("place.line = { from = [0, 0], to = [3, 0] }\nbody.capsule = { length = 2, width = 1 }\naltitude = 3"),
+        Kind::Conflict,
+        r"
+a.toml:8:12: group `walkers`: only bodies that are discs have an altitude: others stand upright without end
+  8 | altitude = 3
+    |            ^
+  hint: leave altitude away",
+    );
+    assert_message(
+        &count("place.sphere = { center = [0, 0, 9], radius = 4 }\naltitude = { uniform = [-1, 3] }"),
+        Kind::OutOfRange,
+        r"
+a.toml:7:25: group `walkers`: altitude.uniform[0] is -1, but must be from 0 to 20000
+  7 | altitude = { uniform = [-1, 3] }
+    |                         ^^",
+    );
+}
+
+#[test]
 fn agents_that_overlap_are_both_named() {
     assert_message(
         &group("place.points = [[0, 0], [5, 0], [5, 0]]"),

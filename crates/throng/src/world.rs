@@ -286,7 +286,8 @@ impl World {
         let trips = self.walkers().map(|row| {
             (agents.number[row], Ended { trip: agents.trip[row], preferred_speed: agents.preferred_speed[row] })
         });
-        let resting = self.walkers().filter(|&row| agents.velocity[row].extend(agents.climb[row]).length() < 0.05).count();
+        let resting =
+            self.walkers().filter(|&row| agents.velocity[row].extend(agents.climb[row]).length() < 0.05).count();
         let stuck = self
             .walkers()
             .filter(|&row| match agents.status[row] {

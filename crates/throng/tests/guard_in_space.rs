@@ -23,7 +23,11 @@ struct One {
 fn one(spread: f32, walls: bool) -> impl Strategy<Value = One> {
     let place = (-spread..spread, -spread..spread, prop_oneof![Just(0.0f32), 0.0..spread]);
     let push = (-1.0f32..1.0, -1.0f32..1.0, prop_oneof![Just(0.0f32), -1.0f32..1.0]);
-    let half = if walls { prop_oneof![3 => Just(0.0f32), 1 => 0.05f32..0.5] } else { prop_oneof![3 => Just(0.0f32), 0 => 0.0f32..0.5] };
+    let half = if walls {
+        prop_oneof![3 => Just(0.0f32), 1 => 0.05f32..0.5]
+    } else {
+        prop_oneof![3 => Just(0.0f32), 0 => 0.0f32..0.5]
+    };
     (place, 0.05f32..0.6, half, push).prop_map(|(place, radius, half, push)| One {
         place: place.into(),
         radius,

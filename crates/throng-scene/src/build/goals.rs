@@ -220,7 +220,8 @@ impl<'a> Goals<'a> {
                 let what = format!("the goal of agent {}", walker.k);
                 self.check_point(&each.path, at.truncate(), each.tolerance, walker.radius, &what)?;
                 if !(0.0..=HIGHEST).contains(&at.z) {
-                    let message = format!("{what} is {} m above the ground, but must be from 0 to {HIGHEST}", short(at.z));
+                    let message =
+                        format!("{what} is {} m above the ground, but must be from 0 to {HIGHEST}", short(at.z));
                     return Err(Problem::new(&each.path, Kind::OutOfRange, message));
                 }
                 stops.push((self.add(walker.goal(at, each.tolerance as f32)), wait));
@@ -368,7 +369,8 @@ impl Ways {
         if walkable.is_empty() && obstacles.is_empty() {
             return None;
         }
-        let [low, high] = bounds(starts.iter().map(|start| start.truncate()).chain(goals.iter().map(throng::Goal::middle)))?;
+        let [low, high] =
+            bounds(starts.iter().map(|start| start.truncate()).chain(goals.iter().map(throng::Goal::middle)))?;
         // as the world has it: a millimetre wider than the body
         let mesh = NavMesh::build(walkable, obstacles, radius + 0.001, (low, high)).ok()?;
         Some(Self { mesh, search: Search::new(), areas: HashMap::new() })

@@ -113,7 +113,8 @@ impl Scene {
             for (k, journey) in journeys.into_iter().enumerate() {
                 let (position, altitude) = (starts[i][k].truncate(), starts[i][k].z as f32);
                 let number = Some(agents.len() as u32);
-                let agent = throng::Agent { position, altitude, number, ..draws[i].agent(k) }.with_body(sizes[i][k].body);
+                let agent =
+                    throng::Agent { position, altitude, number, ..draws[i].agent(k) }.with_body(sizes[i][k].body);
                 let enters = count.enters.as_ref().map(|times| times[k]);
                 agents.push(PlannedAgent { agent, group: i, journey, script: None, enters });
             }

@@ -160,7 +160,7 @@ fn surplus(table: &DeTable, most: usize) -> Option<(Range<usize>, usize, usize)>
         }
     }
     let points = table.iter().filter(|(key, _)| !NUMBER_LISTS.contains(&key.get_ref().as_ref()));
-    points.into_iter().find_map(|(key, value)| {
-        inside(value, if IN_SPACE.contains(&key.get_ref().as_ref()) { 3 } else { most })
-    })
+    points
+        .into_iter()
+        .find_map(|(key, value)| inside(value, if IN_SPACE.contains(&key.get_ref().as_ref()) { 3 } else { most }))
 }

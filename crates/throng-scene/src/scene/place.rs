@@ -1,7 +1,7 @@
 //! Where agents start.
 
-use super::{Point, Spot};
 use super::ground::is_zero;
+use super::{Point, Spot};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

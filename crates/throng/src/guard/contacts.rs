@@ -48,7 +48,8 @@ impl Contacts {
                 let size = bodies.bound(other);
                 let rank = |row: usize| (bodies.bound(row), numbers[row]);
                 let range = (radius + size + reach + bodies.reach[other]) * 1.0001;
-                let above = if is_disc(row) && is_disc(other) { bodies.altitudes[other] - bodies.altitudes[row] } else { 0.0 };
+                let above =
+                    if is_disc(row) && is_disc(other) { bodies.altitudes[other] - bodies.altitudes[row] } else { 0.0 };
                 let distance_squared = near.distance_squared + above * above;
                 if rank(other) < rank(row) && distance_squared <= range * range && meets(row, other) {
                     found.smaller.push((near.number, near.row));

@@ -256,7 +256,8 @@ fn walls_are_safe(row: usize, solid: Solid<'_>, from: DVec2, motion: DVec2) -> b
         swept >= needed(radius, at_start) && !cross(from, to, edge.start, edge.end)
     }) && solid.discs(row).all(|disc| {
         let offset = disc.center - from;
-        nearest_approach(offset.extend(0.0), -motion.extend(0.0)) - disc.radius >= needed(radius, offset.length() - disc.radius)
+        nearest_approach(offset.extend(0.0), -motion.extend(0.0)) - disc.radius
+            >= needed(radius, offset.length() - disc.radius)
     })
 }
 

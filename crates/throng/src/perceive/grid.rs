@@ -241,9 +241,8 @@ impl Grid {
         for at in block.start as usize..block.end as usize {
             let mut near = self.near(from, at);
             let worst = if found.len() == k { found[k - 1] } else { limit };
-            let counts = |near: &Near| {
-                near.before(&worst) || near.distance_squared == limit.distance_squared && found.len() < k
-            };
+            let counts =
+                |near: &Near| near.before(&worst) || near.distance_squared == limit.distance_squared && found.len() < k;
             if counts(&near) && accept(&mut near) && counts(&near) {
                 if found.len() == k {
                     found.pop();

@@ -54,7 +54,12 @@ impl World {
         } else if agents.is_disc(row) {
             heading
         } else {
-            turn(heading, faces(self.step.wishes[row].truncate(), self.step.preferred[row].truncate(), most), seconds, most)
+            turn(
+                heading,
+                faces(self.step.wishes[row].truncate(), self.step.preferred[row].truncate(), most),
+                seconds,
+                most,
+            )
         }
     }
 
@@ -69,11 +74,8 @@ impl World {
             (agents.velocity[row], agents.climb[row]) = (velocity.truncate(), velocity.z);
             let before = agents.heading[row];
             let heading = if agents.is_disc(row) {
-                let facing = faces(
-                    agents.velocity[row],
-                    self.step.preferred[row].truncate(),
-                    agents.max_turn_rate[row],
-                );
+                let facing =
+                    faces(agents.velocity[row], self.step.preferred[row].truncate(), agents.max_turn_rate[row]);
                 turn(before, facing, seconds, agents.max_turn_rate[row])
             } else {
                 agents.spin[row] = wrap(target.heading - before) / seconds;

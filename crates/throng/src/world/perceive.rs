@@ -57,7 +57,10 @@ impl World {
             let flat = !group.model.looks_in_space();
             let accept = |near: &mut Near| {
                 let other = near.row as usize;
-                if other == row || !agents.avoids(row, other) || anybody_flies && flat && agents.passes_clear(row, other) {
+                if other == row
+                    || !agents.avoids(row, other)
+                    || anybody_flies && flat && agents.passes_clear(row, other)
+                {
                     return false;
                 }
                 if anybody_flies {
@@ -145,9 +148,8 @@ impl Long {
             if near.distance_squared > range * range {
                 continue;
             }
-            let place = found[..kept].partition_point(|other| {
-                (other.distance_squared, other.number) < (near.distance_squared, near.number)
-            });
+            let place = found[..kept]
+                .partition_point(|other| (other.distance_squared, other.number) < (near.distance_squared, near.number));
             if place < k {
                 // the kept ones are in front, by distance
                 kept = (kept + 1).min(k);
@@ -162,34 +164,58 @@ impl Long {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::avoid::{LocalModel, Orca, Orca3d};
     use crate::{Agent, Body, Group, Settings};
-    use glam::DVec2;
+    use glam::{DVec2, Vec2};
     use proptest::prelude::*;
+    use std::sync::Arc;
 
-    type One = ((f64, f64), f32, (f32, f32), bool);
+    type One = ((f64, f64), f32, (f32, f32), bool, f32);
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(300))]
 
         #[test]
         fn the_nearest_are_those_of_a_search_through_all(
-            all in prop::collection::vec(((-6.0..6.0, -6.0..6.0), -3.0f32..3.0, (0.2f32..4.0, 0.2f32..0.6), any::<bool>()), 1..40),
-            k in 1usize..8, range in 1.0f32..6.0,
+            all in prop::collection::vec(
+                (
+                    (-6.0..6.0, -6.0..6.0),
+                    -3.0f32..3.0,
+                    (0.2f32..4.0, 0.2f32..0.6),
+                    any::<bool>(),
+                    prop_oneof![Just(0.0f32), 0.0f32..4.0],
+                ),
+                1..40,
+            ),
+            k in 1usize..8, range in 1.0f32..6.0, looks_up: bool,
         ) {
             let mut world = World::new(Settings::default()).unwrap();
-            let group = Group { neighbours: k, neighbour_distance: range, ..Group::default() };
+            let model: Arc<dyn LocalModel> =
+                if looks_up { Arc::new(Orca3d::default()) } else { Arc::new(Orca::default()) };
+            let group = Group { neighbours: k, neighbour_distance: range, model, ..Group::default() };
             let group = world.add_group(group).unwrap();
-            for ((x, y), heading, (length, width), disc) in all as Vec<One> {
+            for ((x, y), heading, (length, width), disc, altitude) in all as Vec<One> {
                 let body = if disc { Body::disc(width) } else { Body::capsule(length, width) };
-                let agent = Agent { position: DVec2::new(x, y), heading: Some(heading), group, ..Agent::default() };
+                let position = DVec2::new(x, y);
+                let agent = Agent { position, altitude, heading: Some(heading), group, ..Agent::default() };
                 world.add_agent(agent.with_body(body)).unwrap();
             }
             world.perceive();
             let agents = &world.agents;
             for row in 0..agents.len() {
-                let others = (0..agents.len()).filter(|&other| other != row);
+                let above = |other: usize| {
+                    let spheres = agents.core[row] == Vec2::ZERO && agents.core[other] == Vec2::ZERO;
+                    if spheres { agents.altitude[other] - agents.altitude[row] } else { 0.0 }
+                };
+                let sees = |other: usize| {
+                    looks_up || above(other).abs() < (agents.radius[row] + agents.radius[other]) * 1.05
+                };
+                let others = (0..agents.len()).filter(|&other| other != row && sees(other));
+                let distance = |other: usize| {
+                    agents.offset(row, other).length_squared() + above(other) * above(other)
+                };
                 let mut nearest: Vec<(f32, u32)> =
-                    others.map(|other| (agents.offset(row, other).length_squared(), agents.number[other])).collect();
+                    others.map(|other| (distance(other), agents.number[other])).collect();
                 nearest.retain(|near| near.0 <= range * range);
                 nearest.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
                 nearest.truncate(k);
