@@ -1,7 +1,8 @@
 //! Pictures and video of worlds.
 //!
 //! [`Film`] turns the moments of a recording into a file of the kind its name says: MP4 or GIF, PNG or SVG, a folder of
-//! PNG files, or any other video that an installed ffmpeg writes. [`Painter`] paints single moments into memory, with
+//! PNG files, or any other video that an installed ffmpeg writes; a [`Sheet`] shows several recordings side by side.
+//! [`Painter`] paints single moments into memory, with
 //! the look that [`Style`] describes; [`sink`] holds the kinds of output for pictures of any origin.
 
 mod camera;
@@ -16,6 +17,7 @@ mod mark;
 mod painter;
 mod place;
 mod raster;
+mod sheet;
 pub mod sink;
 mod style;
 mod svg;
@@ -28,5 +30,6 @@ pub use error::Error;
 pub use film::{Film, Still};
 pub use image::Image;
 pub use painter::Painter;
+pub use sheet::{Sheet, columns, title_height};
 pub use sink::FrameSink;
 pub use style::{ColorBy, Style, Theme};

@@ -11,31 +11,25 @@ impl Painter {
     /// The moment as an SVG document, with the look of [`paint`](Self::paint).
     pub fn svg(&mut self, frame: &Frame) -> String {
         self.follow(frame);
-        let mut out = String::new();
-        self.write_svg(&mut out, frame).expect("writing to a string does not fail");
-        out
+        let (w, h) = (self.style.width, self.style.height);
+        document((w, h), |out| self.write_content(out, frame, ""))
     }
 
-    fn write_svg(&self, out: &mut String, frame: &Frame) -> fmt::Result {
+    /// What is inside the document; `tag` is added to the names of its parts.
+    fn write_content(&self, out: &mut String, frame: &Frame, tag: &str) -> fmt::Result {
         let (w, h) = (self.style.width, self.style.height);
-        writeln!(out, r#"<?xml version="1.0" encoding="UTF-8"?>"#)?;
-        writeln!(
-            out,
-            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" font-family="Ubuntu, 'Helvetica Neue', Arial, sans-serif" font-weight="300">"#
-        )?;
         writeln!(out, r#"<rect width="{w}" height="{h}" {}/>"#, fill(self.base()))?;
-        group(out, "place", |out| self.place.iter().try_for_each(|mark| write_mark(out, mark)))?;
-        group(out, "trails", |out| self.write_trails(out, frame))?;
-        group(out, "agents", |out| self.write_agents(out, frame))?;
-        group(out, "legend", |out| {
+        group(out, "place", tag, |out| self.place.iter().try_for_each(|mark| write_mark(out, mark)))?;
+        group(out, "trails", tag, |out| self.write_trails(out, frame))?;
+        group(out, "agents", tag, |out| self.write_agents(out, frame))?;
+        group(out, "legend", tag, |out| {
             self.legend.iter().try_for_each(|mark| write_mark(out, mark))?;
             if self.style.legend {
                 let moment = self.layout.moment(frame, &self.style, &self.typeface);
                 moment.iter().try_for_each(|mark| write_mark(out, mark))?;
             }
             Ok(())
-        })?;
-        writeln!(out, "</svg>")
+        })
     }
 
     fn write_trails(&self, out: &mut String, frame: &Frame) -> fmt::Result {
@@ -73,8 +67,43 @@ impl Painter {
     }
 }
 
-fn group(out: &mut String, id: &str, content: impl FnOnce(&mut String) -> fmt::Result) -> fmt::Result {
-    writeln!(out, r#"<g id="{id}">"#)?;
+/// Pictures at their places on one sheet, `(x, y)` of their upper left corners.
+pub(crate) fn sheet<'a>(
+    size: (u32, u32),
+    paper: Color,
+    title: &[Mark],
+    pictures: impl Iterator<Item = (&'a Painter, &'a Frame, (u32, u32))>,
+) -> String {
+    document(size, |out| {
+        writeln!(out, r#"<rect width="{}" height="{}" {}/>"#, size.0, size.1, fill(paper))?;
+        title.iter().try_for_each(|mark| write_mark(out, mark))?;
+        for (k, (painter, frame, (x, y))) in pictures.enumerate() {
+            let (w, h) = (painter.style.width, painter.style.height);
+            writeln!(out, r#"<svg x="{x}" y="{y}" width="{w}" height="{h}">"#)?;
+            painter.write_content(out, frame, &format!("-{}", k + 1))?;
+            writeln!(out, "</svg>")?;
+        }
+        Ok(())
+    })
+}
+
+fn document((w, h): (u32, u32), content: impl FnOnce(&mut String) -> fmt::Result) -> String {
+    let mut out = String::new();
+    let write = |out: &mut String| {
+        writeln!(out, r#"<?xml version="1.0" encoding="UTF-8"?>"#)?;
+        writeln!(
+            out,
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" font-family="Ubuntu, 'Helvetica Neue', Arial, sans-serif" font-weight="300">"#
+        )?;
+        content(out)?;
+        writeln!(out, "</svg>")
+    };
+    write(&mut out).expect("writing to a string does not fail");
+    out
+}
+
+fn group(out: &mut String, id: &str, tag: &str, content: impl FnOnce(&mut String) -> fmt::Result) -> fmt::Result {
+    writeln!(out, r#"<g id="{id}{tag}">"#)?;
     content(out)?;
     writeln!(out, "</g>")
 }
