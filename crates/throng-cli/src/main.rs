@@ -2,6 +2,7 @@
 
 mod args;
 mod check;
+mod compare;
 mod completions;
 mod failure;
 mod files;
@@ -9,7 +10,9 @@ mod interrupt;
 mod list;
 mod look;
 mod moment;
+mod options;
 mod out;
+mod pace;
 mod progress;
 mod report;
 mod run;
@@ -28,6 +31,7 @@ fn main() -> ExitCode {
     let mut out = Out::new();
     let result = match &arguments.command {
         Command::Run(args) => run::run(args, &mut out),
+        Command::Compare(args) => compare::compare(args, &mut out),
         Command::List(args) => list::list(args, &mut out),
         Command::Check(args) => check::check(args, &mut out),
         Command::Show(args) => show::show(args, &mut out),

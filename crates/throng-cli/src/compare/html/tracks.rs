@@ -1,0 +1,185 @@
+//! Trajectories, small enough for a page: a word of 32 bits an agent and frame.
+//!
+//! From the lowest bit: 12 bits x and 12 bits y in parts of the larger side of the box, 6 bits heading in parts of a
+//! turn, 2 bits status: 0 not there, 1 on its way, 2 arrived, 3 cannot arrive. At 25 frames a second at most; where
+//! that is more than the page should hold, every other frame is left out, again and again, and of very many agents only
+//! every n-th is kept.
+
+use super::super::race::Run;
+use glam::DVec2;
+use serde_json::{Value, json};
+use std::f32::consts::TAU;
+use throng::Status;
+use throng_draw::WorldBox;
+use throng_record::{Body, Frame};
+
+/// Words on a page: 12 MB of text.
+const BUDGET: usize = 2_250_000;
+/// Frames a run, for which rather agents are left out.
+const FRAMES: usize = 60;
+/// Frames a second.
+const RATE: f64 = 25.0;
+
+/// Trajectories of all runs.
+pub struct Tracks {
+    corner: DVec2,
+    quantum: f64,
+    /// Of so many agents one is kept.
+    every: usize,
+    /// Agents kept.
+    slots: usize,
+    /// Frames a run at most.
+    most: usize,
+    /// Steps from one frame to the next.
+    stride: u64,
+    finest: u64,
+    step: f64,
+    runs: Vec<Track>,
+    radius: Vec<f32>,
+    group: Vec<u32>,
+}
+
+#[derive(Default)]
+struct Track {
+    words: Vec<u32>,
+    arrived: Vec<usize>,
+    end: f64,
+}
+
+impl Tracks {
+    /// Of these runs, in this box.
+    pub fn new(runs: &[Run], view: WorldBox) -> Self {
+        let room = 0.1 * (view.max - view.min).max_element() + 1.0;
+        let (low, high) = (view.min - room, view.max + room);
+        let agents = runs.iter().map(|run| run.built.agents).max().unwrap_or(0);
+        let every = (agents * runs.len() * FRAMES).div_ceil(BUDGET).max(1);
+        let slots = agents.div_ceil(every);
+        let step = runs[0].world.settings().step;
+        // frames lie on steps, so that they are evenly apart
+        let finest = (1.0 / (RATE * step) - 1e-6).ceil().max(1.0) as u64;
+        Self {
+            corner: low,
+            quantum: (high - low).max_element() / 4095.0,
+            every,
+            slots,
+            most: (BUDGET / (slots * runs.len()).max(1)).max(2),
+            stride: finest,
+            finest,
+            step,
+            runs: runs.iter().map(|_| Track::default()).collect(),
+            radius: vec![0.0; slots],
+            group: vec![0; slots],
+        }
+    }
+
+    /// Takes in the runs that have moved on.
+    pub fn push(&mut self, runs: &[Run]) {
+        let now = runs.iter().map(|run| run.world.steps()).max().unwrap_or(0);
+        if now % self.stride != 0 {
+            return;
+        }
+        for (k, run) in runs.iter().enumerate().filter(|(_, run)| run.world.steps() == now) {
+            self.add(k, &run.frame);
+        }
+        if self.runs.iter().any(|run| run.arrived.len() > self.most) {
+            self.stride *= 2;
+            for run in &mut self.runs {
+                let mut words = run.words.chunks_exact(self.slots.max(1)).step_by(2).map(<[u32]>::to_vec);
+                run.words = words.by_ref().flatten().collect();
+                run.arrived = run.arrived.iter().copied().step_by(2).collect();
+            }
+        }
+    }
+
+    /// Adds the last moment of each run.
+    pub fn end(&mut self, runs: &[Run]) {
+        for (k, run) in runs.iter().enumerate() {
+            self.add(k, &run.frame);
+            self.runs[k].end = run.frame.time;
+        }
+    }
+
+    fn add(&mut self, run: usize, frame: &Frame) {
+        let from = self.runs[run].words.len();
+        self.runs[run].words.resize(from + self.slots, 0);
+        for body in frame.bodies.iter().filter(|body| body.number as usize % self.every == 0) {
+            let slot = body.number as usize / self.every;
+            if slot < self.slots {
+                (self.radius[slot], self.group[slot]) = (body.radius, body.group);
+                self.runs[run].words[from + slot] = self.word(body);
+            }
+        }
+        self.runs[run].arrived.push(frame.arrived);
+    }
+
+    fn word(&self, body: &Body) -> u32 {
+        let at = ((body.position - self.corner) / self.quantum).round().clamp(DVec2::ZERO, DVec2::splat(4095.0));
+        let heading = (body.heading.rem_euclid(TAU) / TAU * 64.0).round() as u32 % 64;
+        let status = match body.status {
+            Status::Walking | Status::Waiting => 1,
+            Status::Arrived => 2,
+            Status::Stranded => 3,
+        };
+        at.x as u32 | (at.y as u32) << 12 | heading << 24 | status << 30
+    }
+
+    /// What was left out, in words; empty for nothing.
+    pub fn left_out(&self) -> String {
+        let rate = if self.stride > self.finest {
+            format!("{:.3} frames a second", 1.0 / self.seconds())
+        } else {
+            String::new()
+        };
+        let agents = if self.every > 1 { format!("one of {} agents", self.every) } else { String::new() };
+        [rate, agents].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(", ")
+    }
+
+    /// From one frame to the next.
+    fn seconds(&self) -> f64 {
+        self.stride as f64 * self.step
+    }
+
+    /// As the page's script reads it. A run's last frame is at its end, the others are evenly apart.
+    pub fn json(&self) -> Value {
+        let runs = self.runs.iter().map(|run| {
+            let bytes: Vec<u8> = run.words.iter().flat_map(|word| word.to_le_bytes()).collect();
+            json!({ "frames": run.arrived.len(), "end": run.end, "arrived": run.arrived, "words": base64(&bytes) })
+        });
+        json!({
+            "corner": [self.corner.x, self.corner.y],
+            "quantum": self.quantum,
+            "seconds": self.seconds(),
+            "radius": self.radius,
+            "group": self.group,
+            "runs": runs.collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// RFC 4648.
+fn base64(bytes: &[u8]) -> String {
+    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let word = three.iter().fold(0, |word, &byte| word << 8 | u32::from(byte)) << (8 * (3 - three.len()));
+        for k in 0..4 {
+            let letter = LETTERS[(word >> (18 - 6 * k)) as usize & 63];
+            out.push(if k <= three.len() { char::from(letter) } else { '=' });
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn base64_is_as_the_standard_says() {
+        let pairs =
+            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy"), ("\0\u{7f}~", "AH9+")];
+        for (plain, want) in pairs {
+            assert_eq!(base64(plain.as_bytes()), want);
+        }
+    }
+}
