@@ -23,6 +23,7 @@ fn ten_neighbours(bencher: Bencher, density: f64) {
         let neighbour = |row: usize| Neighbour {
             offset: points[row] - from,
             velocity: velocities[row],
+            preferred: velocities[row],
             radii: 0.412,
             share: 0.5,
             room: 0.5,

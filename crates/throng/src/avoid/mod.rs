@@ -4,26 +4,35 @@
 //! the step, and answers with a velocity; it keeps no state. What it answers need not be safe: the
 //! [guard](crate::guard) makes it so.
 
+mod avo;
 mod clearpath;
 mod collision;
 mod explain;
+mod forbidden;
 mod half_plane;
 mod hrvo;
 mod none;
 mod obstacle_lines;
 mod orca;
 mod rvo;
+mod rvo_lab;
 mod sampling;
+mod turning;
 mod vo;
 
-pub use clearpath::{Forbidden, closest_outside};
+pub use avo::Avo;
+pub use clearpath::{ClearPath, closest_outside};
 pub use collision::{time_to_disc, time_to_segment};
 pub use explain::{Cause, Reason};
+pub use forbidden::Forbidden;
+use forbidden::Piece;
 pub use half_plane::{Line, closest_velocity, least_violation};
 pub use hrvo::Hrvo;
 pub use none::Unavoiding;
-pub use orca::Orca;
+pub use orca::{BuiltFrom, Orca};
 pub use rvo::Rvo;
+pub use rvo_lab::RvoLab;
+pub use sampling::Search;
 pub use vo::Vo;
 
 pub use crate::random::Dice;
@@ -37,6 +46,8 @@ pub struct Neighbour {
     pub offset: Vec2,
     /// Its velocity.
     pub velocity: Vec2,
+    /// The velocity it would like to have.
+    pub preferred: Vec2,
     /// Sum of the two radii, with the margin that the model keeps (see [`MARGIN`]).
     pub radii: f32,
     /// The choosing agent's share of the avoiding, 0 (none) to 1 (all).
@@ -46,6 +57,13 @@ pub struct Neighbour {
     pub room: f32,
     /// A unit vector for two agents in exactly one place; the other sees its opposite.
     pub aside: Vec2,
+}
+
+impl Neighbour {
+    /// Something that stands and does not avoid.
+    pub(crate) fn resting(offset: Vec2, radii: f32) -> Self {
+        Self { offset, velocity: Vec2::ZERO, preferred: Vec2::ZERO, radii, share: 1.0, room: 1.0, aside: Vec2::X }
+    }
 }
 
 /// A wall edge near the choosing agent.
@@ -83,6 +101,13 @@ pub struct View<'a> {
     pub max_speed: f32,
     /// Greatest change of velocity a second; infinite for none.
     pub max_acceleration: f32,
+    /// How far off the way it chose the body may get while it turns, metres; 0: it moves in any direction at once.
+    /// See [`Agent::tracking_error`](crate::Agent::tracking_error).
+    pub tracking_error: f32,
+    /// Greatest change of heading a second; infinite for none.
+    pub max_turn_rate: f32,
+    /// By what factor the radii of neighbours are larger than those of the bodies.
+    pub margin: f32,
     /// Seconds until it can choose again.
     pub step: f32,
     /// Others, nearest first.
@@ -104,6 +129,9 @@ impl Default for View<'_> {
             radius: 0.2,
             max_speed: 1.8,
             max_acceleration: 5.0,
+            tracking_error: 0.0,
+            max_turn_rate: f32::INFINITY,
+            margin: 1.0,
             step: 0.02,
             neighbours: &[],
             edges: &[],
@@ -122,6 +150,8 @@ pub struct Workspace {
     pub fallback: Vec<Line>,
     /// Regions of forbidden velocities.
     pub forbidden: Vec<Forbidden>,
+    /// What the half-planes, or the regions, come from.
+    pub causes: Vec<Cause>,
 }
 
 /// How the preferred velocity becomes a safe one.

@@ -3,7 +3,7 @@
 use super::World;
 use crate::agent::Status;
 use crate::avoid::{MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, View, Workspace};
-use crate::motion::{Limits, limit};
+use crate::motion::{Limits, follow, limit};
 use crate::parallel;
 use crate::random::{Dice, Purpose, unit};
 use crate::space::{Disc, Edge, NearWalls};
@@ -44,7 +44,7 @@ impl World {
         let group = &self.groups[agents.group[row].index()];
         let Scratch { near, neighbours, edges, discs, workspace } = scratch;
         let at = agents.position[row].as_dvec2();
-        let range = group.model.wall_range(agents.radius[row], agents.max_speed[row]);
+        let range = group.model.wall_range(agents.radius[row] + agents.tracking_error[row], agents.max_speed[row]);
         self.walls.near(at, f64::from(range), near);
         let to_local = |p: DVec2| (p - at).as_vec2();
         edges.clear();
@@ -70,9 +70,12 @@ impl World {
                 velocity: agents.velocity[row],
                 heading: agents.heading[row],
                 preferred: self.step.preferred[row],
-                radius: agents.radius[row],
+                radius: agents.radius[row] + agents.tracking_error[row],
                 max_speed: agents.max_speed[row],
                 max_acceleration: agents.max_acceleration[row],
+                tracking_error: agents.tracking_error[row],
+                max_turn_rate: agents.max_turn_rate[row],
+                margin,
                 step: seconds,
                 neighbours,
                 edges,
@@ -86,7 +89,10 @@ impl World {
             change: agents.max_acceleration[row] * seconds,
             turn: agents.max_turn_rate[row] * seconds,
         };
-        limit(wish, agents.velocity[row], agents.heading[row], limits)
+        let heading = agents.heading[row];
+        let drives = agents.tracking_error[row] > 0.0;
+        let wish = if drives { follow(wish, heading, agents.max_turn_rate[row], seconds) } else { wish };
+        limit(wish, agents.velocity[row], heading, limits)
     }
 
     /// What the random numbers of an agent depend on in this sub-step.
@@ -111,7 +117,9 @@ impl World {
         Neighbour {
             offset,
             velocity: velocity + granted,
-            radii: (agents.radius[row] + agents.radius[other]) * margin,
+            preferred: self.step.preferred[other],
+            radii: (agents.radius[row] + agents.radius[other]) * margin
+                + (agents.tracking_error[row] + agents.tracking_error[other]),
             share,
             room,
             aside: if offset == Vec2::ZERO { self.aside(row, other) } else { Vec2::X },
