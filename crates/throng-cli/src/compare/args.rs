@@ -37,7 +37,7 @@ Keys of --json (one object on standard output):
   scene, seeds     name of the scene; the seeds, in order
   models           [{ model, median: { .. }, least: { .. }, most: { .. }, runs: [{ seed, .. }] }], the figures under
                    the keys of `throng run --json`, and
-                     us_per_agent_step  microseconds of computing a move of one agent by one sub-step
+                     us_per_agent_step  microseconds of processor time for a move of one agent by one sub-step
                      interrupted        whether the run was interrupted
   wall_seconds     seconds it all took
   interrupted      whether it was interrupted: figures are those up to there, runs not begun are left out

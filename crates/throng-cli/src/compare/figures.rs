@@ -44,12 +44,7 @@ pub const FIGURES: [Figure; 10] = [
         ..figure("guard_share", "guard %", 2, "share of the moves that the guard changed by more than 1 %")
     },
     figure("heading_change_deg_per_s", "turning °/s", 1, "turning of the headings of those on their way, mean"),
-    figure(
-        "us_per_agent_step",
-        "µs/step",
-        2,
-        "microseconds of computing a move of one agent by one sub-step, on one thread",
-    ),
+    figure("us_per_agent_step", "µs/step", 2, "microseconds of processor time for a move of one agent by one sub-step"),
 ];
 
 /// A figure over the seeds. All three are not numbers where no run has it.

@@ -11,13 +11,16 @@ use std::path::PathBuf;
 use throng_draw::Film;
 use throng_record::{Frame, Output};
 
+/// A way to write the table.
+type Written = fn(&Plan, &Results, bool) -> String;
+
 /// All files. They get their names when they are complete; dropped before that, they leave nothing.
 pub struct Outputs {
     paths: Vec<PathBuf>,
     films: Vec<Film>,
     pages: Vec<(Output, Page)>,
     /// Files that hold the table, and how it is written.
-    tables: Vec<(Output, fn(&Plan, &Results, bool) -> String)>,
+    tables: Vec<(Output, Written)>,
     pace: Pace,
     /// Time of the last picture.
     last: Option<f64>,
@@ -32,7 +35,7 @@ impl Outputs {
         let paths = args.output.clone();
         distinct(&paths)?;
         let (mut films, mut pages) = (Vec::new(), Vec::new());
-        let mut tables: Vec<(Output, fn(&Plan, &Results, bool) -> String)> = Vec::new();
+        let mut tables: Vec<(Output, Written)> = Vec::new();
         let rate = args.film.rate(&plan.loaded.scene);
         for path in &paths {
             if is(path, "html") || is(path, "htm") {

@@ -2,6 +2,7 @@
 //! are free.
 
 use super::variant;
+use crate::clock::thread_time;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::moment;
@@ -11,7 +12,7 @@ use crate::source::Loaded;
 use crate::threads::Workers;
 use serde_json::{Map, Value, json};
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use throng::World;
 use throng_record::Frame;
 use throng_record::series::Series;
@@ -75,9 +76,9 @@ impl Run {
     }
 
     fn step(&mut self) {
-        let begin = Instant::now();
+        let begin = thread_time();
         self.world.step();
-        self.stepping += begin.elapsed();
+        self.stepping += thread_time().saturating_sub(begin);
     }
 
     /// Lets it be seen as it is now.

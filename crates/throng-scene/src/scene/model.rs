@@ -2,7 +2,7 @@
 
 use super::{Avoid, Scene};
 use crate::error::{Error, Kind};
-use crate::file::{explain, keys_of, unknown_key};
+use crate::file::{explain, keys_of, quoted, unknown_key};
 use serde::Deserialize;
 use std::fmt;
 use std::str::FromStr;
@@ -113,7 +113,7 @@ impl FromStr for Model {
         let mut values = Table::new();
         for part in parts {
             let value = part.split_once('=').and_then(|(key, value)| {
-                let value = format!("value = {}", value.trim()).parse::<Table>().ok()?.remove("value")?;
+                let value = format!("value = {}", quoted(value.trim())).parse::<Table>().ok()?.remove("value")?;
                 (!key.trim().is_empty()).then(|| (key.trim().replace('-', "_"), value))
             });
             let Some((key, value)) = value else {
@@ -170,7 +170,7 @@ mod tests {
         assert!(told("orcs").contains("did you mean `orca`?") && told("orcs").contains("hrvo, "), "{}", told("orcs"));
         assert!(told("orca:horizon=2").contains("did you mean `time_horizon`?"), "{}", told("orca:horizon=2"));
         assert!(told("orca:time_horizon").contains("after colons"));
-        assert!(told("orca:time_horizon=long").contains("is not a value"));
+        assert!(told("orca:time_horizon=long").contains("the text \"long\""), "{}", told("orca:time_horizon=long"));
         assert!(told("orca:time_horizon=true").contains("a number"), "{}", told("orca:time_horizon=true"));
     }
 }

@@ -76,18 +76,13 @@ impl Page {
             text if text.is_empty() => text,
             text => format!("Thinned, to keep the page small: {text}."),
         };
-        let seed = plan.seeds[0];
         let parts = [
             ("title", escape(plan.loaded.title())),
             ("description", scene.description.lines().map(escape).collect::<Vec<_>>().join("<br>")),
             ("facts", self.facts(plan)),
             ("table", table(results, all)),
-            ("caption", escape(&caption(plan, results))),
-            (
-                "interrupted",
-                if results.interrupted { "Interrupted: figures are those up to there." } else { "" }.into(),
-            ),
-            ("seed", format!("seed {seed}")),
+            ("caption", notes(plan, results)),
+            ("seed", format!("Seed {}", plan.seeds[0])),
             ("panels", panels(results)),
             ("thinned", left_out),
             ("legend", legend(results)),
@@ -181,6 +176,13 @@ fn swing_of(frames: &[Frame; 3], series: &Series) -> String {
     )
 }
 
+/// What is in the table, in words.
+fn notes(plan: &Plan, results: &Results) -> String {
+    let small = if plan.seeds.len() > 1 { " Small: from the least to the greatest." } else { "" };
+    let ended = if results.interrupted { " Interrupted: figures are those up to there." } else { "" };
+    format!("{}.{small}{ended}", escape(&caption(plan, results)))
+}
+
 fn table(results: &Results, all: bool) -> String {
     let head = FIGURES.iter().map(|figure| format!("<th title=\"{}\">{}</th>", escape(figure.meaning), figure.head));
     let mut out = format!("<thead><tr><th>model</th>{}</tr></thead>\n<tbody>\n", head.collect::<String>());
@@ -221,17 +223,23 @@ fn plots(series: &[&Series]) -> String {
     let lines = |figure: fn(&Point) -> f64| -> Vec<Vec<(f64, f64)>> {
         points.iter().map(|points| points.iter().map(|point| (point.time, figure(point))).collect()).collect()
     };
-    let any = f64::INFINITY;
-    let touching = Some((1.0, "1: two touch"));
-    let plots: [(&str, &str, fn(&Point) -> f64, f64, Option<(f64, &str)>); 5] = [
-        ("Arrived", "agents", |point| point.arrived as f64, any, None),
-        ("Least separation", "distance of centres over the sum of radii", |point| point.separation, FAR, touching),
-        ("Mean speed", "m/s, of those on their way", |point| point.speed, any, None),
-        ("Mean turning of headings", "°/s, of those on their way", |point| point.turning, any, None),
-        ("Mean swing of velocities", "m/s there and back in two steps", |point| point.swing, any, None),
+    let plot = |title, unit, figure: fn(&Point) -> f64| Plot {
+        title,
+        unit,
+        lines: lines(figure),
+        most: f64::INFINITY,
+        mark: None,
+        end,
+    };
+    let apart = plot("Least separation", "distance of centres over the sum of radii", |point| point.separation);
+    let plots = [
+        plot("Arrived", "agents", |point| point.arrived as f64),
+        Plot { most: FAR, mark: Some((1.0, "1: two touch")), ..apart },
+        plot("Mean speed", "m/s, of those on their way", |point| point.speed),
+        plot("Mean turning of headings", "°/s, of those on their way", |point| point.turning),
+        plot("Mean swing of velocities", "m/s there and back in two steps", |point| point.swing),
     ];
-    let plot = |(title, unit, figure, most, mark)| Plot { title, unit, lines: lines(figure), most, mark, end }.svg();
-    plots.into_iter().map(plot).collect()
+    plots.iter().map(Plot::svg).collect()
 }
 
 /// A template with its `{{names}}` replaced; what is put in is not looked at again.

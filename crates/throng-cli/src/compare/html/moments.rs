@@ -35,10 +35,11 @@ pub fn pictures(frames: &[Frame; 3], setting: &Setting, colors: &[String]) -> St
                 write!(out, "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{r:.1}\" fill=\"{color}\"/>");
         }
         for body in &near {
+            let wild = if body.number == middle { " wild" } else { "" };
             if let Some(last) = before.and_then(|frame| at(frame, body.number)) {
-                window.arrow(body.position, last.velocity, "arrow ghost", &mut out);
+                window.arrow(body.position, last.velocity, &format!("arrow ghost{wild}"), &mut out);
             }
-            window.arrow(body.position, body.velocity, "arrow", &mut out);
+            window.arrow(body.position, body.velocity, &format!("arrow{wild}"), &mut out);
         }
         let _ = writeln!(out, "</svg><figcaption>{:.2} s</figcaption></figure>", frame.time);
     }

@@ -33,12 +33,14 @@ const wordStatus = w => w >>> 30;
 function fit(panel) {
   const [x0, y0, x1, y1] = view, canvas = panel.canvas, ratio = window.devicePixelRatio || 1;
   const width = canvas.clientWidth, shape = (y1 - y0) / (x1 - x0);
-  const height = Math.round(Math.min(Math.max(width * shape, width * 0.3), width));
+  // all rows and the controls are on the screen at once, unless that makes them small
+  const rows = Math.ceil(panels.length / data.columns), room = Math.max(0.78 * window.innerHeight / rows - 36, 240);
+  const height = Math.round(Math.min(Math.max(width * shape, width * 0.3), width, room));
   canvas.style.height = height + "px";
   canvas.width = Math.round(width * ratio);
   canvas.height = Math.round(height * ratio);
-  const room = 12 * ratio;
-  const scale = Math.min((canvas.width - 2 * room) / (x1 - x0), (canvas.height - 2 * room) / (y1 - y0));
+  const edge = 12 * ratio;
+  const scale = Math.min((canvas.width - 2 * edge) / (x1 - x0), (canvas.height - 2 * edge) / (y1 - y0));
   panel.scale = scale;
   panel.x = x => canvas.width / 2 + (x - (x0 + x1) / 2) * scale;
   panel.y = y => canvas.height / 2 - (y - (y0 + y1) / 2) * scale;
@@ -276,7 +278,9 @@ if (data.groups.length > 1) data.groups.slice(0, 12).forEach((name, k) => {
   document.querySelector(".groups").append(entry);
 });
 let waiting = null;
-new ResizeObserver(() => { cancelAnimationFrame(waiting); waiting = requestAnimationFrame(dress); }).observe(document.querySelector(".panels"));
+const again = () => { cancelAnimationFrame(waiting); waiting = requestAnimationFrame(dress); };
+new ResizeObserver(again).observe(document.querySelector(".panels"));
+addEventListener("resize", again);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", dress);
 addEventListener("hashchange", fromHash);
 dress();

@@ -56,15 +56,8 @@ impl Plot<'_> {
         }
         let _ = writeln!(out, "<path class=\"axis\" d=\"M{left} {}H{}\"/>", height - below, width - right);
         let _ = writeln!(out, "<text class=\"tick end\" x=\"{}\" y=\"{}\">time, s</text>", width - right, height - 4.0);
-        if let Some((value, meaning)) = self.mark {
-            let at = y(value);
-            let _ = write!(out, "<path class=\"mark\" d=\"M{left} {at:.1}H{:.1}\"/>", width - right);
-            let _ = writeln!(
-                out,
-                "<text class=\"tick end\" x=\"{}\" y=\"{:.1}\">{meaning}</text>",
-                width - right,
-                at - 5.0
-            );
+        if let Some((value, _)) = self.mark {
+            let _ = writeln!(out, "<path class=\"mark\" d=\"M{left} {:.1}H{:.1}\"/>", y(value), width - right);
         }
         for (k, line) in self.lines.iter().enumerate() {
             let mut path = String::new();
@@ -80,6 +73,10 @@ impl Plot<'_> {
             if !path.is_empty() {
                 let _ = writeln!(out, "<path class=\"line m{}\" d=\"{path}\"/>", k % 8);
             }
+        }
+        if let Some((value, meaning)) = self.mark {
+            let (x, y) = (left + 6.0, y(value) + 15.0);
+            let _ = writeln!(out, "<text class=\"tick over\" x=\"{x}\" y=\"{y:.1}\">{meaning}</text>");
         }
         let _ = write!(out, "<path class=\"now\" d=\"M{left} {above}V{}\"/>", height - below);
         out.push_str("\n</svg></figure>\n");

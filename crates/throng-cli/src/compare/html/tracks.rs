@@ -102,7 +102,7 @@ impl Tracks {
     fn add(&mut self, run: usize, frame: &Frame) {
         let from = self.runs[run].words.len();
         self.runs[run].words.resize(from + self.slots, 0);
-        for body in frame.bodies.iter().filter(|body| body.number as usize % self.every == 0) {
+        for body in frame.bodies.iter().filter(|body| (body.number as usize).is_multiple_of(self.every)) {
             let slot = body.number as usize / self.every;
             if slot < self.slots {
                 (self.radius[slot], self.group[slot]) = (body.radius, body.group);
