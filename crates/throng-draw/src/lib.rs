@@ -30,6 +30,7 @@ pub use error::Error;
 pub use film::{Film, Still};
 pub use image::Image;
 pub use painter::Painter;
+pub use place::points_to_go;
 pub use sheet::{Sheet, columns, title_height};
 pub use sink::FrameSink;
 pub use style::{ColorBy, Style, Theme};

@@ -1,6 +1,8 @@
 //! The page: one file without network, with the table, figures over time, a player and the wildest moments.
 
+mod charts;
 mod moments;
+mod place;
 mod plot;
 mod tracks;
 
@@ -10,11 +12,11 @@ use super::table::{Row, caption, rows};
 use crate::failure::Failure;
 use crate::moment;
 use crate::options::FilmArgs;
-use plot::Plot;
+use glam::DVec2;
+use place::place;
 use serde_json::{Value, json};
-use throng::{Goal, Obstacle};
-use throng_draw::{Style, WorldBox, columns, palette};
-use throng_record::series::{Point, Series};
+use throng_draw::{Style, WorldBox, columns, palette, points_to_go};
+use throng_record::series::Series;
 use throng_record::{Frame, Setting};
 use tracks::Tracks;
 
@@ -22,14 +24,11 @@ const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
-/// Points of a line of a plot, at most.
-const POINTS: usize = 400;
-/// Separations above this are not told apart: what is of interest is near 1.
-const FAR: f64 = 3.0;
-
 /// A page being made.
 pub struct Page {
     setting: Setting,
+    /// Point goals and their tolerances.
+    points: Vec<(DVec2, f64)>,
     colors: Vec<String>,
     trails: f32,
     view: WorldBox,
@@ -54,7 +53,8 @@ impl Page {
         let view = view.unwrap_or(all);
         let held = WorldBox { min: view.min.min(all.min), max: view.max.max(all.max) };
         let (count, agents) = (runs.len(), runs[0].built.agents);
-        Ok(Self { setting, colors, trails, view, count, agents, tracks: Tracks::new(runs, held) })
+        let points = points_to_go(&setting, &runs[0].frame).collect();
+        Ok(Self { setting, points, colors, trails, view, count, agents, tracks: Tracks::new(runs, held) })
     }
 
     /// Takes in the runs that have moved on.
@@ -86,7 +86,7 @@ impl Page {
             ("panels", panels(results)),
             ("thinned", left_out),
             ("legend", legend(results)),
-            ("plots", plots(&series)),
+            ("plots", charts::plots(&series, self.agents)),
             ("moments", self.moments(results, &series)),
             ("style", STYLE.to_owned()),
             // a script ends at the first `</`
@@ -123,47 +123,18 @@ impl Page {
 
     /// What the script draws.
     fn data(&self) -> Value {
-        let setting = &self.setting;
-        let pair = |p: &glam::DVec2| json!([short(p.x), short(p.y)]);
-        let ring = |points: &[glam::DVec2]| Value::from_iter(points.iter().map(pair));
-        let areas = setting
-            .walkable
-            .iter()
-            .map(|area| Value::from_iter(std::iter::once(&area.outer).chain(&area.holes).map(|points| ring(points))));
-        let mut place = json!({ "walkable": Value::from_iter(areas), "circles": [], "polygons": [], "walls": [],
-            "points": [], "areas": [], "exits": [] });
-        let mut add = |kind: &str, value: Value| place[kind].as_array_mut().map(|list| list.push(value));
-        for obstacle in &setting.obstacles {
-            let _ = match obstacle {
-                Obstacle::Circle { center, radius } => add("circles", json!([center.x, center.y, radius])),
-                Obstacle::Polygon { corners } => add("polygons", ring(corners)),
-                Obstacle::Wall { points } => add("walls", ring(points)),
-            };
-        }
-        for goal in &setting.goals {
-            let _ = match goal {
-                Goal::Point { at, tolerance } => add("points", json!([short(at.x), short(at.y), tolerance])),
-                Goal::Area { corners } => add("areas", ring(corners)),
-                Goal::Exit { corners } => add("exits", ring(corners)),
-            };
-        }
-        let size = self.view.max - self.view.min;
+        let (setting, size) = (&self.setting, self.view.max - self.view.min);
         json!({
             "view": [self.view.min.x, self.view.min.y, self.view.max.x, self.view.max.y],
-            "columns": columns(self.count, (size.x / size.y).clamp(0.5, 4.0), 2.0),
+            "columns": columns(self.count, 0.9 * (size.x / size.y).clamp(0.7, 4.0), 2.0),
             "agents": self.agents,
             "trails": self.trails,
             "colors": self.colors,
             "groups": setting.groups,
-            "place": place,
+            "place": place(setting, &self.points),
             "tracks": self.tracks.json(),
         })
     }
-}
-
-/// Millimetres are enough for a picture.
-fn short(metres: f64) -> f64 {
-    (metres * 1e3).round() / 1e3
 }
 
 /// How much velocities swung at these moments.
@@ -200,46 +171,22 @@ fn table(results: &Results, all: bool) -> String {
 }
 
 fn panels(results: &Results) -> String {
-    let panel = |(label, _): &(String, _)| {
-        format!(
-            "<figure class=\"panel\"><figcaption><b>{}</b><span></span></figcaption><canvas></canvas></figure>\n",
-            escape(label)
-        )
+    let panel = |(k, (label, _)): (usize, &(String, _))| {
+        let name = format!("<b>{}{}</b>", swatch(k), escape(label));
+        format!("<figure class=\"panel\"><figcaption>{name}<span></span></figcaption><canvas></canvas></figure>\n")
     };
-    results.models.iter().map(panel).collect()
+    results.models.iter().enumerate().map(panel).collect()
 }
 
 fn legend(results: &Results) -> String {
-    let entry = |(k, (label, _)): (usize, &(String, _))| {
-        let line = format!("<svg viewBox=\"0 0 26 8\"><path class=\"line m{}\" d=\"M1 4H25\"/></svg>", k % 8);
-        format!("<span>{line}{}</span>\n", escape(label))
-    };
+    let entry = |(k, (label, _)): (usize, &(String, _))| format!("<span>{}{}</span>\n", swatch(k), escape(label));
     results.models.iter().enumerate().map(entry).collect()
 }
 
-fn plots(series: &[&Series]) -> String {
-    let points: Vec<Vec<Point>> = series.iter().map(|series| series.thinned(POINTS)).collect();
-    let end = points.iter().filter_map(|points| points.last()).map(|point| point.time).fold(0.0, f64::max);
-    let lines = |figure: fn(&Point) -> f64| -> Vec<Vec<(f64, f64)>> {
-        points.iter().map(|points| points.iter().map(|point| (point.time, figure(point))).collect()).collect()
-    };
-    let plot = |title, unit, figure: fn(&Point) -> f64| Plot {
-        title,
-        unit,
-        lines: lines(figure),
-        most: f64::INFINITY,
-        mark: None,
-        end,
-    };
-    let apart = plot("Least separation", "distance of centres over the sum of radii", |point| point.separation);
-    let plots = [
-        plot("Arrived", "agents", |point| point.arrived as f64),
-        Plot { most: FAR, mark: Some((1.0, "1: two touch")), ..apart },
-        plot("Mean speed", "m/s, of those on their way", |point| point.speed),
-        plot("Mean turning of headings", "°/s, of those on their way", |point| point.turning),
-        plot("Mean swing of velocities", "m/s there and back in two steps", |point| point.swing),
-    ];
-    plots.iter().map(Plot::svg).collect()
+/// The line of a model in plots.
+fn swatch(model: usize) -> String {
+    let line = format!("<path class=\"line m{}\" d=\"M1 4H25\"/>", model % 8);
+    format!("<svg class=\"swatch\" viewBox=\"0 0 26 8\">{line}</svg>")
 }
 
 /// A template with its `{{names}}` replaced; what is put in is not looked at again.

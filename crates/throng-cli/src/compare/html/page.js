@@ -35,7 +35,7 @@ function fit(panel) {
   const width = canvas.clientWidth, shape = (y1 - y0) / (x1 - x0);
   // all rows and the controls are on the screen at once, unless that makes them small
   const rows = Math.ceil(panels.length / data.columns), room = Math.max(0.78 * window.innerHeight / rows - 36, 240);
-  const height = Math.round(Math.min(Math.max(width * shape, width * 0.3), width, room));
+  const height = Math.round(Math.min(Math.max((width - 24) * shape + 24, 60), width, room));
   canvas.style.height = height + "px";
   canvas.width = Math.round(width * ratio);
   canvas.height = Math.round(height * ratio);

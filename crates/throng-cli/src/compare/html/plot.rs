@@ -16,8 +16,8 @@ pub struct Plot<'a> {
     pub unit: &'a str,
     /// The lines, by model: times and values; gaps where a value is no number.
     pub lines: Vec<Vec<(f64, f64)>>,
-    /// Values above this are cut off.
-    pub most: f64,
+    /// The top of the axis is at least the first; values above the second are cut off.
+    pub top: [f64; 2],
     /// A value to mark, and what it means.
     pub mark: Option<(f64, &'a str)>,
     /// The end of the time axis, seconds.
@@ -30,7 +30,7 @@ impl Plot<'_> {
         let [width, height] = SIZE;
         let ([left, below], [right, above]) = (CORNER, ROOM);
         let highest = self.lines.iter().flatten().map(|point| point.1).filter(|y| y.is_finite()).fold(0.0, f64::max);
-        let top = round_up(highest.min(self.most).max(self.mark.map_or(0.0, |mark| mark.0 * 1.25)).max(1e-3));
+        let top = round_up(highest.max(self.top[0]).min(self.top[1]));
         let end = self.end.max(1e-3);
         let x = |t: f64| left + t / end * (width - left - right);
         let y = |value: f64| height - below - value.min(top) / top * (height - below - above);
@@ -121,7 +121,7 @@ mod tests {
     #[test]
     fn a_gap_lifts_the_pen() {
         let line = vec![(0.0, 1.0), (1.0, 1.0), (2.0, f64::NAN), (3.0, 1.0), (4.0, 1.0)];
-        let plot = Plot { title: "", unit: "", lines: vec![line], most: 9.0, mark: None, end: 4.0 };
+        let plot = Plot { title: "", unit: "", lines: vec![line], top: [1.0, 9.0], mark: None, end: 4.0 };
         let svg = plot.svg();
         let path = svg.lines().find(|line| line.contains("line m0")).unwrap();
         assert_eq!((path.matches('M').count(), path.matches('L').count()), (2, 2), "{path}");

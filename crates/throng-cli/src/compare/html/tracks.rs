@@ -49,10 +49,15 @@ struct Track {
 impl Tracks {
     /// Of these runs, in this box.
     pub fn new(runs: &[Run], view: WorldBox) -> Self {
+        Self::within(BUDGET, runs, view)
+    }
+
+    /// In so many words.
+    fn within(budget: usize, runs: &[Run], view: WorldBox) -> Self {
         let room = 0.1 * (view.max - view.min).max_element() + 1.0;
         let (low, high) = (view.min - room, view.max + room);
         let agents = runs.iter().map(|run| run.built.agents).max().unwrap_or(0);
-        let every = (agents * runs.len() * FRAMES).div_ceil(BUDGET).max(1);
+        let every = (agents * runs.len() * FRAMES).div_ceil(budget).max(1);
         let slots = agents.div_ceil(every);
         let step = runs[0].world.settings().step;
         // frames lie on steps, so that they are evenly apart
@@ -62,7 +67,7 @@ impl Tracks {
             quantum: (high - low).max_element() / 4095.0,
             every,
             slots,
-            most: (BUDGET / (slots * runs.len()).max(1)).max(2),
+            most: (budget / (slots * runs.len()).max(1)).max(2),
             stride: finest,
             finest,
             step,
@@ -126,7 +131,7 @@ impl Tracks {
     /// What was left out, in words; empty for nothing.
     pub fn left_out(&self) -> String {
         let rate = if self.stride > self.finest {
-            format!("{:.3} frames a second", 1.0 / self.seconds())
+            format!("{} frames a second", (100.0 / self.seconds()).round() / 100.0)
         } else {
             String::new()
         };
@@ -172,7 +177,47 @@ fn base64(bytes: &[u8]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::race::{Plan, Race};
     use super::*;
+    use crate::progress::Progress;
+    use crate::threads::Workers;
+
+    /// The scene headon, 2 people, 100 steps of 0.04 s in so many words for two models.
+    fn headon(budget: usize) -> Tracks {
+        use crate::args::{Arguments, Command};
+        use clap::Parser;
+        let arguments = Arguments::parse_from(["throng", "compare", "headon", "-m", "vo,orca"]);
+        let Command::Compare(args) = arguments.command else { panic!() };
+        let (loaded, models) = (args.scene.load().unwrap(), args.models().unwrap());
+        let plan = Plan { loaded, models, seeds: vec![1] };
+        let workers = Workers::new(1, 1).unwrap();
+        let mut race = Race::start(&plan, &workers, Progress::new(true)).unwrap();
+        let view = WorldBox { min: DVec2::splat(-10.0), max: DVec2::splat(10.0) };
+        let mut tracks = Tracks::within(budget, race.leaders(), view);
+        tracks.push(race.leaders());
+        for _ in 0..100 {
+            assert!(race.step());
+            tracks.push(race.leaders());
+        }
+        tracks.end(race.leaders());
+        tracks
+    }
+
+    #[test]
+    fn what_would_be_too_much_is_thinned_evenly() {
+        let whole = headon(BUDGET);
+        assert_eq!((whole.left_out().as_str(), whole.runs[0].arrived.len(), whole.seconds()), ("", 102, 0.04));
+        // 102 frames of 2 agents of 2 models are 408 words
+        let thin = headon(250);
+        assert_eq!((thin.left_out().as_str(), thin.runs[1].arrived.len()), ("12.5 frames a second", 52));
+        for (k, words) in thin.runs[1].words.chunks_exact(2).enumerate() {
+            let frame = if k == 51 { 101 } else { 2 * k };
+            assert_eq!(words, &whole.runs[1].words[2 * frame..][..2]);
+        }
+        let few = headon(200);
+        assert_eq!((few.left_out().as_str(), few.runs[1].words.len()), ("12.5 frames a second, one of 2 agents", 52));
+        assert!(few.runs[1].words.iter().zip(thin.runs[1].words.chunks_exact(2)).all(|(one, both)| *one == both[0]));
+    }
 
     #[test]
     fn base64_is_as_the_standard_says() {
