@@ -1,7 +1,7 @@
 //! The command line.
 
-use crate::compare::CompareArgs;
-use crate::compare::{COMPARE, COMPARE_SHORT};
+use crate::compare::{COMPARE, COMPARE_SHORT, CompareArgs};
+use crate::explain::args::{self as explain, ExplainArgs};
 use crate::look::LookArgs;
 use crate::options::{EndArgs, FilmArgs, ThreadArgs};
 use crate::source::SceneArgs;
@@ -25,6 +25,7 @@ Examples:
   throng compare circle -o c.html    the local models side by side
   throng check plan.toml             is it right, and what would it do?
   throng show doorway                a picture of the start, doorway.png
+  throng explain circle --agent 3    why agent 3 goes where it goes, circle-agent-3.svg
 
 Exit codes: 0 done; 1 the scene did not show what its [expect] says; 2 an error; 130 interrupted.";
 
@@ -52,6 +53,9 @@ pub enum Command {
     /// Draws the start of a scene
     #[command(after_help = SHOW)]
     Show(ShowArgs),
+    /// Draws why one agent goes where it goes: its velocity space at one moment
+    #[command(after_help = explain::SHORT, after_long_help = explain::LONG)]
+    Explain(Box<ExplainArgs>),
     /// Writes the JSON schema of scene files to standard output
     ///
     /// Editors that know it complete and check the keys of scene files while one types.

@@ -164,3 +164,15 @@ pub fn film(path: &Path, sheet: impl Into<Sheet>, style: &Style, rate: f64, othe
     }
     Ok(Film::create(path, sheet, style, rate)?)
 }
+
+/// That a path names a single picture, which is all that `command` writes.
+///
+/// # Errors
+/// It names something else.
+pub fn one_picture(path: &Path, command: &str) -> Result<(), Failure> {
+    if matches!(Kind::of(path), Ok(Kind::Png | Kind::Svg)) {
+        return Ok(());
+    }
+    let text = format!("{}: `{command}` draws one picture", path.display());
+    Err(Failure::hint(text, "end the name in .png or .svg; `throng run` writes everything else"))
+}

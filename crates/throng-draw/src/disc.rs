@@ -8,7 +8,7 @@ use crate::image::{Image, blend};
 use glam::Vec2;
 
 /// One disc, in pixels.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Disc {
     pub center: Vec2,
     pub radius: f32,

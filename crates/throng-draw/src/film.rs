@@ -1,8 +1,9 @@
 //! From moments to a finished file: a painter and a sink in one.
 
+use crate::picture::Picture;
 use crate::sheet::SheetPainter;
-use crate::sink::{Ahead, FrameSink, Kind, encode_png, sink};
-use crate::{Error, Image, Sheet, Style};
+use crate::sink::{Ahead, FrameSink, Kind, sink};
+use crate::{Error, Sheet, Style};
 use std::path::{Path, PathBuf};
 use throng_record::{Frame, Output};
 
@@ -47,12 +48,6 @@ enum Target {
     Moving(Box<dyn FrameSink>),
     /// One moment is painted.
     Still { which: Still, kind: Kind, picture: Option<Picture>, last: Vec<Frame>, output: Output },
-}
-
-/// A finished still.
-enum Picture {
-    Pixels(Image),
-    Vector(String),
 }
 
 impl Film {
@@ -137,18 +132,12 @@ impl Film {
     /// It cannot be written, or nothing was pushed.
     pub fn finish(self) -> Result<(), Error> {
         let Some(mut painter) = self.painter else { return Err(Error::Empty { path: self.path }) };
-        let (kind, picture, last, mut output) = match self.target {
+        let (kind, picture, last, output) = match self.target {
             Target::Moving(sink) => return sink.finish(),
             Target::Still { kind, picture, last, output, .. } => (kind, picture, last, output),
         };
         let picture = picture.unwrap_or_else(|| picture_of(&mut painter, kind, &last.iter().collect::<Vec<_>>()));
-        match picture {
-            Picture::Pixels(image) => encode_png(output, &image),
-            Picture::Vector(text) => {
-                output.put(text.as_bytes())?;
-                Ok(output.finish()?)
-            }
-        }
+        picture.write(output)
     }
 }
 

@@ -151,7 +151,7 @@ impl Layout {
 }
 
 /// The greatest of 1, 2 and 5 times a power of ten that is not above `most`.
-fn round_length(most: f64) -> f64 {
+pub(crate) fn round_length(most: f64) -> f64 {
     if !(most.is_finite() && most > 0.0) {
         return 1.0;
     }

@@ -64,7 +64,7 @@ impl Painter {
         let everything = WorldBox { min: DVec2::splat(-5.0), max: DVec2::splat(5.0) };
         let view = style.view.or_else(|| WorldBox::of(setting, first)).unwrap_or(everything);
         // A single agent is not blown up to fill the picture.
-        let view = if style.view.is_some() { view } else { at_least(view, 4.0) };
+        let view = if style.view.is_some() { view } else { view.at_least(4.0) };
         let camera = Camera::fit(view, low, high);
         let look = Look::new(setting, style, first);
         let mut typeface = Type::new();
@@ -182,11 +182,4 @@ impl Brush {
             End { at: self.camera.pixel(point), half: half * (0.35 + 0.65 * fresh), opacity: TRAIL_OPACITY * fresh }
         })
     }
-}
-
-/// `view`, or a box round its middle, with sides of at least `side` metres.
-fn at_least(view: WorldBox, side: f64) -> WorldBox {
-    let half = (view.max - view.min).max(DVec2::splat(side)) * 0.5;
-    let center = (view.min + view.max) * 0.5;
-    WorldBox { min: center - half, max: center + half }
 }

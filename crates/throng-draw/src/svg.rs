@@ -1,6 +1,6 @@
 //! A moment as a vector picture.
 
-use crate::disc::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO};
+use crate::disc::{Disc, NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO};
 use crate::mark::{Anchor, Mark, Stroke};
 use crate::{Color, Painter};
 use glam::Vec2;
@@ -11,22 +11,20 @@ impl Painter {
     /// The moment as an SVG document, with the look of [`paint`](Self::paint).
     pub fn svg(&mut self, frame: &Frame) -> String {
         self.follow(frame);
-        let (w, h) = (self.style.width, self.style.height);
-        document((w, h), |out| self.write_content(out, frame, ""))
+        let size = (self.style.width, self.style.height);
+        document(size, self.base(), |out| self.write_content(out, frame, ""))
     }
 
     /// What is inside the document; `tag` is added to the names of its parts.
     fn write_content(&self, out: &mut String, frame: &Frame, tag: &str) -> fmt::Result {
-        let (w, h) = (self.style.width, self.style.height);
-        writeln!(out, r#"<rect width="{w}" height="{h}" {}/>"#, fill(self.base()))?;
-        group(out, "place", tag, |out| self.place.iter().try_for_each(|mark| write_mark(out, mark)))?;
+        group(out, "place", tag, |out| write_marks(out, &self.place))?;
         group(out, "trails", tag, |out| self.write_trails(out, frame))?;
-        group(out, "agents", tag, |out| self.write_agents(out, frame))?;
+        let disc = |out: &mut String, body| write_disc(out, &self.disc(body));
+        group(out, "agents", tag, |out| frame.bodies.iter().try_for_each(|body| disc(out, body)))?;
         group(out, "legend", tag, |out| {
-            self.legend.iter().try_for_each(|mark| write_mark(out, mark))?;
+            write_marks(out, &self.legend)?;
             if self.style.legend {
-                let moment = self.layout.moment(frame, &self.style, &self.typeface);
-                moment.iter().try_for_each(|mark| write_mark(out, mark))?;
+                write_marks(out, &self.layout.moment(frame, &self.style, &self.typeface))?;
             }
             Ok(())
         })
@@ -47,24 +45,11 @@ impl Painter {
         }
         writeln!(out, "</g>")
     }
+}
 
-    fn write_agents(&self, out: &mut String, frame: &Frame) -> fmt::Result {
-        for body in &frame.bodies {
-            let disc = self.disc(body);
-            let (c, r) = (disc.center, disc.radius);
-            // The edge lies inside the disc.
-            let (x, y, inner) = (n(c.x), n(c.y), n(r - 0.5 * disc.rim_width));
-            let rim = stroke(Stroke::plain(disc.rim_width, disc.rim));
-            writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{inner}" {} {rim}/>"#, fill(disc.fill))?;
-            if let Some((direction, color)) = disc.notch {
-                let (a, b) = (c + direction * (NOTCH_FROM * r), c + direction * (NOTCH_TO * r));
-                let notch = stroke(Stroke::plain((2.0 * NOTCH_HALF_WIDTH * r).max(1.2), color));
-                write!(out, r#"<path d="M{} {}L{} {}" "#, n(a.x), n(a.y), n(b.x), n(b.y))?;
-                writeln!(out, r#"stroke-linecap="round" {notch}/>"#)?;
-            }
-        }
-        Ok(())
-    }
+/// Marks as an SVG document.
+pub(crate) fn picture(size: (u32, u32), base: Color, marks: &[Mark]) -> String {
+    document(size, base, |out| write_marks(out, marks))
 }
 
 /// Pictures at their places on one sheet, `(x, y)` of their upper left corners.
@@ -74,12 +59,12 @@ pub(crate) fn sheet<'a>(
     title: &[Mark],
     pictures: impl Iterator<Item = (&'a Painter, &'a Frame, (u32, u32))>,
 ) -> String {
-    document(size, |out| {
-        writeln!(out, r#"<rect width="{}" height="{}" {}/>"#, size.0, size.1, fill(paper))?;
-        title.iter().try_for_each(|mark| write_mark(out, mark))?;
+    document(size, paper, |out| {
+        write_marks(out, title)?;
         for (k, (painter, frame, (x, y))) in pictures.enumerate() {
             let (w, h) = (painter.style.width, painter.style.height);
             writeln!(out, r#"<svg x="{x}" y="{y}" width="{w}" height="{h}">"#)?;
+            write_base(out, (w, h), painter.base())?;
             painter.write_content(out, frame, &format!("-{}", k + 1))?;
             writeln!(out, "</svg>")?;
         }
@@ -87,7 +72,8 @@ pub(crate) fn sheet<'a>(
     })
 }
 
-fn document((w, h): (u32, u32), content: impl FnOnce(&mut String) -> fmt::Result) -> String {
+fn document(size: (u32, u32), base: Color, content: impl FnOnce(&mut String) -> fmt::Result) -> String {
+    let (w, h) = size;
     let mut out = String::new();
     let write = |out: &mut String| {
         writeln!(out, r#"<?xml version="1.0" encoding="UTF-8"?>"#)?;
@@ -95,6 +81,7 @@ fn document((w, h): (u32, u32), content: impl FnOnce(&mut String) -> fmt::Result
             out,
             r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" font-family="Ubuntu, 'Helvetica Neue', Arial, sans-serif" font-weight="300">"#
         )?;
+        write_base(out, size, base)?;
         content(out)?;
         writeln!(out, "</svg>")
     };
@@ -102,10 +89,34 @@ fn document((w, h): (u32, u32), content: impl FnOnce(&mut String) -> fmt::Result
     out
 }
 
+/// The colour under everything.
+fn write_base(out: &mut String, (w, h): (u32, u32), base: Color) -> fmt::Result {
+    writeln!(out, r#"<rect width="{w}" height="{h}" {}/>"#, fill(base))
+}
+
 fn group(out: &mut String, id: &str, tag: &str, content: impl FnOnce(&mut String) -> fmt::Result) -> fmt::Result {
     writeln!(out, r#"<g id="{id}{tag}">"#)?;
     content(out)?;
     writeln!(out, "</g>")
+}
+
+fn write_marks(out: &mut String, marks: &[Mark]) -> fmt::Result {
+    marks.iter().try_for_each(|mark| write_mark(out, mark))
+}
+
+fn write_disc(out: &mut String, disc: &Disc) -> fmt::Result {
+    let (c, r) = (disc.center, disc.radius);
+    // The edge lies inside the disc.
+    let (x, y, inner) = (n(c.x), n(c.y), n(r - 0.5 * disc.rim_width));
+    let rim = stroke(Stroke::plain(disc.rim_width, disc.rim));
+    writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{inner}" {} {rim}/>"#, fill(disc.fill))?;
+    if let Some((direction, color)) = disc.notch {
+        let (a, b) = (c + direction * (NOTCH_FROM * r), c + direction * (NOTCH_TO * r));
+        let notch = stroke(Stroke::plain((2.0 * NOTCH_HALF_WIDTH * r).max(1.2), color));
+        write!(out, r#"<path d="M{} {}L{} {}" "#, n(a.x), n(a.y), n(b.x), n(b.y))?;
+        writeln!(out, r#"stroke-linecap="round" {notch}/>"#)?;
+    }
+    Ok(())
 }
 
 fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
@@ -122,9 +133,18 @@ fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
         Mark::Disc { center, radius, fill: color } => {
             writeln!(out, r#"<circle cx="{}" cy="{}" r="{}" {}/>"#, n(center.x), n(center.y), n(*radius), fill(*color))
         }
+        Mark::Agent(disc) => write_disc(out, disc),
         Mark::Ring { center, radius, stroke: line } => {
             let (x, y, r) = (n(center.x), n(center.y), n(*radius));
             writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" fill="none" {}/>"#, stroke(*line))
+        }
+        Mark::Within { low, high, marks } => {
+            // a document within the document shows what is within its view
+            let size = *high - *low;
+            let (x, y, w, h) = (n(low.x), n(low.y), n(size.x), n(size.y));
+            writeln!(out, r#"<svg x="{x}" y="{y}" width="{w}" height="{h}" viewBox="{x} {y} {w} {h}">"#)?;
+            write_marks(out, marks)?;
+            writeln!(out, "</svg>")
         }
         Mark::Text { text, at, anchor, size, color } => {
             let anchor = match anchor {

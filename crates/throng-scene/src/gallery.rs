@@ -21,6 +21,8 @@ const SCENES: &[(&str, &str)] = scenes![
     "ring",
     "ring-1000",
     "crossing",
+    "gathering",
+    "robots",
     // Walls.
     "corridor",
     "bottleneck",

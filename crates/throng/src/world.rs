@@ -4,12 +4,15 @@ mod advance;
 mod arrive;
 mod avoid;
 mod build;
+mod explain;
 mod intend;
 mod perceive;
 mod plan;
 mod queue;
 mod schedule;
 mod snapshot;
+
+pub use explain::{Explanation, Seen};
 
 use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
 use crate::guard::{Contacts, Guard};
@@ -52,8 +55,9 @@ impl Default for Settings {
     }
 }
 
-/// Agents, groups, goals and the place they are in. See the [crate's page](crate) for an example.
-#[derive(Debug)]
+/// Agents, groups, goals and the place they are in. See the [crate's page](crate) for an example. A clone goes on with
+/// the same bits.
+#[derive(Clone, Debug)]
 pub struct World {
     settings: Settings,
     steps: u64,
@@ -87,7 +91,7 @@ struct Slots {
 }
 
 /// What one step hands from stage to stage; kept so that a step allocates nothing.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct StepMemory {
     grid: Grid,
     /// Neighbours of each row: `most_neighbours` places a row, filled from the front.
@@ -118,15 +122,25 @@ impl World {
     pub fn step(&mut self) {
         self.enter();
         let parts = self.sub_steps();
-        let seconds = (self.settings.step / f64::from(parts)) as f32;
+        let seconds = self.seconds(parts);
         for part in 0..parts {
-            self.perceive();
-            self.intend(seconds);
-            self.avoid(seconds);
-            self.guard(seconds);
+            self.decide(seconds);
             self.advance(seconds, self.time() + self.settings.step * f64::from(part + 1) / f64::from(parts));
         }
         self.steps += 1;
+    }
+
+    /// Seconds of each of the parts that a step is divided into.
+    fn seconds(&self, parts: u32) -> f32 {
+        (self.settings.step / f64::from(parts)) as f32
+    }
+
+    /// All of a sub-step but the motion.
+    fn decide(&mut self, seconds: f32) {
+        self.perceive();
+        self.intend(seconds);
+        self.avoid(seconds);
+        self.guard(seconds);
     }
 
     /// Seconds since the start.

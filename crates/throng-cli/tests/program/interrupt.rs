@@ -6,8 +6,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Interrupts the program with these arguments when it has written something; what it says then.
-fn interrupted(folder: &Path, arguments: &str) -> Value {
+/// Interrupts the program with these arguments when it has begun; what it says then.
+fn interrupted(folder: &Path, arguments: &str, begun: impl Fn() -> bool) -> Value {
     let child = Command::new(env!("CARGO_BIN_EXE_throng"))
         .current_dir(folder)
         .args(arguments.split_whitespace())
@@ -15,10 +15,8 @@ fn interrupted(folder: &Path, arguments: &str) -> Value {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    // Files grow under other names until they are complete.
     let begin = Instant::now();
-    let grown = |entry: std::fs::DirEntry| entry.metadata().is_ok_and(|m| m.len() > 50_000);
-    while !std::fs::read_dir(folder).unwrap().flatten().any(grown) {
+    while !begun() {
         assert!(begin.elapsed() < Duration::from_secs(20), "the run does not begin");
         std::thread::sleep(Duration::from_millis(10));
     }
@@ -31,10 +29,10 @@ fn interrupted(folder: &Path, arguments: &str) -> Value {
 #[test]
 fn an_interrupted_comparison_finishes_its_files() {
     let folder = folder();
-    let files = "-o a.mp4 -o a.html -o a.csv";
+    let files = "-o a/ -o a.mp4 -o a.html -o a.csv --size 320x240";
     let arguments = format!("compare circle -m vo,orca --seeds 1..3 {files} --json --duration 100000");
-    let all = interrupted(folder.path(), &arguments);
-    assert_eq!(names(folder.path()), ["a.csv", "a.html", "a.mp4"]);
+    let all = interrupted(folder.path(), &arguments, || folder.path().join("a/frame_000009.png").exists());
+    assert_eq!(names(folder.path()), ["a", "a.csv", "a.html", "a.mp4"]);
     assert_eq!(all["interrupted"], true);
     for model in all["models"].as_array().unwrap() {
         let runs = model["runs"].as_array().unwrap();
@@ -51,7 +49,10 @@ fn an_interrupted_comparison_finishes_its_files() {
 fn an_interrupted_run_finishes_its_files() {
     let folder = folder();
     let files = "-o a.mp4 -o a.csv --size 160x120";
-    let report = interrupted(folder.path(), &format!("run circle {files} --json --duration 100000"));
+    // files grow under other names until they are complete
+    let grown = |entry: std::fs::DirEntry| entry.metadata().is_ok_and(|m| m.len() > 50_000);
+    let begun = || std::fs::read_dir(folder.path()).unwrap().flatten().any(grown);
+    let report = interrupted(folder.path(), &format!("run circle {files} --json --duration 100000"), begun);
     assert_eq!(names(folder.path()), ["a.csv", "a.mp4"]);
     assert_eq!(report["interrupted"], true);
     let steps = report["steps"].as_u64().unwrap();

@@ -4,6 +4,7 @@ mod commands;
 mod compare;
 #[cfg(target_os = "linux")]
 mod errors;
+mod explain;
 #[cfg(unix)]
 mod interrupt;
 mod mistakes;

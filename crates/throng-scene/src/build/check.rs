@@ -335,6 +335,7 @@ fn check_expect(expect: &Expect) -> Checked {
     check_some(&path.key("least_wall_separation"), expect.least_wall_separation, Limit::NotNegative)?;
     check_some(&path.key("heading_change"), expect.heading_change, Limit::Positive)?;
     check_some(&path.key("mean_speed"), expect.mean_speed, Limit::NotNegative)?;
+    check_some(&path.key("final_speed"), expect.final_speed, Limit::NotNegative)?;
     for (i, flow) in expect.flow.iter().enumerate() {
         let path = path.key("flow").index(i);
         check_point(&path.key("from"), &flow.from)?;

@@ -95,32 +95,57 @@ const TOUCH: f32 = 1e-4;
 /// the one whose first region in the list comes last: put what matters most first.
 pub fn closest_outside(regions: &[Forbidden], max_speed: f32, preferred: Vec2) -> Vec2 {
     let preferred = preferred.clamp_length_max(max_speed);
-    let mut best = (0, f32::INFINITY, Vec2::ZERO);
-    let mut consider = |v: Vec2| {
-        if v.length_squared() > max_speed * max_speed * 1.0001 {
-            return;
-        }
-        let distance = v.distance_squared(preferred);
-        if best.0 == regions.len() && distance >= best.1 {
-            return;
-        }
-        // a velocity no better than the best so far in what comes first is not looked at further
-        let clear = regions.iter().position(|region| region.depth(v) > TOUCH).unwrap_or(regions.len());
-        if clear > best.0 || clear == best.0 && distance < best.1 {
-            best = (clear, distance, v);
-        }
-    };
-    consider(preferred);
-    consider(Vec2::ZERO);
+    let mut best = Best { regions, max_speed, preferred, clear: 0, distance: f32::INFINITY, velocity: Vec2::ZERO };
+    best.consider(preferred);
+    if best.is_free() {
+        return preferred;
+    }
+    best.consider(Vec2::ZERO);
+    let pieces = || regions.iter().flat_map(Forbidden::pieces);
+    pieces().for_each(|piece| best.consider(piece.nearest(preferred)));
     let fastest = Piece::Circle { center: Vec2::ZERO, radius: max_speed };
-    for (i, region) in regions.iter().enumerate() {
-        for piece in region.pieces() {
-            consider(piece.nearest(preferred));
-            piece.crossings(&fastest).for_each(&mut consider);
-            for other in regions[..i].iter().flat_map(Forbidden::pieces) {
-                piece.crossings(&other).for_each(&mut consider);
+    for (i, piece) in pieces().enumerate() {
+        // no crossing of it is nearer than its nearest point
+        if best.is_beaten_by(piece.nearest(preferred)) {
+            piece.crossings(&fastest).for_each(|v| best.consider(v));
+            for other in pieces().take(i) {
+                piece.crossings(&other).for_each(|v| best.consider(v));
             }
         }
     }
-    best.2
+    best.velocity
+}
+
+/// The best of the velocities looked at.
+struct Best<'a> {
+    regions: &'a [Forbidden],
+    max_speed: f32,
+    preferred: Vec2,
+    /// How many regions it is out of, from the front of the list.
+    clear: usize,
+    /// Its distance from the preferred velocity, squared.
+    distance: f32,
+    velocity: Vec2,
+}
+
+impl Best<'_> {
+    fn is_free(&self) -> bool {
+        self.clear == self.regions.len()
+    }
+
+    /// Whether `v` is better, if it is out of all regions.
+    fn is_beaten_by(&self, v: Vec2) -> bool {
+        !self.is_free() || v.distance_squared(self.preferred) < self.distance
+    }
+
+    fn consider(&mut self, v: Vec2) {
+        if !self.is_beaten_by(v) || v.length_squared() > self.max_speed * self.max_speed * 1.0001 {
+            return;
+        }
+        let distance = v.distance_squared(self.preferred);
+        let clear = self.regions.iter().position(|region| region.depth(v) > TOUCH).unwrap_or(self.regions.len());
+        if clear > self.clear || clear == self.clear && distance < self.distance {
+            (self.clear, self.distance, self.velocity) = (clear, distance, v);
+        }
+    }
 }

@@ -10,10 +10,12 @@ mod collision;
 mod explain;
 mod forbidden;
 mod half_plane;
+mod half_space;
 mod hrvo;
 mod none;
 mod obstacle_lines;
 mod orca;
+mod orca_3d;
 mod rvo;
 mod rvo_lab;
 mod sampling;
@@ -27,9 +29,11 @@ pub use explain::{Cause, Reason};
 pub use forbidden::Forbidden;
 use forbidden::Piece;
 pub use half_plane::{Line, closest_velocity, least_violation};
+pub use half_space::{Plane, closest_velocity_in_space, least_violation_in_space};
 pub use hrvo::Hrvo;
 pub use none::Unavoiding;
 pub use orca::{BuiltFrom, Orca};
+pub use orca_3d::Orca3d;
 pub use rvo::Rvo;
 pub use rvo_lab::RvoLab;
 pub use sampling::Search;
@@ -37,13 +41,17 @@ pub use vo::Vo;
 
 pub use crate::random::Dice;
 use crate::space::{Disc, Edge};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 /// Another agent, seen from the one that chooses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Neighbour {
     /// Its centre, from the choosing agent's.
     pub offset: Vec2,
+    /// How much higher its centre is.
+    pub above: f32,
+    /// Its velocity upwards.
+    pub climb: f32,
     /// Its velocity.
     pub velocity: Vec2,
     /// The velocity it would like to have.
@@ -62,7 +70,17 @@ pub struct Neighbour {
 impl Neighbour {
     /// Something that stands and does not avoid.
     pub(crate) fn resting(offset: Vec2, radii: f32) -> Self {
-        Self { offset, velocity: Vec2::ZERO, preferred: Vec2::ZERO, radii, share: 1.0, room: 1.0, aside: Vec2::X }
+        Self {
+            offset,
+            above: 0.0,
+            climb: 0.0,
+            velocity: Vec2::ZERO,
+            preferred: Vec2::ZERO,
+            radii,
+            share: 1.0,
+            room: 1.0,
+            aside: Vec2::X,
+        }
     }
 }
 
@@ -95,6 +113,10 @@ pub struct View<'a> {
     pub heading: f32,
     /// Velocity it would like to have.
     pub preferred: Vec2,
+    /// Current velocity upwards.
+    pub climb: f32,
+    /// Velocity upwards that it would like to have.
+    pub preferred_climb: f32,
     /// Radius of the body.
     pub radius: f32,
     /// Speed not to exceed.
@@ -126,6 +148,8 @@ impl Default for View<'_> {
             velocity: Vec2::ZERO,
             heading: 0.0,
             preferred: Vec2::ZERO,
+            climb: 0.0,
+            preferred_climb: 0.0,
             radius: 0.2,
             max_speed: 1.8,
             max_acceleration: 5.0,
@@ -148,6 +172,10 @@ pub struct Workspace {
     pub lines: Vec<Line>,
     /// Half-planes of the fallback.
     pub fallback: Vec<Line>,
+    /// Half-spaces of permitted velocities.
+    pub planes: Vec<Plane>,
+    /// Half-spaces of the fallback.
+    pub fallback_planes: Vec<Plane>,
     /// Regions of forbidden velocities.
     pub forbidden: Vec<Forbidden>,
     /// What the half-planes, or the regions, come from.
@@ -158,6 +186,12 @@ pub struct Workspace {
 pub trait LocalModel: std::fmt::Debug + Send + Sync {
     /// The new velocity of one agent. Pure: the same view gives the same bits.
     fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2;
+
+    /// The new velocity of one agent that flies, in space. Models of the plane choose the part along the ground, and
+    /// leave going up and down as it is wanted.
+    fn velocity_in_space(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec3 {
+        self.velocity(view, workspace).extend(view.preferred_climb)
+    }
 
     /// Why [`velocity`](Self::velocity) answers as it does for this view, as data to draw: what each neighbour and
     /// each wall forbids, or what the model tried and what it found. Never called in a step.

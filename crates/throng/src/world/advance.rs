@@ -4,6 +4,7 @@ use super::World;
 use crate::agent::Status;
 use crate::guard::Bodies;
 use crate::motion::{faces, turn};
+use glam::Vec2;
 
 impl World {
     /// 4. What is certain: nobody overlaps.
@@ -27,12 +28,10 @@ impl World {
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
         let agents = &mut self.agents;
         for row in 0..agents.len() {
-            let (from, to, wish) = (agents.position[row], self.step.targets[row], self.step.wishes[row]);
+            let (from, to) = (agents.position[row], self.step.targets[row]);
             let motion = to - from;
             agents.position[row] = to;
-            // what was certified as it was wished is the wish: the motion may be far below what positions resolve
-            let unchanged = to.distance(from + wish * seconds) <= to.abs().max_element() * f32::EPSILON;
-            agents.velocity[row] = if unchanged { wish } else { motion / seconds };
+            agents.velocity[row] = velocity(from, to, self.step.wishes[row], seconds);
             let before = agents.heading[row];
             let facing = faces(agents.velocity[row], self.step.preferred[row], agents.max_turn_rate[row]);
             let heading = turn(before, facing, seconds, agents.max_turn_rate[row]);
@@ -47,6 +46,11 @@ impl World {
         }
         self.measure();
         self.arrive(seconds, now);
+    }
+
+    /// The velocity that the guard leaves to an agent that has yet to move.
+    pub(super) fn certain_velocity(&self, row: usize, seconds: f32) -> Vec2 {
+        velocity(self.agents.position[row], self.step.targets[row], self.step.wishes[row], seconds)
     }
 
     /// Notes how close bodies came to each other and to walls.
@@ -84,4 +88,11 @@ impl World {
             }
         }
     }
+}
+
+/// The velocity of a motion. What was certified as it was wished is the wish: the motion may be far below what
+/// positions resolve.
+fn velocity(from: Vec2, to: Vec2, wish: Vec2, seconds: f32) -> Vec2 {
+    let unchanged = to.distance(from + wish * seconds) <= to.abs().max_element() * f32::EPSILON;
+    if unchanged { wish } else { (to - from) / seconds }
 }

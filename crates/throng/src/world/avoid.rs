@@ -2,7 +2,7 @@
 
 use super::World;
 use crate::agent::Status;
-use crate::avoid::{MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, View, Workspace};
+use crate::avoid::{LocalModel, MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, View, Workspace};
 use crate::motion::{Limits, follow, limit};
 use crate::parallel;
 use crate::random::{Dice, Purpose, unit};
@@ -19,11 +19,19 @@ const GRANT: f32 = 2.0;
 /// What a thread keeps while it goes through agents.
 #[derive(Default)]
 struct Scratch {
-    near: NearWalls,
-    neighbours: Vec<Neighbour>,
-    edges: Vec<NearEdge>,
-    discs: Vec<NearDisc>,
+    sight: Sight,
     workspace: Workspace,
+}
+
+/// What an agent sees.
+#[derive(Default)]
+pub(super) struct Sight {
+    near: NearWalls,
+    /// Rows of the neighbours.
+    pub rows: Vec<u32>,
+    pub neighbours: Vec<Neighbour>,
+    pub edges: Vec<NearEdge>,
+    pub discs: Vec<NearDisc>,
 }
 
 impl World {
@@ -34,17 +42,23 @@ impl World {
         wishes.resize(self.agents.len(), Vec2::ZERO);
         let world = &*self;
         parallel::rows(&mut wishes, 1, Scratch::default, |scratch, row, wish| {
-            wish[0] = world.chosen_velocity(row, seconds, scratch);
+            let view = world.view(row, seconds, &mut scratch.sight);
+            let chosen = world.model(row).velocity(&view, &mut scratch.workspace);
+            wish[0] = world.limited_velocity(row, chosen, seconds);
         });
         self.step.wishes = wishes;
     }
 
-    fn chosen_velocity(&self, row: usize, seconds: f32, scratch: &mut Scratch) -> Vec2 {
+    pub(super) fn model(&self, row: usize) -> &dyn LocalModel {
+        &*self.groups[self.agents.group[row].index()].model
+    }
+
+    /// What the model of an agent sees.
+    pub(super) fn view<'a>(&self, row: usize, seconds: f32, sight: &'a mut Sight) -> View<'a> {
         let agents = &self.agents;
-        let group = &self.groups[agents.group[row].index()];
-        let Scratch { near, neighbours, edges, discs, workspace } = scratch;
+        let Sight { near, rows, neighbours, edges, discs } = sight;
         let at = agents.position[row].as_dvec2();
-        let range = group.model.wall_range(agents.radius[row] + agents.tracking_error[row], agents.max_speed[row]);
+        let range = self.model(row).wall_range(agents.radius[row] + agents.tracking_error[row], agents.max_speed[row]);
         self.walls.near(at, f64::from(range), near);
         let to_local = |p: DVec2| (p - at).as_vec2();
         edges.clear();
@@ -57,33 +71,39 @@ impl World {
             let disc: Disc = self.walls.discs()[index as usize];
             NearDisc { offset: to_local(disc.center), disc }
         }));
+        rows.clear();
         neighbours.clear();
         let margin = 1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN };
         for near in self.neighbours(row) {
             let neighbour = self.neighbour(row, near.row as usize, margin);
             if !edges.iter().any(|edge| hides(edge, neighbour.offset)) {
+                rows.push(near.row);
                 neighbours.push(neighbour);
             }
         }
-        let wish = group.model.velocity(
-            &View {
-                velocity: agents.velocity[row],
-                heading: agents.heading[row],
-                preferred: self.step.preferred[row],
-                radius: agents.radius[row] + agents.tracking_error[row],
-                max_speed: agents.max_speed[row],
-                max_acceleration: agents.max_acceleration[row],
-                tracking_error: agents.tracking_error[row],
-                max_turn_rate: agents.max_turn_rate[row],
-                margin,
-                step: seconds,
-                neighbours,
-                edges,
-                discs,
-                dice: self.dice(row),
-            },
-            workspace,
-        );
+        View {
+            velocity: agents.velocity[row],
+            heading: agents.heading[row],
+            preferred: self.step.preferred[row],
+            climb: 0.0,
+            preferred_climb: 0.0,
+            radius: agents.radius[row] + agents.tracking_error[row],
+            max_speed: agents.max_speed[row],
+            max_acceleration: agents.max_acceleration[row],
+            tracking_error: agents.tracking_error[row],
+            max_turn_rate: agents.max_turn_rate[row],
+            margin,
+            step: seconds,
+            neighbours,
+            edges,
+            discs,
+            dice: self.dice(row),
+        }
+    }
+
+    /// What of a chosen velocity the body can do.
+    fn limited_velocity(&self, row: usize, chosen: Vec2, seconds: f32) -> Vec2 {
+        let agents = &self.agents;
         let limits = Limits {
             speed: agents.max_speed[row],
             change: agents.max_acceleration[row] * seconds,
@@ -91,7 +111,7 @@ impl World {
         };
         let heading = agents.heading[row];
         let drives = agents.tracking_error[row] > 0.0;
-        let wish = if drives { follow(wish, heading, agents.max_turn_rate[row], seconds) } else { wish };
+        let wish = if drives { follow(chosen, heading, agents.max_turn_rate[row], seconds) } else { chosen };
         limit(wish, agents.velocity[row], heading, limits)
     }
 
@@ -116,6 +136,8 @@ impl World {
         let granted = if wanted.dot(offset) < 0.0 { wanted * (GRANT * yields.max(0.0)) } else { Vec2::ZERO };
         Neighbour {
             offset,
+            above: 0.0,
+            climb: 0.0,
             velocity: velocity + granted,
             preferred: self.step.preferred[other],
             radii: (agents.radius[row] + agents.radius[other]) * margin

@@ -14,7 +14,17 @@ pub fn view(velocity: Vec2, preferred: Vec2, max_speed: f32, neighbours: &[Neigh
 
 /// Another, avoided for a share, with the room that goes with it.
 pub fn other(offset: Vec2, velocity: Vec2, radii: f32, share: f32) -> Neighbour {
-    Neighbour { offset, velocity, preferred: velocity, radii, share, room: 1.0 - share, aside: Vec2::X }
+    Neighbour {
+        offset,
+        above: 0.0,
+        climb: 0.0,
+        velocity,
+        preferred: velocity,
+        radii,
+        share,
+        room: 1.0 - share,
+        aside: Vec2::X,
+    }
 }
 
 /// What somebody no faster than 1.5 m/s chooses.

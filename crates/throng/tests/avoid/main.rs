@@ -9,3 +9,4 @@ mod hrvo;
 mod orca;
 mod rvo;
 mod rvo_lab;
+mod space;

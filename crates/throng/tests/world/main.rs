@@ -8,6 +8,7 @@ mod common;
 mod determinism;
 mod doors;
 mod entry;
+mod explain;
 mod journeys;
 mod limits;
 mod manners;
