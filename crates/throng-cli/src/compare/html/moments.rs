@@ -32,7 +32,7 @@ pub fn pictures(frames: &[Frame; 3], setting: &Setting, colors: &[String]) -> St
             let class = if body.number == middle { "body middle" } else { "body" };
             let r = f64::from(body.radius) * window.scale;
             let _ =
-                write!(out, "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{r:.1}\" fill=\"{color}\"/>");
+                write!(out, "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{r:.1}\" fill=\"{color}\" stroke=\"{color}\" stroke-width=\"0\"/>");
         }
         for body in &near {
             let wild = if body.number == middle { " wild" } else { "" };
