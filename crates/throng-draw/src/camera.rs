@@ -39,9 +39,9 @@ impl WorldBox {
                 Goal::Area { corners } | Goal::Exit { corners } => corners.iter().for_each(|&p| all.add(p, 0.0)),
             }
         }
-        frame.bodies.iter().for_each(|b| all.add(b.position, f64::from(b.radius)));
+        frame.bodies.iter().for_each(|b| all.add(b.position, f64::from(b.shape().bound())));
         if setting.walkable.is_empty() {
-            let radii = frame.bodies.iter().map(|b| f64::from(b.radius)).filter(|r| r.is_finite());
+            let radii = frame.bodies.iter().map(|b| f64::from(b.shape().bound())).filter(|r| r.is_finite());
             let room = GIVING_WAY * radii.fold(0.0, f64::max);
             (all.min, all.max) = (all.min - room, all.max + room);
         }

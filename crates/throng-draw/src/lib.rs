@@ -7,7 +7,6 @@
 
 mod camera;
 mod color;
-mod disc;
 mod error;
 mod figure;
 mod film;
@@ -19,6 +18,7 @@ mod painter;
 mod picture;
 mod place;
 mod raster;
+mod rounded;
 mod sheet;
 pub mod sink;
 mod style;

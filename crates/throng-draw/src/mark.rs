@@ -1,7 +1,7 @@
 //! What a picture is made of besides agents: shapes and type, in pixels. Pictures and SVG draw the same marks.
 
 use crate::Color;
-use crate::disc::Disc;
+use crate::rounded::Rounded;
 use glam::Vec2;
 
 /// A shape or a line of type.
@@ -14,7 +14,7 @@ pub(crate) enum Mark {
     /// A filled disc.
     Disc { center: Vec2, radius: f32, fill: Color },
     /// An agent.
-    Agent(Disc),
+    Agent(Rounded),
     /// A circle.
     Ring { center: Vec2, radius: f32, stroke: Stroke },
     /// What of some marks lies within a rectangle of whole pixels.

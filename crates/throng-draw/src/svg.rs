@@ -1,7 +1,7 @@
 //! A moment as a vector picture.
 
-use crate::disc::{Disc, NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO};
 use crate::mark::{Anchor, Mark, Stroke};
+use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};
 use crate::{Color, Painter};
 use glam::Vec2;
 use std::fmt::{self, Write};
@@ -19,8 +19,8 @@ impl Painter {
     fn write_content(&self, out: &mut String, frame: &Frame, tag: &str) -> fmt::Result {
         group(out, "place", tag, |out| write_marks(out, &self.place))?;
         group(out, "trails", tag, |out| self.write_trails(out, frame))?;
-        let disc = |out: &mut String, body| write_disc(out, &self.disc(body));
-        group(out, "agents", tag, |out| frame.bodies.iter().try_for_each(|body| disc(out, body)))?;
+        let agent = |out: &mut String, body| write_body(out, &self.rounded(body));
+        group(out, "agents", tag, |out| frame.bodies.iter().try_for_each(|body| agent(out, body)))?;
         group(out, "legend", tag, |out| {
             write_marks(out, &self.legend)?;
             if self.style.legend {
@@ -104,14 +104,24 @@ fn write_marks(out: &mut String, marks: &[Mark]) -> fmt::Result {
     marks.iter().try_for_each(|mark| write_mark(out, mark))
 }
 
-fn write_disc(out: &mut String, disc: &Disc) -> fmt::Result {
-    let (c, r) = (disc.center, disc.radius);
-    // The edge lies inside the disc.
-    let (x, y, inner) = (n(c.x), n(c.y), n(r - 0.5 * disc.rim_width));
-    let rim = stroke(Stroke::plain(disc.rim_width, disc.rim));
-    writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{inner}" {} {rim}/>"#, fill(disc.fill))?;
-    if let Some((direction, color)) = disc.notch {
-        let (a, b) = (c + direction * (NOTCH_FROM * r), c + direction * (NOTCH_TO * r));
+fn write_body(out: &mut String, body: &Rounded) -> fmt::Result {
+    let (c, core) = (body.center, body.core);
+    // The edge lies inside.
+    let inner = body.radius - 0.5 * body.rim_width;
+    let (x, y, r) = (n(c.x), n(c.y), n(inner.max(0.0)));
+    let rim = stroke(Stroke::plain(body.rim_width, body.rim));
+    if core == Vec2::ZERO {
+        writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" {} {rim}/>"#, fill(body.fill))?;
+    } else {
+        let half = (core + inner).max(Vec2::ZERO);
+        let (left, top, width, height) = (n(-half.x), n(-half.y), n(2.0 * half.x), n(2.0 * half.y));
+        let turn = n(body.along.y.atan2(body.along.x).to_degrees());
+        write!(out, r#"<rect x="{left}" y="{top}" width="{width}" height="{height}" rx="{r}" "#)?;
+        writeln!(out, r#"transform="translate({x} {y}) rotate({turn})" {} {rim}/>"#, fill(body.fill))?;
+    }
+    if let Some(color) = body.notch {
+        let (c, r) = (body.front(), body.girth());
+        let (a, b) = (c + body.along * (NOTCH_FROM * r), c + body.along * (NOTCH_TO * r));
         let notch = stroke(Stroke::plain((2.0 * NOTCH_HALF_WIDTH * r).max(1.2), color));
         write!(out, r#"<path d="M{} {}L{} {}" "#, n(a.x), n(a.y), n(b.x), n(b.y))?;
         writeln!(out, r#"stroke-linecap="round" {notch}/>"#)?;
@@ -133,7 +143,7 @@ fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
         Mark::Disc { center, radius, fill: color } => {
             writeln!(out, r#"<circle cx="{}" cy="{}" r="{}" {}/>"#, n(center.x), n(center.y), n(*radius), fill(*color))
         }
-        Mark::Agent(disc) => write_disc(out, disc),
+        Mark::Agent(disc) => write_body(out, disc),
         Mark::Ring { center, radius, stroke: line } => {
             let (x, y, r) = (n(center.x), n(center.y), n(*radius));
             writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" fill="none" {}/>"#, stroke(*line))

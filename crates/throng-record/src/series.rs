@@ -3,7 +3,7 @@
 //! | figure | what | unit |
 //! |---|---|---|
 //! | `arrived` | agents at the end of their journeys, those removed by exits included | agents |
-//! | `separation` | least distance of two centres over the sum of their radii, of all pairs present; 1: they touch | |
+//! | `separation` | least distance of two centres (of cores, for bodies that are no discs) over the sum of their radii, of all pairs present; 1: they touch | |
 //! | `speed` | mean speed of those who walk | m/s |
 //! | `turning` | mean change of heading, either way, of those who walk, since the moment before | °/s |
 //! | `swing` | mean of how far velocities went there and back over the last two moments, of those who walk (see [`swing`]) | m/s |
@@ -15,6 +15,7 @@ use crate::{Body, Frame};
 use glam::Vec2;
 use std::f32::consts::TAU;
 use throng::Status;
+use throng::space::Core;
 
 /// Figures of one moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,23 +108,34 @@ pub fn swing(a: Vec2, b: Vec2, c: Vec2) -> f32 {
     (a.distance(b) + b.distance(c) - a.distance(c)).max(0.0)
 }
 
-/// Least distance of two centres over the sum of their radii; infinite for fewer than two.
+/// Least distance of two centres over the sum of their radii; infinite for fewer than two. Of bodies that are no discs,
+/// what counts is the distance of their cores; where those overlap, the negative of the least shift that parts them.
 pub fn least_separation(bodies: &[Body]) -> f64 {
     let mut order: Vec<&Body> = bodies.iter().filter(|body| body.position.is_finite()).collect();
     order.sort_by(|a, b| a.position.x.total_cmp(&b.position.x));
     let largest = order.iter().map(|body| f64::from(body.radius)).fold(0.0, f64::max);
-    let apart = |a: &Body, b: &Body| a.position.distance(b.position) / (f64::from(a.radius) + f64::from(b.radius));
+    let reach = |body: &Body| f64::from(body.core.length());
+    let farthest = order.iter().map(|body| reach(body)).fold(0.0, f64::max);
     // Neighbours in the order come first: what they find ends the search of the others early.
     let mut least = order.windows(2).map(|pair| apart(pair[0], pair[1])).fold(f64::INFINITY, f64::min);
     for (k, a) in order.iter().enumerate() {
         for b in &order[k + 1..] {
-            if b.position.x - a.position.x > least * (f64::from(a.radius) + largest) {
+            let radii = f64::from(a.radius) + if least > 0.0 { largest } else { 0.0 };
+            if b.position.x - a.position.x - reach(a) - farthest > least * radii {
                 break;
             }
             least = least.min(apart(a, b));
         }
     }
     least
+}
+
+/// Distance of two bodies over the sum of their radii.
+fn apart(a: &Body, b: &Body) -> f64 {
+    let discs = a.core == Vec2::ZERO && b.core == Vec2::ZERO;
+    let core = |body: &Body| Core::new(body.position, body.heading, body.core);
+    let distance = if discs { a.position.distance(b.position) } else { core(a).separation(&core(b)).distance };
+    distance / (f64::from(a.radius) + f64::from(b.radius))
 }
 
 /// An agent by its number.
@@ -185,6 +197,7 @@ mod tests {
             velocity: Vec2::X,
             heading: 0.0,
             radius: 0.2,
+            core: Vec2::ZERO,
             preferred_speed: 1.0,
             status: Status::Walking,
         }
@@ -203,12 +216,16 @@ mod tests {
     fn the_least_separation_is_that_of_all_pairs() {
         let mut draw = draws();
         for count in [0, 1, 2, 3, 10, 200] {
-            let one = |k| Body { radius: (0.05 + draw()) as f32, ..body(k, DVec2::new(30.0 * draw(), 3.0 * draw())) };
+            let one = |k| {
+                let core = if k % 3 == 0 { Vec2::new(draw() as f32, 0.1) } else { Vec2::ZERO };
+                let (radius, heading) = ((0.05 + draw()) as f32, 6.0 * draw() as f32);
+                Body { radius, heading, core, ..body(k, DVec2::new(30.0 * draw(), 3.0 * draw())) }
+            };
             let bodies: Vec<Body> = (0..count).map(one).collect();
             let pairs = bodies.iter().enumerate().flat_map(|(k, a)| bodies[..k].iter().map(move |b| (a, b)));
-            let apart = pairs.map(|(a, b)| a.position.distance(b.position) / f64::from(a.radius + b.radius));
-            let (want, found) = (apart.fold(f64::INFINITY, f64::min), least_separation(&bodies));
-            assert!(want == found || (want - found).abs() < 1e-6 * want, "{count}: {found}, not {want}");
+            let least = pairs.map(|(a, b)| apart(a, b)).fold(f64::INFINITY, f64::min);
+            let (want, found) = (least, least_separation(&bodies));
+            assert!(want == found || (want - found).abs() < 1e-6, "{count}: {found}, not {want}");
         }
     }
 

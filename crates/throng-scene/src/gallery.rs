@@ -23,6 +23,10 @@ const SCENES: &[(&str, &str)] = scenes![
     "crossing",
     "gathering",
     "robots",
+    // Bodies.
+    "mixed-sizes",
+    "vehicle",
+    "sliding-door",
     // Walls.
     "corridor",
     "bottleneck",

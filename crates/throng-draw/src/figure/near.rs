@@ -4,8 +4,8 @@ use super::arrow::{Quantity, thin};
 use super::labels::{Labels, beside};
 use super::sheet::Sheet;
 use super::tint::{self, ACCENT};
-use crate::disc::{Disc, NOTCH_LEAST_RADIUS};
 use crate::mark::{Anchor, Mark, Stroke};
+use crate::rounded::{NOTCH_LEAST_RADIUS, Rounded};
 use crate::{Camera, Color, WorldBox, legend, place};
 use glam::{DVec2, Vec2};
 use throng::Explanation;
@@ -24,11 +24,11 @@ pub(super) fn marks(setting: &Setting, frame: &Frame, why: &Explanation, sheet: 
     let mut numbers = Vec::new();
     let mut ways = Vec::new();
     for body in &frame.bodies {
-        let (at, radius) = (camera.pixel(body.position), camera.length(f64::from(body.radius)));
+        let (at, radius) = (camera.pixel(body.position), camera.length(f64::from(body.shape().girth())));
         let index = why.neighbours.iter().position(|other| other.number == body.number);
         let own = (body.number == why.number).then_some(ACCENT);
         let color = own.or(index.map(tint::neighbour));
-        marks.push(Mark::Agent(disc(body, color, at, radius, sheet)));
+        marks.push(Mark::Agent(rounded(body, color, at, &camera, sheet)));
         labels.keep(at, radius);
         let Some(color) = color else { continue };
         numbers.push((body.number, color, at, radius));
@@ -92,13 +92,16 @@ fn around(setting: &Setting, frame: &Frame, why: &Explanation) -> (Setting, Fram
 }
 
 /// A body; the notch makes room for a number.
-fn disc(body: &Body, color: Option<Color>, center: Vec2, radius: f32, sheet: &Sheet) -> Disc {
+fn rounded(body: &Body, color: Option<Color>, center: Vec2, camera: &Camera, sheet: &Sheet) -> Rounded {
     let theme = &sheet.style.theme;
     let (sin, cos) = body.heading.sin_cos();
-    let notched = radius >= NOTCH_LEAST_RADIUS && (color.is_none() || radius < tint::badge_radius(sheet));
-    let notch = notched.then(|| (Vec2::new(cos, -sin), theme.notch.alpha(0.92)));
+    let (radius, core) = (camera.length(f64::from(body.radius)), body.core * camera.scale as f32);
+    let notched = radius + core.min_element() >= NOTCH_LEAST_RADIUS
+        && (color.is_none() || radius + core.min_element() < tint::badge_radius(sheet));
+    let notch = notched.then(|| theme.notch.alpha(0.92));
     let fill = color.unwrap_or(theme.edge);
-    Disc { center, radius, fill, rim: fill.mix(theme.text, 0.42), rim_width: sheet.unit, notch }
+    let along = Vec2::new(cos, -sin);
+    Rounded { center, core, along, radius, fill, rim: fill.mix(theme.text, 0.42), rim_width: sheet.unit, notch }
 }
 
 /// A bar of a round number of metres, below the panel.

@@ -10,7 +10,7 @@ pub struct Group {
     pub name: String,
     /// How the preferred velocity becomes a safe one.
     pub model: Arc<dyn LocalModel>,
-    /// How far an agent looks for others, metres between centres. Limit: > 0.
+    /// How far an agent looks for others, metres between centres (cores, of bodies that are no discs). Limit: > 0.
     pub neighbour_distance: f32,
     /// How many of the nearest it takes into account. Limit: >= 1.
     pub neighbours: usize,
@@ -19,6 +19,9 @@ pub struct Group {
     pub keep_right: f32,
     /// Whether an agent whom others block steps aside for a moment (MODELS 1.10).
     pub detour: bool,
+    /// Whether the [guard](crate::guard) keeps its agents from overlapping others and walls. Two who are both of
+    /// groups without it may overlap; nobody else may.
+    pub guard: bool,
 }
 
 impl Default for Group {
@@ -30,6 +33,7 @@ impl Default for Group {
             neighbours: 10,
             keep_right: 5.0_f32.to_radians(),
             detour: true,
+            guard: true,
         }
     }
 }

@@ -2,11 +2,11 @@
 
 use super::World;
 use crate::agent::Status;
-use crate::avoid::{LocalModel, MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, View, Workspace};
+use crate::avoid::{LocalModel, MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, Outline, View, Workspace};
 use crate::motion::{Limits, follow, limit};
 use crate::parallel;
 use crate::random::{Dice, Purpose, unit};
-use crate::space::{Disc, Edge, NearWalls};
+use crate::space::{Core, Disc, Edge, NearWalls};
 use glam::{DVec2, Vec2};
 
 /// How much of the avoiding, beyond its half, falls on who has more way to go to the same goal, and on who rests.
@@ -42,6 +42,10 @@ impl World {
         wishes.resize(self.agents.len(), Vec2::ZERO);
         let world = &*self;
         parallel::rows(&mut wishes, 1, Scratch::default, |scratch, row, wish| {
+            if world.agents.script[row].is_some() {
+                wish[0] = world.step.preferred[row].clamp_length_max(world.agents.max_speed[row]);
+                return;
+            }
             let view = world.view(row, seconds, &mut scratch.sight);
             let chosen = world.model(row).velocity(&view, &mut scratch.workspace);
             wish[0] = world.limited_velocity(row, chosen, seconds);
@@ -58,7 +62,8 @@ impl World {
         let agents = &self.agents;
         let Sight { near, rows, neighbours, edges, discs } = sight;
         let at = agents.position[row].as_dvec2();
-        let range = self.model(row).wall_range(agents.radius[row] + agents.tracking_error[row], agents.max_speed[row]);
+        let bound = agents.body(row).bound() + agents.tracking_error[row];
+        let range = self.model(row).wall_range(bound, agents.max_speed[row]);
         self.walls.near(at, f64::from(range), near);
         let to_local = |p: DVec2| (p - at).as_vec2();
         edges.clear();
@@ -69,17 +74,20 @@ impl World {
         discs.clear();
         discs.extend(near.discs.iter().map(|&(_, index)| {
             let disc: Disc = self.walls.discs()[index as usize];
-            NearDisc { offset: to_local(disc.center), disc }
+            NearDisc { offset: to_local(disc.center), disc, outline: Outline::POINT }
         }));
         rows.clear();
         neighbours.clear();
         let margin = 1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN };
         for near in self.neighbours(row) {
-            let neighbour = self.neighbour(row, near.row as usize, margin);
-            if !edges.iter().any(|edge| hides(edge, neighbour.offset)) {
+            let other = near.row as usize;
+            if !edges.iter().any(|edge| hides(edge, agents.offset(row, other))) {
                 rows.push(near.row);
-                neighbours.push(neighbour);
+                neighbours.push(self.neighbour(row, other, margin));
             }
+        }
+        if !agents.is_disc(row) {
+            see_with_core(&agents.core_of(row), edges, discs);
         }
         View {
             velocity: agents.velocity[row],
@@ -131,17 +139,24 @@ impl World {
             (1.0, 1.0)
         };
         let offset = agents.position[other] - agents.position[row];
-        let velocity = agents.velocity[other];
+        let velocity = agents.velocity_near(other, agents.position[row].as_dvec2());
+        let own_turn = agents.velocity_near(row, agents.position[other].as_dvec2()) - agents.velocity[row];
+        let outline = if agents.is_disc(row) && agents.is_disc(other) {
+            Outline::POINT
+        } else {
+            Outline::between(&agents.core_of(row), &agents.core_of(other))
+        };
         let wanted = self.step.preferred[other] - velocity;
         let granted = if wanted.dot(offset) < 0.0 { wanted * (GRANT * yields.max(0.0)) } else { Vec2::ZERO };
         Neighbour {
             offset,
             above: 0.0,
             climb: 0.0,
-            velocity: velocity + granted,
+            velocity: velocity - own_turn + granted,
             preferred: self.step.preferred[other],
             radii: (agents.radius[row] + agents.radius[other]) * margin
                 + (agents.tracking_error[row] + agents.tracking_error[other]),
+            outline,
             share,
             room,
             aside: if offset == Vec2::ZERO { self.aside(row, other) } else { Vec2::X },
@@ -173,6 +188,18 @@ impl World {
         let (sin, cos) = libm::sincosf(draw * std::f32::consts::TAU);
         if a < b { Vec2::new(cos, sin) } else { -Vec2::new(cos, sin) }
     }
+}
+
+/// Makes what an agent that is no disc sees of walls: they touch its core, not only its centre.
+fn see_with_core(own: &Core, edges: &mut Vec<NearEdge>, discs: &mut Vec<NearDisc>) {
+    for near in &mut *discs {
+        near.outline = Outline::between(own, &Core::point(near.disc.center));
+    }
+    discs.extend(edges.drain(..).map(|NearEdge { start, end, edge }| NearDisc {
+        offset: start.midpoint(end),
+        disc: Disc { center: edge.start.midpoint(edge.end), radius: 0.0 },
+        outline: Outline::between(own, &Core::segment(edge.start, edge.end)),
+    }));
 }
 
 /// Whether an edge lies between the agent and what is at `offset`.

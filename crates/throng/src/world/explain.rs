@@ -3,7 +3,7 @@
 use super::World;
 use super::avoid::Sight;
 use crate::agent::AgentId;
-use crate::avoid::{Cause, NearDisc, NearEdge, Neighbour, Reason, Workspace, time_to_disc, time_to_segment};
+use crate::avoid::{Cause, NearDisc, NearEdge, Neighbour, Reason, Workspace, time_to_segment};
 use glam::{DVec2, Vec2};
 
 /// What would happen to one agent in the next sub-step, and why. Metres, seconds, radians; velocities in m/s.
@@ -85,7 +85,7 @@ impl World {
         world.enter();
         let parts = world.sub_steps();
         let seconds = world.seconds(parts);
-        world.decide(seconds);
+        world.decide(seconds, world.time() + f64::from(seconds));
         Some(world.explanation(world.row(id)?, seconds))
     }
 
@@ -128,16 +128,19 @@ impl Explanation {
     /// When, in seconds, and with what the body first collides at `velocity` if everybody else keeps theirs; `None`: never.
     /// Bodies are as large as the model sees them.
     pub fn collision(&self, velocity: Vec2) -> Option<(f32, Cause)> {
-        let neighbours = self.neighbours.iter().enumerate().map(|(i, other)| {
-            (time_to_disc(other.seen.offset, velocity - other.velocity, other.seen.radii), Cause::Neighbour(i))
-        });
+        let neighbours = self
+            .neighbours
+            .iter()
+            .enumerate()
+            .map(|(i, other)| (other.seen.time_to_collision(velocity - other.velocity), Cause::Neighbour(i)));
         let edges = self
             .edges
             .iter()
             .enumerate()
             .map(|(i, near)| (time_to_segment(near.start, near.end, velocity, self.radius), Cause::Edge(i)));
         let discs = self.discs.iter().enumerate().map(|(i, near)| {
-            (time_to_disc(near.offset, velocity, near.disc.radius as f32 + self.radius), Cause::Disc(i))
+            let radii = near.disc.radius as f32 + self.radius;
+            (near.outline.time_to_collision(near.offset, velocity, radii), Cause::Disc(i))
         });
         let first = neighbours.chain(edges).chain(discs).min_by(|a, b| a.0.total_cmp(&b.0));
         first.filter(|(time, _)| time.is_finite())

@@ -3,14 +3,14 @@
 use super::{Settings, Slots, World, schedule::Schedule};
 use crate::Error;
 use crate::agent::Columns;
-use crate::navigate::{Goal, Journey, Unreachable};
+use crate::navigate::{Goal, Journey, Script, Unreachable};
 use crate::space::Place;
 use crate::summary::Tally;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// Begins every saved state: what it is, and the version of its layout.
-const MAGIC: &[u8] = b"throng state 2\n";
+const MAGIC: &[u8] = b"throng state 3\n";
 
 /// Everything that changes while a world runs.
 #[derive(Serialize, Deserialize)]
@@ -22,6 +22,7 @@ struct State {
     groups: Vec<String>,
     goals: Vec<Goal>,
     journeys: Vec<Journey>,
+    scripts: Vec<Script>,
     place: Place,
     schedule: Schedule,
     tally: Tally,
@@ -41,6 +42,7 @@ impl World {
             groups: self.groups.iter().map(|group| group.name.clone()).collect(),
             goals: self.goals.clone(),
             journeys: self.journeys.clone(),
+            scripts: self.scripts.clone(),
             place: self.place.clone(),
             schedule: self.schedule.clone(),
             tally: self.tally.clone(),
@@ -73,6 +75,7 @@ impl World {
         self.slots = state.slots;
         self.goals = state.goals;
         self.journeys = state.journeys;
+        self.scripts = state.scripts;
         self.schedule = state.schedule;
         self.tally = state.tally;
         self.stranded = state.stranded;

@@ -2,6 +2,7 @@
 
 mod anywhere;
 mod bad_starts;
+mod bodies;
 mod calm;
 mod changes;
 mod common;
@@ -13,9 +14,12 @@ mod journeys;
 mod limits;
 mod manners;
 mod mistakes;
+mod movers;
 mod obstacles;
 mod oracle;
 mod overlap;
+#[path = "../shared/polygons.rs"]
+mod polygons;
 mod saved;
 mod scenes;
 mod stranded;

@@ -17,7 +17,7 @@ pub fn pictures(frames: &[Frame; 3], setting: &Setting, colors: &[String]) -> St
     let Some(middle) = wildest(frames) else { return String::new() };
     let view = |frame: &Frame| at(frame, middle).map(|body| body.position);
     let center = view(&frames[1]).unwrap_or_default();
-    let radius = at(&frames[1], middle).map_or(0.2, |body| f64::from(body.radius));
+    let radius = at(&frames[1], middle).map_or(0.2, |body| f64::from(body.shape().bound()));
     let window = Window { center, scale: SIDE / (RADII * radius) };
     let mut out = String::new();
     for (k, frame) in frames.iter().enumerate() {
@@ -28,11 +28,8 @@ pub fn pictures(frames: &[Frame; 3], setting: &Setting, colors: &[String]) -> St
         let near: Vec<&Body> = frame.bodies.iter().filter(|body| window.sees(body)).collect();
         for body in &near {
             let color = colors.get(body.group as usize).map_or("#888", String::as_str);
-            let (x, y) = window.pixel(body.position);
             let class = if body.number == middle { "body middle" } else { "body" };
-            let r = f64::from(body.radius) * window.scale;
-            let _ =
-                write!(out, "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{r:.1}\" fill=\"{color}\" stroke=\"{color}\" stroke-width=\"0\"/>");
+            window.body(body, &format!("class=\"{class}\" fill=\"{color}\" stroke=\"{color}\""), &mut out);
         }
         for body in &near {
             let wild = if body.number == middle { " wild" } else { "" };
@@ -72,8 +69,17 @@ impl Window {
     }
 
     fn sees(&self, body: &Body) -> bool {
-        let reach = 0.5 * SIDE / self.scale + f64::from(body.radius);
+        let reach = 0.5 * SIDE / self.scale + f64::from(body.shape().bound());
         (body.position - self.center).abs().max_element() < reach
+    }
+
+    fn body(&self, body: &Body, look: &str, out: &mut String) {
+        let (x, y) = self.pixel(body.position);
+        let r = f64::from(body.radius) * self.scale;
+        let [a, b] = <[f32; 2]>::from(body.core).map(|half| f64::from(half) * self.scale + r);
+        let turn = -body.heading.to_degrees();
+        let place = format!("x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"", x - a, y - b, 2.0 * a, 2.0 * b);
+        let _ = write!(out, "<rect {look} {place} rx=\"{r:.1}\" transform=\"rotate({turn:.1} {x:.1} {y:.1})\"/>");
     }
 
     fn arrow(&self, from: DVec2, velocity: Vec2, class: &str, out: &mut String) {

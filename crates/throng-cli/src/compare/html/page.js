@@ -163,9 +163,18 @@ function paint(panel) {
     const one = agent(run, k, part, slot);
     if (!one) continue;
     const x = panel.x(one.x), y = panel.y(one.y), r = Math.max(tracks.radius[slot] * panel.scale, 1.5 * panel.unit);
+    // half extents of what is rounded; zero for a disc
+    const [length, width] = tracks.core[slot].map(metres => metres * panel.scale), girth = r + Math.min(length, width);
+    const [c, s] = [Math.cos(one.heading), -Math.sin(one.heading)];
     const color = data.colors[tracks.group[slot] % data.colors.length] || colors.goal, edge = Math.min(Math.max(0.13 * r, 0.6), 3);
     context.beginPath();
-    context.arc(x, y, Math.max(r - edge / 2, 0.5), 0, 7);
+    if (length + width === 0) context.arc(x, y, Math.max(r - edge / 2, 0.5), 0, 7);
+    else {
+      const inner = Math.max(r - edge / 2, 0.5);
+      context.setTransform(c, s, -s, c, x, y);
+      context.roundRect(-length - inner, -width - inner, 2 * (length + inner), 2 * (width + inner), inner);
+      context.setTransform(1, 0, 0, 1, 0, 0);
+    }
     if (one.status === 2) {
       // those who have arrived step back
       context.fillStyle = colors.card;
@@ -176,17 +185,17 @@ function paint(panel) {
     context.strokeStyle = one.status === 3 ? color : colors.rim;
     context.lineWidth = edge;
     context.fill();
-    if (r > 3) {
+    if (girth > 3) {
       context.globalAlpha *= one.status === 3 ? 1 : 0.5;
       context.stroke();
     }
     context.globalAlpha = one.status === 2 ? 0.5 : 0.92;
-    if (r > 3.5 * panel.unit && one.status !== 3) {
-      const [c, s] = [Math.cos(one.heading), -Math.sin(one.heading)];
+    if (girth > 3.5 * panel.unit && one.status !== 3) {
+      const front = length - Math.min(length, width), from = front + 0.36 * girth, to = front + 0.82 * girth;
       context.beginPath();
-      context.moveTo(x + 0.36 * r * c, y + 0.36 * r * s);
-      context.lineTo(x + 0.82 * r * c, y + 0.82 * r * s);
-      [context.strokeStyle, context.lineWidth, context.lineCap] = [colors.notch, 0.28 * r, "round"];
+      context.moveTo(x + from * c, y + from * s);
+      context.lineTo(x + to * c, y + to * s);
+      [context.strokeStyle, context.lineWidth, context.lineCap] = [colors.notch, 0.28 * girth, "round"];
       context.stroke();
     }
     context.globalAlpha = 1;

@@ -36,6 +36,7 @@ pub struct Tracks {
     step: f64,
     runs: Vec<Track>,
     radius: Vec<f32>,
+    core: Vec<[f32; 2]>,
     group: Vec<u32>,
 }
 
@@ -56,7 +57,9 @@ impl Tracks {
     fn within(budget: usize, runs: &[Run], view: WorldBox) -> Self {
         let room = 0.1 * (view.max - view.min).max_element() + 1.0;
         let (low, high) = (view.min - room, view.max + room);
-        let agents = runs.iter().map(|run| run.built.agents).max().unwrap_or(0);
+        // what moves by a script has a number too
+        let present = runs.iter().flat_map(|run| &run.frame.bodies).map(|body| body.number as usize + 1);
+        let agents = present.chain(runs.iter().map(|run| run.built.agents)).max().unwrap_or(0);
         let every = (agents * runs.len() * FRAMES).div_ceil(budget).max(1);
         let slots = agents.div_ceil(every);
         let step = runs[0].world.settings().step;
@@ -73,6 +76,7 @@ impl Tracks {
             step,
             runs: runs.iter().map(|_| Track::default()).collect(),
             radius: vec![0.0; slots],
+            core: vec![[0.0; 2]; slots],
             group: vec![0; slots],
         }
     }
@@ -111,6 +115,7 @@ impl Tracks {
             let slot = body.number as usize / self.every;
             if slot < self.slots {
                 (self.radius[slot], self.group[slot]) = (body.radius, body.group);
+                self.core[slot] = body.core.into();
                 self.runs[run].words[from + slot] = self.word(body);
             }
         }
@@ -155,6 +160,7 @@ impl Tracks {
             "quantum": self.quantum,
             "seconds": self.seconds(),
             "radius": self.radius,
+            "core": self.core,
             "group": self.group,
             "runs": runs.collect::<Vec<_>>(),
         })
