@@ -1,9 +1,9 @@
 //! Pictures of moments.
 
-use crate::rounded::{NOTCH_LEAST_RADIUS, Rounded};
 use crate::legend::Layout;
 use crate::look::Look;
 use crate::mark::Mark;
+use crate::rounded::{NOTCH_LEAST_RADIUS, Rounded};
 use crate::text::Type;
 use crate::trail::{End, Track, TrailLayer, Trails, freshness};
 use crate::{Camera, Error, Image, Style, WorldBox, place, raster};

@@ -1,7 +1,7 @@
 //! A moment as a vector picture.
 
-use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};
 use crate::mark::{Anchor, Mark, Stroke};
+use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};
 use crate::{Color, Painter};
 use glam::Vec2;
 use std::fmt::{self, Write};

@@ -96,7 +96,8 @@ fn rounded(body: &Body, color: Option<Color>, center: Vec2, camera: &Camera, she
     let theme = &sheet.style.theme;
     let (sin, cos) = body.heading.sin_cos();
     let (radius, core) = (camera.length(f64::from(body.radius)), body.core * camera.scale as f32);
-    let notched = radius + core.min_element() >= NOTCH_LEAST_RADIUS && (color.is_none() || radius + core.min_element() < tint::badge_radius(sheet));
+    let notched = radius + core.min_element() >= NOTCH_LEAST_RADIUS
+        && (color.is_none() || radius + core.min_element() < tint::badge_radius(sheet));
     let notch = notched.then(|| theme.notch.alpha(0.92));
     let fill = color.unwrap_or(theme.edge);
     let along = Vec2::new(cos, -sin);

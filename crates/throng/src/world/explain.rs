@@ -128,9 +128,11 @@ impl Explanation {
     /// When, in seconds, and with what the body first collides at `velocity` if everybody else keeps theirs; `None`: never.
     /// Bodies are as large as the model sees them.
     pub fn collision(&self, velocity: Vec2) -> Option<(f32, Cause)> {
-        let neighbours = self.neighbours.iter().enumerate().map(|(i, other)| {
-            (other.seen.time_to_collision(velocity - other.velocity), Cause::Neighbour(i))
-        });
+        let neighbours = self
+            .neighbours
+            .iter()
+            .enumerate()
+            .map(|(i, other)| (other.seen.time_to_collision(velocity - other.velocity), Cause::Neighbour(i)));
         let edges = self
             .edges
             .iter()

@@ -131,9 +131,8 @@ impl Long {
             if near.distance_squared > range * range {
                 continue;
             }
-            let place = found[..kept].partition_point(|other| {
-                (other.distance_squared, other.number) < (near.distance_squared, near.number)
-            });
+            let place = found[..kept]
+                .partition_point(|other| (other.distance_squared, other.number) < (near.distance_squared, near.number));
             if place < k {
                 // the kept ones are in front, by distance
                 kept = (kept + 1).min(k);

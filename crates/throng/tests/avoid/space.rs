@@ -3,8 +3,9 @@
 use crate::common::{other, vector, view};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
-use throng::avoid::{Outline, 
-    LocalModel, Neighbour, Orca, Orca3d, Plane, View, Workspace, closest_velocity_in_space, least_violation_in_space,
+use throng::avoid::{
+    LocalModel, Neighbour, Orca, Orca3d, Outline, Plane, View, Workspace, closest_velocity_in_space,
+    least_violation_in_space,
 };
 
 fn in_space(range: f32) -> impl Strategy<Value = Vec3> {
