@@ -68,7 +68,7 @@ fn mistakes_are_named_with_what_there_is() {
     assert_eq!(
         message("avoid.orca.time_horizn", "3"),
         "--set avoid.orca.time_horizn=3: there is no key `time_horizn` here\n  hint: did you mean `time_horizon`? the \
-         keys here are: time_horizon, time_horizon_obstacles, neighbours, neighbour_distance"
+         keys here are: time_horizon, time_horizon_obstacles, turning_bias, built_from, neighbours, neighbour_distance"
     );
     assert_eq!(
         message("group.nobody.count", "3"),
