@@ -49,7 +49,7 @@ pub struct Summary {
     pub heading_change_deg_per_s: f64,
     /// Mean over agents of the turning of their direction of motion while on their way, degrees a second: trembling,
     /// which headings smooth out. Motion below 0.1 m/s does not count.
-    pub swing_deg_per_s: f64,
+    pub course_change_deg_per_s: f64,
     /// Steps made.
     pub steps: u64,
     /// Sub-steps made: what steps were divided into.
@@ -114,7 +114,7 @@ impl Tally {
         summary.time_ratio = mean(&times);
         summary.path_ratio = mean(&paths);
         summary.heading_change_deg_per_s = a_second(|trip| trip.turned);
-        summary.swing_deg_per_s = a_second(|trip| trip.swung);
+        summary.course_change_deg_per_s = a_second(|trip| trip.course_turned);
         summary.arrived = trips.iter().filter(|(_, ended)| ended.trip.arrived.is_some()).count();
         summary.removed = self.removed.len();
         summary.least_separation = self.least_separation;

@@ -79,7 +79,7 @@ impl World {
                 let trip = &mut agents.trip[row];
                 let turned = f64::from((heading - before).abs());
                 trip.turned += turned.min(std::f64::consts::TAU - turned);
-                trip.swung += f64::from(angle_between(velocity_before, agents.velocity[row]));
+                trip.course_turned += f64::from(angle_between(velocity_before, agents.velocity[row]));
                 trip.on_way += f64::from(seconds);
                 trip.walked += f64::from(motion.length());
             }
