@@ -81,9 +81,9 @@ impl Report {
         let (bodies, walls) = (apart(s.least_separation), apart(s.least_wall_separation));
         let overlaps = s.overlaps;
         out.line(format_args!("  distance   bodies {bodies}, walls {walls} (1: they touched); {overlaps} overlaps"))?;
-        let (guard, turning) = (s.guard_share * 100.0, s.heading_change_deg_per_s.max(0.0));
+        let (guard, turning, course) = (s.guard_share * 100.0, s.heading_change_deg_per_s, s.course_change_deg_per_s);
         out.line(format_args!(
-            "  motion     the guard changed {guard:.2} % of the moves; headings turn {turning:.1} °/s"
+            "  motion     the guard changed {guard:.2} % of the moves; headings turn {turning:.1} °/s, courses {course:.1} °/s"
         ))?;
         let cpu = self.cpu_per_simulated_second().map(|c| format!(", {c:.4} CPU s a simulated s")).unwrap_or_default();
         let rate = rate(s, self.stepping);
@@ -116,6 +116,7 @@ pub fn figures(s: &Summary, stepping: Duration) -> Map<String, Value> {
         "overlaps": s.overlaps,
         "guard_share": number(s.guard_share),
         "heading_change_deg_per_s": number(s.heading_change_deg_per_s),
+        "course_change_deg_per_s": number(s.course_change_deg_per_s),
         "steps": s.steps,
         "agent_steps_per_second": number(rate(s, stepping)),
     });

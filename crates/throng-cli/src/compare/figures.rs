@@ -26,7 +26,7 @@ const fn figure(key: &'static str, head: &'static str, digits: usize, meaning: &
 }
 
 /// The figures of the table, in order.
-pub const FIGURES: [Figure; 10] = [
+pub const FIGURES: [Figure; 11] = [
     Figure { of: Some("agents"), ..figure("arrived", "arrived", 0, "agents at the end of their journeys, of all") },
     figure("stuck", "stuck", 0, "agents that cannot arrive, or made no progress for 10 s"),
     figure("time", "time s", 2, "seconds simulated: until everybody has arrived, or to the limit"),
@@ -44,6 +44,12 @@ pub const FIGURES: [Figure; 10] = [
         ..figure("guard_share", "guard %", 2, "share of the moves that the guard changed by more than 1 %")
     },
     figure("heading_change_deg_per_s", "turning °/s", 1, "turning of the headings of those on their way, mean"),
+    figure(
+        "course_change_deg_per_s",
+        "course °/s",
+        1,
+        "turning of their directions of motion, which headings smooth out: trembling",
+    ),
     figure("us_per_agent_step", "µs/step", 2, "microseconds of processor time for a move of one agent by one sub-step"),
 ];
 
