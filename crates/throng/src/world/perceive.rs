@@ -158,7 +158,7 @@ mod tests {
 
         #[test]
         fn the_nearest_are_those_of_a_search_through_all(
-            all in prop::collection::vec(((-6.0..6.0, -6.0..6.0), -3.0f32..3.0, (0.2f32..4.0, 0.2f32..0.6), any::<bool>()), 1..40),
+            all in prop::collection::vec(((-6.0..6.0, -6.0..6.0), -3.0f32..3.0, (0.25f32..4.0, 0.25f32..0.625), any::<bool>()), 1..40),
             k in 1usize..8, range in 1.0f32..6.0,
         ) {
             let mut world = World::new(Settings::default()).unwrap();
