@@ -97,7 +97,7 @@ Keys of --json (one object on standard output):
   overlaps                  overlaps of bodies with bodies and walls, counted every sub-step
   guard_share               share of the moves that the guard changed by more than 1 %
   heading_change_deg_per_s  turning of the headings of those on their way, mean
-  course_change_deg_per_s           turning of their directions of motion, which headings smooth out: trembling
+  course_change_deg_per_s   turning of their directions of motion, which headings smooth out: trembling
   steps, sub_steps          steps made, and the parts they were divided into
   agent_steps_per_second    moves of one agent by one sub-step, a second of computing the steps
   expect                    { passed, checks: [{ name, expected, found, passed }] }: the scene's [expect]

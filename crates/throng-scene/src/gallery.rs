@@ -22,6 +22,7 @@ const SCENES: &[(&str, &str)] = scenes![
     "ring",
     "ring-1000",
     "crossing",
+    "overtaking",
     "gathering",
     "robots",
     // Bodies.
