@@ -19,6 +19,8 @@ pub struct Group {
     pub keep_right: f32,
     /// Whether an agent whom others block steps aside for a moment (MODELS 1.10).
     pub detour: bool,
+    /// Whether agents that block each other's ways agree who steps aside (MODELS 1.10, narrow places).
+    pub resolve: bool,
 }
 
 impl Default for Group {
@@ -30,6 +32,7 @@ impl Default for Group {
             neighbours: 10,
             keep_right: 5.0_f32.to_radians(),
             detour: true,
+            resolve: true,
         }
     }
 }

@@ -34,6 +34,7 @@ impl World {
             schedule: Schedule::default(),
             tally: Tally::default(),
             stranded: Vec::new(),
+            standoffs: Vec::new(),
             extent: None,
             walls: Walls::default(),
             meshes: Meshes::default(),
@@ -297,6 +298,7 @@ impl World {
             }
         }
         self.stranded.clear();
+        self.end_standoffs();
     }
 }
 

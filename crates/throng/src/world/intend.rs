@@ -2,7 +2,7 @@
 
 use super::{Way, World};
 use crate::agent::Status;
-use crate::navigate::{Goal, Travel, turned_right};
+use crate::navigate::{Goal, Travel, Turn, turned_right};
 use crate::parallel;
 use glam::{DVec2, Vec2};
 
@@ -13,6 +13,7 @@ impl World {
     /// 2. What would I like: the preferred velocity of everybody.
     pub(super) fn intend(&mut self, seconds: f32) {
         self.plan();
+        self.resolve(seconds);
         self.show_ways();
         self.step.preferred.clear();
         self.step.preferred.resize(self.agents.len(), Vec2::ZERO);
@@ -39,8 +40,9 @@ impl World {
         ways.clear();
         ways.extend(self.agents.travel.iter().enumerate().map(|(row, travel)| Way {
             goal: self.goal_of(row),
-            direction: match self.agents.status[row] {
-                Status::Walking => self.towards(row, travel).normalize_or_zero(),
+            direction: match (self.agents.status[row], &travel.turn) {
+                (Status::Walking, Turn::Aside(_)) if travel.remaining < self.agents.radius[row] => Vec2::ZERO,
+                (Status::Walking, _) => self.towards(row, travel).normalize_or_zero(),
                 _ => Vec2::ZERO,
             },
             remaining: travel.remaining,
@@ -66,15 +68,19 @@ impl World {
         let group = &self.groups[agents.group[row].index()];
         let made = if speed > 0.0 { agents.velocity[row].dot(direction) / speed } else { 1.0 };
         let dice = self.dice(row);
-        let detour =
-            if group.detour { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
+        travel.stall(agents.radius[row], seconds * speed / agents.radius[row]);
+        let detours = group.detour && travel.turn == Turn::Free;
+        let detour = if detours { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
         // coming to a point: as slow as stopping there takes, half of the acceleration left to turn with, and never
         // past it
-        let arriving = match goal {
-            Goal::Point { .. } if self.is_last(row, travel.leg) => {
-                (agents.max_acceleration[row] * remaining).sqrt().min(remaining / seconds)
-            }
-            _ => f32::INFINITY,
+        let stops = match (&travel.turn, goal) {
+            (Turn::Aside(_), _) => true,
+            (_, goal) => matches!(goal, Goal::Point { .. }) && self.is_last(row, travel.leg),
+        };
+        let arriving = if stops {
+            (agents.max_acceleration[row] * remaining).sqrt().min(remaining / seconds)
+        } else {
+            f32::INFINITY
         };
         let bias = if distance > 2.0 * agents.radius[row] { group.keep_right } else { 0.0 };
         let following = if detour == 0.0 { self.following_speed(row, direction) } else { f32::INFINITY };

@@ -1,6 +1,6 @@
 //! Save, load, continue.
 
-use super::{Settings, Slots, World, schedule::Schedule};
+use super::{Settings, Slots, World, schedule::Schedule, standoff::Standoff};
 use crate::Error;
 use crate::agent::Columns;
 use crate::navigate::{Goal, Journey, Unreachable};
@@ -10,7 +10,7 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// Begins every saved state: what it is, and the version of its layout.
-const MAGIC: &[u8] = b"throng state 2\n";
+const MAGIC: &[u8] = b"throng state 3\n";
 
 /// Everything that changes while a world runs.
 #[derive(Serialize, Deserialize)]
@@ -26,6 +26,7 @@ struct State {
     schedule: Schedule,
     tally: Tally,
     stranded: Vec<(u32, Unreachable)>,
+    standoffs: Vec<Standoff>,
     extent: Option<(DVec2, DVec2)>,
 }
 
@@ -45,6 +46,7 @@ impl World {
             schedule: self.schedule.clone(),
             tally: self.tally.clone(),
             stranded: self.stranded.clone(),
+            standoffs: self.standoffs.clone(),
             extent: self.extent,
         };
         // writing to memory cannot fail, and all types are serialisable
@@ -76,6 +78,7 @@ impl World {
         self.schedule = state.schedule;
         self.tally = state.tally;
         self.stranded = state.stranded;
+        self.standoffs = state.standoffs;
         self.extent = state.extent;
         self.prepare_all_meshes();
         Ok(())

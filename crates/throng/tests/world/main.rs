@@ -12,6 +12,7 @@ mod journeys;
 mod limits;
 mod manners;
 mod mistakes;
+mod narrow;
 mod obstacles;
 mod oracle;
 mod overlap;
