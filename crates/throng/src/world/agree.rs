@@ -18,6 +18,10 @@ const AROUND: f32 = 80.0;
 /// How far who waits keeps from the others' ways, in sums of radii.
 const CLEAR: f64 = 1.15;
 
+/// How much room two need side by side, over their widths, and into how many parts it is divided to be measured.
+const NARROW: f64 = 1.05;
+const PARTS: usize = 8;
+
 /// Who goes first, with the way left when it is past the others; who steps aside, with the way to where it waits.
 pub(super) struct Agreement {
     pub first: Vec<(usize, f32)>,
@@ -33,6 +37,34 @@ impl World {
         let touch = f64::from(self.agents.radius[row]) + f64::from(self.agents.radius[other]);
         let blocks = |of: usize, by: usize| apart(&self.lane(of).0, self.world_position(by)) < touch;
         blocks(row, other) && blocks(other, row)
+    }
+
+    /// Whether, on its way from one agent to the other, there is no room for the two side by side.
+    pub(super) fn is_narrow(&self, row: usize, other: usize) -> bool {
+        let Some(mesh) = self.meshes.mesh(self.agents.radius[row]) else { return false };
+        let (lane, radius) = self.lane(row);
+        let need = 2.0 * f64::from(self.agents.radius[other]) * NARROW;
+        let mut left = self.world_position(other).distance(lane[0]);
+        for leg in lane.windows(2) {
+            let length = leg[0].distance(leg[1]);
+            let across = (leg[1] - leg[0]).perp() / length.max(1e-9);
+            let parts = (length.min(left) / radius).ceil() as usize;
+            for part in 0..=parts {
+                let at = mesh.nearest(leg[0].lerp(leg[1], (part as f64 * radius / length).min(1.0)));
+                let free = |side: f64| {
+                    let seen = |&k: &usize| mesh.visible(at, at + across * (side * need * k as f64 / PARTS as f64));
+                    (1..=PARTS).take_while(seen).count()
+                };
+                if free(1.0) + free(-1.0) < PARTS {
+                    return true;
+                }
+            }
+            left -= length;
+            if left <= 0.0 {
+                break;
+            }
+        }
+        false
     }
 
     /// What two who are stuck agree on, together with those round them; `None` if nobody can step aside.

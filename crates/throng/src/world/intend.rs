@@ -13,8 +13,8 @@ impl World {
     /// 2. What would I like: the preferred velocity of everybody.
     pub(super) fn intend(&mut self, seconds: f32) {
         self.plan();
-        self.resolve(seconds);
         self.show_ways();
+        self.resolve(seconds);
         self.step.preferred.clear();
         self.step.preferred.resize(self.agents.len(), Vec2::ZERO);
         let mut travels = std::mem::take(&mut self.agents.travel);

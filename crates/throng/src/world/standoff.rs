@@ -10,11 +10,14 @@ use crate::agent::{AgentId, Status};
 use crate::navigate::{Route, Turn};
 use serde::{Deserialize, Serialize};
 
-/// Radii that somebody who gets on by less than one could have walked: from here on it is stuck. At 1.3 m/s and
-/// 0.2 m these are 2 s.
-const STUCK: f32 = 13.0;
-/// Sums of radii within which two who are stuck block each other.
+/// Radii that somebody who gets on by less than one could have walked: from here on it looks round, and again each time
+/// they have doubled. At 1.3 m/s and 0.2 m these are 0.3 s.
+const LOOKS: f32 = 2.0;
+/// The same for who is stuck where two could pass: 2.5 s.
+const STUCK: f32 = 16.0;
+/// Sums of radii within which two block each other, and within which they do where two cannot pass.
 const CLOSE: f32 = 1.6;
+const CLOSE_IF_NARROW: f32 = 8.0;
 /// How much longer than it should take everybody waits, and seconds beyond that.
 const PATIENCE: f32 = 2.0;
 const GRACE: f32 = 5.0;
@@ -51,13 +54,13 @@ impl World {
         }
     }
 
-    /// Those who are stuck and look round in this sub-step, by number: now and then only.
+    /// Those who are stuck and look round in this sub-step, by number.
     fn stuck(&self, seconds: f32) -> Vec<usize> {
         let agents = &self.agents;
         let looks = |&row: &usize| {
             let stalled = agents.travel[row].stalled;
             let before = stalled - seconds * agents.preferred_speed[row] / agents.radius[row];
-            stalled >= STUCK && (stalled / STUCK).floor() > (before / STUCK).floor() && self.may_resolve(row)
+            stalled >= LOOKS && libm::log2f(stalled).floor() > libm::log2f(before.max(0.5 * LOOKS)).floor()
         };
         let mut rows: Vec<usize> = (0..agents.len()).filter(looks).collect();
         rows.sort_by_key(|&row| agents.number[row]);
@@ -76,17 +79,17 @@ impl World {
     fn partner(&self, row: usize) -> Option<usize> {
         let agents = &self.agents;
         let blocks = |&other: &usize| {
-            let close = CLOSE * (agents.radius[row] + agents.radius[other]);
-            agents.position[row].distance(agents.position[other]) < close
-                && agents.travel[other].stalled >= 0.5 * STUCK
+            let bodies = agents.radius[row] + agents.radius[other];
+            let (distance, stalled) = (agents.position[row].distance(agents.position[other]), agents.travel[other].stalled);
+            distance < CLOSE_IF_NARROW * bodies
+                && stalled >= 0.5 * LOOKS
                 && self.may_resolve(other)
                 && self.opposed(row, other)
+                && (agents.travel[row].stalled.min(2.0 * stalled) >= STUCK && distance < CLOSE * bodies
+                    || self.is_narrow(row, other))
         };
         // who joined one that began in this sub-step has found its partner
-        if !self.may_resolve(row) {
-            return None;
-        }
-        self.neighbours(row).iter().map(|near| near.row as usize).find(blocks)
+        self.may_resolve(row).then(|| self.neighbours(row).iter().map(|near| near.row as usize).find(blocks)).flatten()
     }
 
     fn begin(&mut self, agreement: Agreement) {
