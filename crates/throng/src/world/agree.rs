@@ -20,7 +20,9 @@ const CLEAR: f64 = 1.15;
 
 /// How much room two need side by side, over their widths, and into how many parts it is divided to be measured.
 const NARROW: f64 = 1.05;
-const PARTS: usize = 8;
+const PARTS: f64 = 8.0;
+/// Cosine of the angle within which two go the same way.
+const SAME_WAY: f64 = 0.3;
 
 /// Who goes first, with the way left when it is past the others; who steps aside, with the way to where it waits.
 pub(super) struct Agreement {
@@ -32,11 +34,17 @@ pub(super) struct Agreement {
 type Lane = (Vec<DVec2>, f64);
 
 impl World {
-    /// Whether each of two stands in the other's way.
+    /// Whether each of two stands in the other's way, and goes another way.
     pub(super) fn opposed(&self, row: usize, other: usize) -> bool {
         let touch = f64::from(self.agents.radius[row]) + f64::from(self.agents.radius[other]);
-        let blocks = |of: usize, by: usize| apart(&self.lane(of).0, self.world_position(by)) < touch;
-        blocks(row, other) && blocks(other, row)
+        let (mine, theirs) = (self.lane(row).0, self.lane(other).0);
+        // where it is past the other it goes another way than the other
+        let blocks = |way: &[DVec2], by: &[DVec2]| {
+            let (distance, along) = nearest(way, by[0]);
+            let next = |way: &[DVec2], from: f64| (at(way, from + 2.0 * touch) - at(way, from)).normalize_or_zero();
+            distance < touch && next(way, along).dot(next(by, 0.0)) < SAME_WAY
+        };
+        self.goal_of(row) != self.goal_of(other) && blocks(&mine, &theirs) && blocks(&theirs, &mine)
     }
 
     /// Whether, on its way from one agent to the other, there is no room for the two side by side.
@@ -51,11 +59,9 @@ impl World {
             let parts = (length.min(left) / radius).ceil() as usize;
             for part in 0..=parts {
                 let at = mesh.nearest(leg[0].lerp(leg[1], (part as f64 * radius / length).min(1.0)));
-                let free = |side: f64| {
-                    let seen = |&k: &usize| mesh.visible(at, at + across * (side * need * k as f64 / PARTS as f64));
-                    (1..=PARTS).take_while(seen).count()
-                };
-                if free(1.0) + free(-1.0) < PARTS {
+                let seen = |k: f64| mesh.visible(at, at + across * (need * k / PARTS));
+                let free = |side: f64| (1..PARTS as usize).take_while(|&k| seen(side * k as f64)).count();
+                if !seen(PARTS) && !seen(-PARTS) && free(1.0) + free(-1.0) < PARTS as usize {
                     return true;
                 }
             }
@@ -250,33 +256,44 @@ impl<'a> Ground<'a> {
         let world = self.world;
         let (lane, radius) = world.lane(row);
         let retreats = &self.lanes[self.lanes.len() - aside.len()..];
-        let (mut last, mut walked) = (0.0f64, 0.0);
-        let mut nearest = vec![(f64::INFINITY, 0.0); retreats.len()];
-        for leg in lane.windows(2) {
-            let length = leg[0].distance(leg[1]);
-            let parts = (length / (0.5 * radius)).ceil().max(1.0);
-            for part in 0..=parts as usize {
-                let share = part as f64 / parts;
-                let (at, here) = (leg[0].lerp(leg[1], share), walked + length * share);
-                for ((retreat, size), nearest) in retreats.iter().zip(&mut nearest) {
-                    if apart(retreat, at) < radius + size {
-                        last = here;
-                    }
-                    let spot = retreat[retreat.len() - 1].distance(at);
-                    if spot < nearest.0 {
-                        *nearest = (spot, here);
-                    }
-                }
-            }
-            walked += length;
-        }
-        let last = nearest.iter().map(|nearest| nearest.1).fold(last, f64::max);
+        let step = 0.5 * radius;
+        let last = retreats.iter().map(|(retreat, size)| {
+            let passed = nearest(&lane, retreat[retreat.len() - 1]).1;
+            let near = |&k: &usize| apart(retreat, at(&lane, step * k as f64)) < radius + size;
+            let clear = (0..=(AHEAD * radius / step) as usize).rev().find(near);
+            clear.map_or(passed, |k| passed.max(step * k as f64))
+        });
+        let last = last.fold(0.0, f64::max);
         world.agents.travel[row].remaining - last as f32
     }
 }
 
 /// Distance from a way to a point.
 fn apart(way: &[DVec2], p: DVec2) -> f64 {
-    let start = way[0].distance(p);
-    way.windows(2).map(|leg| nearest_on_segment(leg[0], leg[1], p).distance(p)).fold(start, f64::min)
+    nearest(way, p).0
+}
+
+/// Distance from a way to a point, and how far along the way that is.
+fn nearest(way: &[DVec2], p: DVec2) -> (f64, f64) {
+    let (mut best, mut walked) = ((way[0].distance(p), 0.0), 0.0);
+    for leg in way.windows(2) {
+        let nearest = nearest_on_segment(leg[0], leg[1], p);
+        if nearest.distance(p) < best.0 {
+            best = (nearest.distance(p), walked + nearest.distance(leg[0]));
+        }
+        walked += leg[0].distance(leg[1]);
+    }
+    best
+}
+
+/// The point so far along a way; its end if it is not that long.
+fn at(way: &[DVec2], mut along: f64) -> DVec2 {
+    for leg in way.windows(2) {
+        let length = leg[0].distance(leg[1]);
+        if along < length {
+            return leg[0].lerp(leg[1], along / length);
+        }
+        along -= length;
+    }
+    way[way.len() - 1]
 }

@@ -75,21 +75,21 @@ impl World {
             && self.groups[agents.group[row].index()].resolve
     }
 
-    /// The nearest with whom an agent is stuck.
+    /// The nearest in whose way an agent is, and who is in its way, if both are stuck.
     fn partner(&self, row: usize) -> Option<usize> {
         let agents = &self.agents;
-        let blocks = |&other: &usize| {
-            let bodies = agents.radius[row] + agents.radius[other];
-            let (distance, stalled) = (agents.position[row].distance(agents.position[other]), agents.travel[other].stalled);
-            distance < CLOSE_IF_NARROW * bodies
-                && stalled >= 0.5 * LOOKS
-                && self.may_resolve(other)
-                && self.opposed(row, other)
-                && (agents.travel[row].stalled.min(2.0 * stalled) >= STUCK && distance < CLOSE * bodies
-                    || self.is_narrow(row, other))
-        };
         // who joined one that began in this sub-step has found its partner
-        self.may_resolve(row).then(|| self.neighbours(row).iter().map(|near| near.row as usize).find(blocks)).flatten()
+        if !self.may_resolve(row) {
+            return None;
+        }
+        let nearest = self.neighbours(row).iter().map(|near| near.row as usize).find(|&other| {
+            agents.travel[other].stalled >= 0.5 * LOOKS && self.may_resolve(other) && self.opposed(row, other)
+        });
+        nearest.filter(|&other| {
+            let close = agents.position[row].distance(agents.position[other]) / (agents.radius[row] + agents.radius[other]);
+            let stuck = agents.travel[row].stalled >= STUCK && agents.travel[other].stalled >= 0.5 * STUCK;
+            stuck && close < CLOSE || close < CLOSE_IF_NARROW && self.is_narrow(row, other)
+        })
     }
 
     fn begin(&mut self, agreement: Agreement) {
