@@ -66,6 +66,7 @@ pub(super) fn shared(group: &Group, name: String) -> throng::Group {
         neighbours: neighbours as usize,
         keep_right: group.keep_right.to_radians() as f32,
         detour: group.detour,
+        resolve: group.resolve,
         ..throng::Group::default()
     }
 }
