@@ -99,6 +99,8 @@ struct StepMemory {
     neighbours: Vec<Near>,
     most_neighbours: usize,
     ways: Vec<Way>,
+    following: Vec<queue::Following>,
+    seen: Vec<u32>,
     preferred: Vec<Vec2>,
     wishes: Vec<Vec2>,
     targets: Vec<Vec2>,

@@ -33,5 +33,5 @@ pub use path::Path;
 pub use polyanya::Search;
 pub(crate) use refuge::Refuge;
 pub use route::{Heading, Route};
-pub use travel::{Travel, Turn};
 pub(crate) use travel::turned_right;
+pub use travel::{Travel, Turn};

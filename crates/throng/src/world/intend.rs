@@ -14,6 +14,7 @@ impl World {
     pub(super) fn intend(&mut self, seconds: f32) {
         self.plan();
         self.show_ways();
+        self.follow_others();
         self.resolve(seconds);
         self.step.preferred.clear();
         self.step.preferred.resize(self.agents.len(), Vec2::ZERO);
@@ -83,7 +84,7 @@ impl World {
             f32::INFINITY
         };
         let bias = if distance > 2.0 * agents.radius[row] { group.keep_right } else { 0.0 };
-        let following = if detour == 0.0 { self.following_speed(row, direction) } else { f32::INFINITY };
+        let following = if detour == 0.0 { self.step.following[row].speed } else { f32::INFINITY };
         turned_right(direction, bias + detour) * speed.min(arriving).min(following)
     }
 

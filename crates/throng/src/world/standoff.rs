@@ -86,7 +86,8 @@ impl World {
             agents.travel[other].stalled >= 0.5 * LOOKS && self.may_resolve(other) && self.opposed(row, other)
         });
         nearest.filter(|&other| {
-            let close = agents.position[row].distance(agents.position[other]) / (agents.radius[row] + agents.radius[other]);
+            let close =
+                agents.position[row].distance(agents.position[other]) / (agents.radius[row] + agents.radius[other]);
             let stuck = agents.travel[row].stalled >= STUCK && agents.travel[other].stalled >= 0.5 * STUCK;
             stuck && close < CLOSE || close < CLOSE_IF_NARROW && self.is_narrow(row, other)
         })
