@@ -20,6 +20,7 @@ pub enum Purpose {
     Wait = 8,
     StopWait = 9,
     Choice = 10,
+    TrackingError = 11,
 }
 
 /// The random numbers of one agent for one purpose.

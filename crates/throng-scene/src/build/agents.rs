@@ -1,10 +1,10 @@
 //! The bodies and speeds of each agent.
 
 use crate::random::{Purpose, Random};
-use crate::scene::{Avoid, Group, Number, Scene};
+use crate::scene::{self, Avoid, Group, Number, Scene};
 use std::sync::Arc;
 use throng::Agent;
-use throng::avoid::{Hrvo, LocalModel, Orca, Rvo, Unavoiding, Vo};
+use throng::avoid::{Avo, BuiltFrom, ClearPath, Hrvo, LocalModel, Orca, Rvo, RvoLab, Search, Unavoiding, Vo};
 
 /// Draws what differs from agent to agent.
 pub(super) struct Draw<'a> {
@@ -47,6 +47,7 @@ impl Draw<'_> {
             max_acceleration: optional(Purpose::Acceleration, &group.acceleration).unwrap_or(standard.max_acceleration),
             max_turn_rate: optional(Purpose::TurnRate, &group.turn_rate)
                 .map_or(standard.max_turn_rate, f32::to_radians),
+            tracking_error: optional(Purpose::TrackingError, &group.tracking_error).unwrap_or(0.0),
             priority: group.priority as f32,
             layers: bits(&group.layers),
             avoids: group.avoids.as_ref().map_or(u32::MAX, |layers| bits(layers)),
@@ -76,17 +77,39 @@ fn model(avoid: &Avoid) -> Arc<dyn LocalModel> {
         Avoid::Orca(model) => Arc::new(Orca {
             time_horizon: model.time_horizon as f32,
             time_horizon_obstacles: model.time_horizon_obstacles as f32,
+            turning_bias: model.turning_bias as f32,
+            built_from: match model.built_from {
+                scene::BuiltFrom::Current => BuiltFrom::Current,
+                scene::BuiltFrom::Preferred => BuiltFrom::Preferred,
+                scene::BuiltFrom::Zero => BuiltFrom::Zero,
+            },
+        }),
+        Avoid::Avo(model) => Arc::new(Avo {
+            time_horizon: model.time_horizon as f32,
+            time_horizon_obstacles: model.time_horizon_obstacles as f32,
+            delay: model.delay as f32,
         }),
         Avoid::Vo(model) => Arc::new(Vo {
             time_horizon: model.time_horizon as f32,
             time_horizon_obstacles: model.time_horizon_obstacles as f32,
         }),
         Avoid::Hrvo(model) => Arc::new(Hrvo { time_horizon_obstacles: model.time_horizon_obstacles as f32 }),
-        Avoid::Rvo(model) => Arc::new(Rvo {
-            weight: model.weight as f32,
+        Avoid::Clearpath(model) => Arc::new(ClearPath {
             time_horizon: model.time_horizon as f32,
             time_horizon_obstacles: model.time_horizon_obstacles as f32,
         }),
+        Avoid::Rvo(model) => Arc::new(Rvo {
+            weight: model.weight as f32,
+            responsibility: model.responsibility as f32,
+            time_horizon: model.time_horizon as f32,
+            time_horizon_obstacles: (!model.braking).then_some(model.time_horizon_obstacles as f32),
+            kinodynamic: model.kinodynamic,
+            search: match model.candidates {
+                0 => Search::Adaptive,
+                candidates => Search::Random { candidates },
+            },
+        }),
+        Avoid::RvoLab(_) => Arc::new(RvoLab),
         Avoid::None(_) => Arc::new(Unavoiding),
     }
 }

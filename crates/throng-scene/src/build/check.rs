@@ -102,6 +102,7 @@ fn check_group(path: &Path, group: &Group) -> Checked {
         ("speed.max", group.speed.max.as_ref(), Limit::Between(0.0, 1000.0)),
         ("acceleration", group.acceleration.as_ref(), Limit::Positive),
         ("turn_rate", group.turn_rate.as_ref(), Limit::Positive),
+        ("tracking_error", group.tracking_error.as_ref(), Limit::Between(0.0, 10.0)),
         ("heading", group.heading.as_ref(), Limit::Finite),
     ];
     for (key, number, limit) in numbers {
@@ -117,6 +118,11 @@ fn check_group(path: &Path, group: &Group) -> Checked {
                 .hint("the greatest speed must be at least the preferred one"));
         }
     }
+    if group.turn_rate.is_none() && group.tracking_error.as_ref().is_some_and(|error| error.bounds()[1] > 0.0) {
+        let message = "tracking_error is for bodies that turn slowly, but there is no turn_rate";
+        return Err(Problem::new(&path.key("tracking_error"), Kind::MissingKey, message)
+            .hint("add `turn_rate = 180`, degrees a second, or leave tracking_error away"));
+    }
     check(&path.key("priority"), group.priority, Limit::Finite)?;
     check(&path.key("keep_right"), group.keep_right, Limit::Between(-28.0, 28.0))?;
     for (key, layers) in [("layers", Some(&group.layers)), ("avoids", group.avoids.as_ref())] {
@@ -129,21 +135,53 @@ fn check_group(path: &Path, group: &Group) -> Checked {
 
 fn check_avoid(path: &Path, avoid: &Avoid) -> Checked {
     let key = |name: &str| path.key("avoid").key(name);
-    let (path, horizons) = match avoid {
-        Avoid::Orca(model) => (key("orca"), (Some(model.time_horizon), model.time_horizon_obstacles)),
-        Avoid::Vo(model) => (key("vo"), (Some(model.time_horizon), model.time_horizon_obstacles)),
-        Avoid::Hrvo(model) => (key("hrvo"), (None, model.time_horizon_obstacles)),
-        Avoid::Rvo(model) => {
-            check(&key("rvo").key("weight"), model.weight, Limit::Positive)?;
-            (key("rvo"), (Some(model.time_horizon), model.time_horizon_obstacles))
+    let ahead = |path: &Path, seconds: f64| check(&path.key("time_horizon"), seconds, Limit::Positive);
+    let walls = |path: &Path, seconds: f64| check(&path.key("time_horizon_obstacles"), seconds, Limit::Positive);
+    let path = match avoid {
+        Avoid::Orca(model) => {
+            let path = key("orca");
+            ahead(&path, model.time_horizon)?;
+            walls(&path, model.time_horizon_obstacles)?;
+            check(&path.key("turning_bias"), model.turning_bias, Limit::Between(0.1, 10.0))?;
+            path
         }
+        Avoid::Avo(model) => {
+            let path = key("avo");
+            ahead(&path, model.time_horizon)?;
+            walls(&path, model.time_horizon_obstacles)?;
+            check(&path.key("delay"), model.delay, Limit::UpTo(10.0))?;
+            path
+        }
+        Avoid::Vo(model) => {
+            let path = key("vo");
+            ahead(&path, model.time_horizon)?;
+            walls(&path, model.time_horizon_obstacles)?;
+            path
+        }
+        Avoid::Hrvo(model) => {
+            let path = key("hrvo");
+            walls(&path, model.time_horizon_obstacles)?;
+            path
+        }
+        Avoid::Clearpath(model) => {
+            let path = key("clearpath");
+            ahead(&path, model.time_horizon)?;
+            walls(&path, model.time_horizon_obstacles)?;
+            path
+        }
+        Avoid::Rvo(model) => {
+            let path = key("rvo");
+            check(&path.key("weight"), model.weight, Limit::Positive)?;
+            check(&path.key("responsibility"), model.responsibility, Limit::Between(0.1, 1.0))?;
+            ahead(&path, model.time_horizon)?;
+            walls(&path, model.time_horizon_obstacles)?;
+            check(&path.key("candidates"), f64::from(model.candidates), Limit::Between(0.0, 1e5))?;
+            path
+        }
+        Avoid::RvoLab(_) => key("rvo_lab"),
         Avoid::None(_) => return Ok(()),
     };
     let (neighbours, distance) = avoid.sight();
-    if let Some(horizon) = horizons.0 {
-        check(&path.key("time_horizon"), horizon, Limit::Positive)?;
-    }
-    check(&path.key("time_horizon_obstacles"), horizons.1, Limit::Positive)?;
     check(&path.key("neighbours"), f64::from(neighbours), Limit::Between(1.0, 1000.0))?;
     check(&path.key("neighbour_distance"), distance, Limit::Positive)
 }

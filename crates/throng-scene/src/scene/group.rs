@@ -38,6 +38,10 @@ pub struct Group {
     /// Greatest change of heading, degrees a second. Without it, no limit. Limit: > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub turn_rate: Option<Number>,
+    /// How far beside the straight way to what it chose a body may get while it turns, metres: more than 0 makes it a
+    /// robot on two wheels, and taken to be larger by so much. It needs a `turn_rate`. Limit: 0 to 10.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tracking_error: Option<Number>,
     /// Direction of the body at the start, degrees counter-clockwise from +x. Without it, towards the goal.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heading: Option<Number>,
@@ -81,6 +85,7 @@ impl Default for Group {
             speed: Speed::default(),
             acceleration: None,
             turn_rate: None,
+            tracking_error: None,
             heading: None,
             priority: 0.0,
             layers: first_layer(),

@@ -13,7 +13,7 @@ mod source;
 mod time;
 mod view;
 
-pub use avoid::{Avoid, Horizons, Hrvo, Rvo, Unavoiding};
+pub use avoid::{Avo, Avoid, BuiltFrom, Clearpath, Hrvo, Orca, Rvo, RvoLab, Unavoiding, Vo};
 pub use expect::{Arrived, Expect, FlowExpect};
 pub use goal::{Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
 pub use ground::{Area, Rectangle, Region, Walkable};

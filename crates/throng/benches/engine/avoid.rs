@@ -22,7 +22,10 @@ fn ten_neighbours(bencher: Bencher, density: f64) {
         grid.nearest(from, 10, 20.0, |near| near.row as usize != row, &mut found);
         let neighbour = |row: usize| Neighbour {
             offset: points[row] - from,
+            above: 0.0,
+            climb: 0.0,
             velocity: velocities[row],
+            preferred: velocities[row],
             radii: 0.412,
             share: 0.5,
             room: 0.5,

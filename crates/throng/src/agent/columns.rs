@@ -44,6 +44,8 @@ columns! {
     max_acceleration: f32,
     /// Greatest change of heading a second.
     max_turn_rate: f32,
+    /// How far beside the way it chose it may get while it turns.
+    tracking_error: f32,
     /// Right of way.
     priority: f32,
     /// Layers it is on.
@@ -101,6 +103,7 @@ impl Columns {
         self.max_speed.push(agent.max_speed);
         self.max_acceleration.push(agent.max_acceleration);
         self.max_turn_rate.push(agent.max_turn_rate);
+        self.tracking_error.push(agent.tracking_error);
         self.priority.push(agent.priority);
         self.layers.push(agent.layers);
         self.avoids.push(agent.avoids);

@@ -39,6 +39,10 @@ pub struct Agent {
     pub max_acceleration: f32,
     /// Greatest change of heading a second; infinite for none. Limit: > 0.
     pub max_turn_rate: f32,
+    /// How far beside the straight way to what it chose the body may get while it turns, metres; 0 for one that moves
+    /// in any direction at once, as people do. More is a robot on two wheels (Alonso-Mora et al. 2010), which needs a
+    /// finite `max_turn_rate`; it and all others take it to be larger by so much. Limit: 0 to 10.
+    pub tracking_error: f32,
     /// Right of way: of two agents the one with the lower priority does more of the avoiding. Equal shares by
     /// default; a difference of 1 leaves all of it to the other.
     pub priority: f32,
@@ -66,6 +70,7 @@ impl Default for Agent {
             max_speed: 1.8,
             max_acceleration: 5.0,
             max_turn_rate: f32::INFINITY,
+            tracking_error: 0.0,
             priority: 0.0,
             layers: 1,
             avoids: u32::MAX,

@@ -1,102 +1,151 @@
 //! The velocity closest to the preferred one outside all forbidden regions, by looking at every place where it can lie:
 //! Guy et al., ClearPath: highly parallel collision avoidance for multi-agent simulation, SCA 2009, section 4.
 //!
-//! The free velocities have straight boundaries: legs of cones and lines. The closest free one is the preferred velocity
-//! itself, or its projection on a boundary, or a crossing of two boundaries, or of one and the circle of greatest speed.
+//! The free velocities are bounded by pieces of lines and circles: legs of cones, their rounded tips, lines, and the
+//! circle of greatest speed. The closest free one is the preferred velocity itself, or the nearest point of a piece, or
+//! where two pieces cross. VO, HRVO and ClearPath's own model share this search.
 
-use super::Line;
+use super::{Cause, Forbidden, LocalModel, Piece, Reason, View, Workspace};
+use crate::Error;
 use glam::Vec2;
 
-/// Velocities that are forbidden.
+/// ClearPath: reciprocal velocity obstacles that end at a time horizon (the paper's FVO), solved exactly.
+///
+/// It finds the gaps between neighbours that [`Orca`](super::Orca)'s half-planes hide; where nothing is free it lets
+/// go of the farthest neighbours first.
+///
+/// ```
+/// use throng::avoid::ClearPath;
+/// let model = ClearPath { time_horizon: 3.0, ..ClearPath::default() };
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Forbidden {
-    /// A cone.
-    Cone {
-        /// Its tip.
-        apex: Vec2,
-        /// Unit vector along its right leg.
-        right: Vec2,
-        /// Unit vector along its left leg.
-        left: Vec2,
-    },
-    /// What is right of a line.
-    RightOf(Line),
+pub struct ClearPath {
+    /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
+    pub time_horizon: f32,
+    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0.
+    pub time_horizon_obstacles: f32,
+}
+
+impl Default for ClearPath {
+    fn default() -> Self {
+        Self { time_horizon: 2.0, time_horizon_obstacles: 0.7 }
+    }
+}
+
+impl LocalModel for ClearPath {
+    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+        self.forbid(view, workspace);
+        closest_outside(&workspace.forbidden, view.max_speed, view.preferred)
+    }
+
+    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+        self.forbid(view, workspace);
+        workspace.reasons().collect()
+    }
+
+    fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
+        self.time_horizon_obstacles * max_speed + radius
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("time horizon", self.time_horizon)?;
+        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)
+    }
+}
+
+impl ClearPath {
+    fn forbid(&self, view: &View<'_>, workspace: &mut Workspace) {
+        workspace.forbid(view, self.time_horizon_obstacles, |other| {
+            Forbidden::truncated(view.velocity, other, self.time_horizon, view.step)
+        });
+    }
+}
+
+impl Workspace {
+    /// Collects what walls, the body itself and neighbours forbid, the most important first; remembers what each comes
+    /// from.
+    pub(super) fn forbid(
+        &mut self,
+        view: &View<'_>,
+        wall_horizon: f32,
+        region: impl Fn(&super::Neighbour) -> Forbidden,
+    ) {
+        self.permit(view, view.radius, wall_horizon);
+        self.forbidden.clear();
+        self.forbidden.extend(self.lines.iter().map(|&line| Forbidden::RightOf(line)));
+        for (index, neighbour) in view.neighbours.iter().enumerate() {
+            self.forbidden.push(region(neighbour));
+            self.causes.push(Cause::Neighbour(index));
+        }
+    }
+
+    /// The regions collected, as reasons.
+    pub(super) fn reasons(&self) -> impl Iterator<Item = Reason> + '_ {
+        self.causes.iter().zip(&self.forbidden).map(|(&cause, &region)| match region {
+            Forbidden::RightOf(line) => Reason::Permits(cause, line),
+            region => Reason::Forbids(cause, region),
+        })
+    }
 }
 
 /// How deep within a region counts as outside, m/s.
 const TOUCH: f32 = 1e-4;
 
-impl Forbidden {
-    /// How deep `v` lies within, at most zero outside. m/s
-    pub fn depth(&self, v: Vec2) -> f32 {
-        match *self {
-            Self::Cone { apex, right, left } => {
-                let v = v - apex;
-                right.perp_dot(v).min(v.perp_dot(left))
-            }
-            Self::RightOf(line) => line.violation(v),
-        }
-    }
-
-    /// Its boundaries: a point, a unit vector, and whether it ends at the point.
-    fn boundaries(&self) -> impl Iterator<Item = (Vec2, Vec2, bool)> {
-        let (first, second) = match *self {
-            Self::Cone { apex, right, left } => ((apex, right, true), Some((apex, left, true))),
-            Self::RightOf(line) => ((line.point, line.direction, false), None),
-        };
-        std::iter::once(first).chain(second)
-    }
-}
-
 /// The velocity within `max_speed` closest to `preferred` that is in none of the regions. Where every one is in some,
 /// the one whose first region in the list comes last: put what matters most first.
 pub fn closest_outside(regions: &[Forbidden], max_speed: f32, preferred: Vec2) -> Vec2 {
     let preferred = preferred.clamp_length_max(max_speed);
-    let mut best = (0, f32::INFINITY, Vec2::ZERO);
-    let mut consider = |v: Vec2| {
-        if v.length_squared() > max_speed * max_speed * 1.0001 {
-            return;
-        }
-        let distance = v.distance_squared(preferred);
-        if best.0 == regions.len() && distance >= best.1 {
-            return;
-        }
-        let clear = regions.iter().position(|region| region.depth(v) > TOUCH).unwrap_or(regions.len());
-        if clear > best.0 || clear == best.0 && distance < best.1 {
-            best = (clear, distance, v);
-        }
-    };
-    consider(preferred);
-    consider(Vec2::ZERO);
-    for (i, region) in regions.iter().enumerate() {
-        for (point, along, ends) in region.boundaries() {
-            let reach = |t: f32| !ends || t >= 0.0;
-            let nearest = (preferred - point).dot(along);
-            consider(point + along * if ends { nearest.max(0.0) } else { nearest });
-            // crossings with the circle of greatest speed
-            let middle = point.dot(along);
-            let root = middle * middle - point.length_squared() + max_speed * max_speed;
-            if root >= 0.0 {
-                for t in [-middle - root.sqrt(), -middle + root.sqrt()] {
-                    if reach(t) {
-                        consider(point + along * t);
-                    }
-                }
-            }
-            for other in &regions[..i] {
-                for (origin, across, stops) in other.boundaries() {
-                    let sine = along.perp_dot(across);
-                    if sine.abs() < 1e-6 {
-                        continue;
-                    }
-                    let t = (origin - point).perp_dot(across) / sine;
-                    let u = (origin - point).perp_dot(along) / sine;
-                    if reach(t) && (!stops || u >= 0.0) {
-                        consider(point + along * t);
-                    }
-                }
+    let mut best = Best { regions, max_speed, preferred, clear: 0, distance: f32::INFINITY, velocity: Vec2::ZERO };
+    best.consider(preferred);
+    if best.is_free() {
+        return preferred;
+    }
+    best.consider(Vec2::ZERO);
+    let pieces = || regions.iter().flat_map(Forbidden::pieces);
+    pieces().for_each(|piece| best.consider(piece.nearest(preferred)));
+    let fastest = Piece::Circle { center: Vec2::ZERO, radius: max_speed };
+    for (i, piece) in pieces().enumerate() {
+        // no crossing of it is nearer than its nearest point
+        if best.is_beaten_by(piece.nearest(preferred)) {
+            piece.crossings(&fastest).for_each(|v| best.consider(v));
+            for other in pieces().take(i) {
+                piece.crossings(&other).for_each(|v| best.consider(v));
             }
         }
     }
-    best.2
+    best.velocity
+}
+
+/// The best of the velocities looked at.
+struct Best<'a> {
+    regions: &'a [Forbidden],
+    max_speed: f32,
+    preferred: Vec2,
+    /// How many regions it is out of, from the front of the list.
+    clear: usize,
+    /// Its distance from the preferred velocity, squared.
+    distance: f32,
+    velocity: Vec2,
+}
+
+impl Best<'_> {
+    fn is_free(&self) -> bool {
+        self.clear == self.regions.len()
+    }
+
+    /// Whether `v` is better, if it is out of all regions.
+    fn is_beaten_by(&self, v: Vec2) -> bool {
+        !self.is_free() || v.distance_squared(self.preferred) < self.distance
+    }
+
+    fn consider(&mut self, v: Vec2) {
+        if !self.is_beaten_by(v) || v.length_squared() > self.max_speed * self.max_speed * 1.0001 {
+            return;
+        }
+        let distance = v.distance_squared(self.preferred);
+        let clear = self.regions.iter().position(|region| region.depth(v) > TOUCH).unwrap_or(self.regions.len());
+        if clear > self.clear || clear == self.clear && distance < self.distance {
+            (self.clear, self.distance, self.velocity) = (clear, distance, v);
+        }
+    }
 }

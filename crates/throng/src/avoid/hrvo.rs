@@ -5,8 +5,7 @@
 //! side that the agent is not to pass, to the leg of the plain velocity obstacle: crossing over costs all of the
 //! avoiding. The velocity is found by [ClearPath](super::closest_outside).
 
-use super::clearpath::{Forbidden, closest_outside};
-use super::{LocalModel, Neighbour, View, Workspace, obstacle_lines, orca};
+use super::{Forbidden, LocalModel, Neighbour, Reason, View, Workspace, closest_outside, obstacle_lines, orca};
 use crate::Error;
 use glam::Vec2;
 
@@ -31,14 +30,13 @@ impl Default for Hrvo {
 
 impl LocalModel for Hrvo {
     fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
-        let Workspace { lines, forbidden, .. } = workspace;
-        lines.clear();
-        obstacle_lines::push(lines, view, view.radius, self.time_horizon_obstacles);
-        lines.extend(orca::disc_lines(view, view.radius, self.time_horizon_obstacles));
-        forbidden.clear();
-        forbidden.extend(lines.iter().map(|&line| Forbidden::RightOf(line)));
-        forbidden.extend(view.neighbours.iter().map(|n| hybrid(view.velocity, n, view.step)));
-        closest_outside(forbidden, view.max_speed, view.preferred)
+        workspace.forbid(view, self.time_horizon_obstacles, |other| hybrid(view.velocity, other, view.step));
+        closest_outside(&workspace.forbidden, view.max_speed, view.preferred)
+    }
+
+    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+        workspace.forbid(view, self.time_horizon_obstacles, |other| hybrid(view.velocity, other, view.step));
+        workspace.reasons().collect()
     }
 
     fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
@@ -52,7 +50,7 @@ impl LocalModel for Hrvo {
 
 /// The hybrid reciprocal velocity obstacle of one neighbour for an agent of the given velocity; a half-plane that leads
 /// out of those who are too close.
-pub(super) fn hybrid(velocity: Vec2, other: &Neighbour, step: f32) -> Forbidden {
+pub fn hybrid(velocity: Vec2, other: &Neighbour, step: f32) -> Forbidden {
     let Neighbour { offset, radii, share, .. } = *other;
     if offset.length_squared() <= radii * radii {
         return Forbidden::RightOf(orca::line(velocity, other, 1.0, step));

@@ -4,39 +4,58 @@
 //! the step, and answers with a velocity; it keeps no state. What it answers need not be safe: the
 //! [guard](crate::guard) makes it so.
 
+mod avo;
 mod clearpath;
 mod collision;
 mod explain;
+mod forbidden;
 mod half_plane;
+mod half_space;
 mod hrvo;
 mod none;
 mod obstacle_lines;
 mod orca;
+mod orca_3d;
 mod rvo;
+mod rvo_lab;
 mod sampling;
+mod turning;
 mod vo;
 
-pub use clearpath::{Forbidden, closest_outside};
+pub use avo::Avo;
+pub use clearpath::{ClearPath, closest_outside};
 pub use collision::{time_to_disc, time_to_segment};
 pub use explain::{Cause, Reason};
+pub use forbidden::Forbidden;
+use forbidden::Piece;
 pub use half_plane::{Line, closest_velocity, least_violation};
+pub use half_space::{Plane, closest_velocity_in_space, least_violation_in_space};
 pub use hrvo::Hrvo;
 pub use none::Unavoiding;
-pub use orca::Orca;
+pub use orca::{BuiltFrom, Orca};
+pub use orca_3d::Orca3d;
 pub use rvo::Rvo;
+pub use rvo_lab::RvoLab;
+pub use sampling::Search;
 pub use vo::Vo;
 
 pub use crate::random::Dice;
 use crate::space::{Disc, Edge};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 /// Another agent, seen from the one that chooses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Neighbour {
     /// Its centre, from the choosing agent's.
     pub offset: Vec2,
+    /// How much higher its centre is.
+    pub above: f32,
+    /// Its velocity upwards.
+    pub climb: f32,
     /// Its velocity.
     pub velocity: Vec2,
+    /// The velocity it would like to have.
+    pub preferred: Vec2,
     /// Sum of the two radii, with the margin that the model keeps (see [`MARGIN`]).
     pub radii: f32,
     /// The choosing agent's share of the avoiding, 0 (none) to 1 (all).
@@ -46,6 +65,23 @@ pub struct Neighbour {
     pub room: f32,
     /// A unit vector for two agents in exactly one place; the other sees its opposite.
     pub aside: Vec2,
+}
+
+impl Neighbour {
+    /// Something that stands and does not avoid.
+    pub(crate) fn resting(offset: Vec2, radii: f32) -> Self {
+        Self {
+            offset,
+            above: 0.0,
+            climb: 0.0,
+            velocity: Vec2::ZERO,
+            preferred: Vec2::ZERO,
+            radii,
+            share: 1.0,
+            room: 1.0,
+            aside: Vec2::X,
+        }
+    }
 }
 
 /// A wall edge near the choosing agent.
@@ -77,12 +113,23 @@ pub struct View<'a> {
     pub heading: f32,
     /// Velocity it would like to have.
     pub preferred: Vec2,
+    /// Current velocity upwards.
+    pub climb: f32,
+    /// Velocity upwards that it would like to have.
+    pub preferred_climb: f32,
     /// Radius of the body.
     pub radius: f32,
     /// Speed not to exceed.
     pub max_speed: f32,
     /// Greatest change of velocity a second; infinite for none.
     pub max_acceleration: f32,
+    /// How far off the way it chose the body may get while it turns, metres; 0: it moves in any direction at once.
+    /// See [`Agent::tracking_error`](crate::Agent::tracking_error).
+    pub tracking_error: f32,
+    /// Greatest change of heading a second; infinite for none.
+    pub max_turn_rate: f32,
+    /// By what factor the radii of neighbours are larger than those of the bodies.
+    pub margin: f32,
     /// Seconds until it can choose again.
     pub step: f32,
     /// Others, nearest first.
@@ -101,9 +148,14 @@ impl Default for View<'_> {
             velocity: Vec2::ZERO,
             heading: 0.0,
             preferred: Vec2::ZERO,
+            climb: 0.0,
+            preferred_climb: 0.0,
             radius: 0.2,
             max_speed: 1.8,
             max_acceleration: 5.0,
+            tracking_error: 0.0,
+            max_turn_rate: f32::INFINITY,
+            margin: 1.0,
             step: 0.02,
             neighbours: &[],
             edges: &[],
@@ -120,14 +172,26 @@ pub struct Workspace {
     pub lines: Vec<Line>,
     /// Half-planes of the fallback.
     pub fallback: Vec<Line>,
+    /// Half-spaces of permitted velocities.
+    pub planes: Vec<Plane>,
+    /// Half-spaces of the fallback.
+    pub fallback_planes: Vec<Plane>,
     /// Regions of forbidden velocities.
     pub forbidden: Vec<Forbidden>,
+    /// What the half-planes, or the regions, come from.
+    pub causes: Vec<Cause>,
 }
 
 /// How the preferred velocity becomes a safe one.
 pub trait LocalModel: std::fmt::Debug + Send + Sync {
     /// The new velocity of one agent. Pure: the same view gives the same bits.
     fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2;
+
+    /// The new velocity of one agent that flies, in space. Models of the plane choose the part along the ground, and
+    /// leave going up and down as it is wanted.
+    fn velocity_in_space(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec3 {
+        self.velocity(view, workspace).extend(view.preferred_climb)
+    }
 
     /// Why [`velocity`](Self::velocity) answers as it does for this view, as data to draw: what each neighbour and
     /// each wall forbids, or what the model tried and what it found. Never called in a step.

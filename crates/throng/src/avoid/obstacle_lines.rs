@@ -3,19 +3,51 @@
 //! permitted.
 
 use super::half_plane::Line;
-use super::{NearEdge, View};
+use super::{Cause, NearEdge, Neighbour, Reason, View, Workspace, orca};
+use crate::motion::followable;
 use glam::Vec2;
 
 const EPSILON: f32 = 1e-5;
 
-/// Adds the half-planes of the edges in view for a body of this radius.
-pub(super) fn push(lines: &mut Vec<Line>, view: &View<'_>, radius: f32, horizon: f32) {
-    for near in view.edges {
-        if !covered(lines, near, radius, horizon)
-            && let Some(line) = of_edge(near, view.velocity, radius, horizon)
-        {
+impl Workspace {
+    /// Collects the half-planes that walls leave to a body of `radius`, and those in which the body can move as it
+    /// wants to; remembers what each comes from. All of them permit standing still.
+    pub(super) fn permit(&mut self, view: &View<'_>, radius: f32, horizon: f32) {
+        let Self { lines, causes, .. } = self;
+        lines.clear();
+        causes.clear();
+        let mut push = |lines: &mut Vec<Line>, cause: Cause, line: Line| {
             lines.push(line);
+            causes.push(cause);
+        };
+        for (index, near) in view.edges.iter().enumerate() {
+            if !covered(lines, near, radius, horizon)
+                && let Some(line) = of_edge(near, view.velocity, radius, horizon)
+            {
+                push(lines, Cause::Edge(index), line);
+            }
         }
+        for (index, near) in view.discs.iter().enumerate() {
+            let disc = Neighbour::resting(near.offset, near.disc.radius as f32 + radius);
+            push(lines, Cause::Disc(index), orca::line(view.velocity, &disc, horizon, view.step));
+        }
+        if view.tracking_error > 0.0 {
+            let corners = followable(view.tracking_error, view.heading, view.max_speed, view.max_turn_rate);
+            for side in corners.windows(2) {
+                if let Some(direction) = (side[1] - side[0]).try_normalize() {
+                    push(lines, Cause::Body, Line { point: side[0], direction });
+                }
+            }
+        }
+    }
+}
+
+impl Workspace {
+    /// The half-planes, as reasons: first those collected by [`permit`](Self::permit), then one of each neighbour.
+    pub(super) fn permissions(&self) -> Vec<Reason> {
+        let neighbours = (0..).map(Cause::Neighbour);
+        let causes = self.causes.iter().copied().chain(neighbours);
+        causes.zip(&self.lines).map(|(cause, &line)| Reason::Permits(cause, line)).collect()
     }
 }
 

@@ -7,9 +7,22 @@
 //! Walls are never violated; where neighbours leave no velocity, the greatest violation is made least.
 
 use super::half_plane::{Line, closest_velocity, least_violation};
-use super::{LocalModel, Neighbour, View, Workspace, obstacle_lines};
+use super::{LocalModel, Neighbour, Reason, View, Workspace, obstacle_lines, turning};
 use crate::Error;
 use glam::Vec2;
+
+/// The velocity that an agent's half-planes are built from: the one that it is taken to have while the others choose
+/// (the paper's optimisation velocity, section 4.2).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BuiltFrom {
+    /// The present one: the compromise that the paper and RVO2 settle on.
+    #[default]
+    Current,
+    /// The preferred one: better where there is room; in a crowd often nothing is left.
+    Preferred,
+    /// None: something is always left, but a dense crowd stands.
+    Zero,
+}
 
 /// Optimal reciprocal collision avoidance.
 ///
@@ -24,11 +37,16 @@ pub struct Orca {
     pub time_horizon: f32,
     /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0; 0.5 to 1 for pedestrians.
     pub time_horizon_obstacles: f32,
+    /// How much cheaper it is to turn than to change speed: above 1 agents rather turn, below 1 they rather brake
+    /// (Curtis, Manocha, Pedestrian simulation using geometric reasoning in velocity space, 2014). Limit: 0.1 to 10.
+    pub turning_bias: f32,
+    /// The velocity that the half-planes are built from.
+    pub built_from: BuiltFrom,
 }
 
 impl Default for Orca {
     fn default() -> Self {
-        Self { time_horizon: 2.0, time_horizon_obstacles: 0.7 }
+        Self { time_horizon: 2.0, time_horizon_obstacles: 0.7, turning_bias: 1.0, built_from: BuiltFrom::default() }
     }
 }
 
@@ -40,15 +58,18 @@ const WALL_MARGIN: f32 = 0.01;
 
 impl LocalModel for Orca {
     fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+        let hard = self.permit(view, workspace);
         let Workspace { lines, fallback, .. } = workspace;
-        lines.clear();
-        let radius = view.radius * (1.0 + WALL_MARGIN);
-        obstacle_lines::push(lines, view, radius, self.time_horizon_obstacles);
-        lines.extend(disc_lines(view, radius, self.time_horizon_obstacles));
-        let hard = lines.len();
-        lines.extend(view.neighbours.iter().map(|n| line(view.velocity, n, self.time_horizon, view.step)));
-        closest_velocity(lines, view.max_speed, view.preferred)
-            .unwrap_or_else(|failed| least_violation(lines, hard, view.max_speed, failed, fallback))
+        if self.turning_bias == 1.0 {
+            optimum(lines, hard, view.max_speed, view.preferred, fallback)
+        } else {
+            turning::optimum(lines, hard, view.max_speed, view.preferred, self.turning_bias, fallback)
+        }
+    }
+
+    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+        self.permit(view, workspace);
+        workspace.permissions()
     }
 
     fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
@@ -57,23 +78,37 @@ impl LocalModel for Orca {
 
     fn check(&self) -> Result<(), Error> {
         Error::unless_positive("time horizon", self.time_horizon)?;
-        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)
+        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)?;
+        let bias = self.turning_bias;
+        Error::unless((0.1..=10.0).contains(&bias), "turning bias", bias, "from 0.1 to 10")
     }
 }
 
-/// The half-planes that the solid discs in view leave to a body of `radius`.
-pub(super) fn disc_lines(view: &View<'_>, radius: f32, horizon: f32) -> impl Iterator<Item = Line> {
-    view.discs.iter().map(move |near| {
-        let disc = Neighbour {
-            offset: near.offset,
-            velocity: Vec2::ZERO,
-            radii: near.disc.radius as f32 + radius,
-            share: 1.0,
-            room: 1.0,
-            aside: Vec2::X,
+impl Orca {
+    /// Collects the half-planes of walls and the body, and then those of neighbours; tells how many the former are.
+    fn permit(&self, view: &View<'_>, workspace: &mut Workspace) -> usize {
+        let of = |current: Vec2, preferred: Vec2| match self.built_from {
+            BuiltFrom::Current => current,
+            BuiltFrom::Preferred => preferred,
+            BuiltFrom::Zero => Vec2::ZERO,
         };
-        line(view.velocity, &disc, horizon, view.step)
-    })
+        let velocity = of(view.velocity, view.preferred);
+        workspace.permit(view, view.radius * (1.0 + WALL_MARGIN), self.time_horizon_obstacles);
+        let lines = &mut workspace.lines;
+        let hard = lines.len();
+        lines.extend(view.neighbours.iter().map(|n| {
+            let other = Neighbour { velocity: of(n.velocity, n.preferred), ..*n };
+            line(velocity, &other, self.time_horizon, view.step)
+        }));
+        hard
+    }
+}
+
+/// The velocity closest to the preferred one that all half-planes permit; where there is none, the first `hard` are
+/// kept, and the greatest violation of the others is made least.
+pub(super) fn optimum(lines: &[Line], hard: usize, speed: f32, preferred: Vec2, fallback: &mut Vec<Line>) -> Vec2 {
+    closest_velocity(lines, speed, preferred)
+        .unwrap_or_else(|failed| least_violation(lines, hard, speed, failed, fallback))
 }
 
 /// The half-plane that one neighbour leaves to an agent of the given velocity.

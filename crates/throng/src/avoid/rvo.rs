@@ -4,32 +4,51 @@
 //! Each of two takes its share of the avoiding: a velocity v is judged by what both would have if the other did the
 //! same, v / share + (1 - 1 / share) of the present one. The velocity of least penalty is taken: weight / time to
 //! collision + distance from the preferred one (section V), so that there is one in any crowd. Walls do nothing: all
-//! of the avoiding falls on the agent, within a shorter horizon of their own.
+//! of the avoiding falls on the agent.
 
-use super::{LocalModel, View, Workspace, sampling::cheapest, time_to_disc};
+use super::sampling::{self, Search};
+use super::{Cause, Forbidden, LocalModel, Neighbour, Reason, View, Workspace, time_to_disc};
 use crate::Error;
 use glam::Vec2;
 
-/// Reciprocal velocity obstacles, searched by adaptive sampling.
+/// Reciprocal velocity obstacles.
 ///
 /// ```
-/// use throng::avoid::Rvo;
+/// use throng::avoid::{Rvo, Search};
 /// let shy = Rvo { weight: 2.0, ..Rvo::default() };
+/// // as the authors' library searches
+/// let drawn = Rvo { search: Search::Random { candidates: 250 }, time_horizon_obstacles: None, ..Rvo::default() };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rvo {
     /// Weight of the time to a collision against the distance from the preferred velocity, metres: small is aggressive,
     /// large is shy. Limit: > 0.
     pub weight: f32,
-    /// Collisions farther ahead count for nothing, seconds. Limit: > 0.
+    /// The part of the avoiding that is done where both have the same right of way, the paper's alpha. Both of a pair
+    /// together should have 1. Limit: 0.1 to 1.
+    pub responsibility: f32,
+    /// Collisions farther ahead count for nothing, seconds; infinite in the paper. Limit: > 0.
     pub time_horizon: f32,
-    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0.
-    pub time_horizon_obstacles: f32,
+    /// Seconds ahead for which a velocity must be safe from walls. `None`: a wall counts only if the body could not
+    /// brake in time, as in the authors' library. Limit: > 0.
+    pub time_horizon_obstacles: Option<f32>,
+    /// Whether only velocities are tried that can be reached within a step, as in the paper. Else the best velocity is
+    /// sought, and the body changes towards it as fast as it can, as in the authors' library.
+    pub kinodynamic: bool,
+    /// Which velocities are tried.
+    pub search: Search,
 }
 
 impl Default for Rvo {
     fn default() -> Self {
-        Self { weight: 1.0, time_horizon: 5.0, time_horizon_obstacles: 0.7 }
+        Self {
+            weight: 1.0,
+            responsibility: 0.5,
+            time_horizon: 5.0,
+            time_horizon_obstacles: Some(0.7),
+            kinodynamic: false,
+            search: Search::Adaptive,
+        }
     }
 }
 
@@ -38,27 +57,98 @@ const LEAST_SHARE: f32 = 0.1;
 
 impl LocalModel for Rvo {
     fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
-        cheapest(view.preferred, view.velocity, view.max_speed, |v| {
-            let others = view.neighbours.iter().map(|n| {
-                let share = n.share.max(LEAST_SHARE);
-                let judged = v / share + view.velocity * (1.0 - 1.0 / share);
-                time_to_disc(n.offset, judged - n.velocity, n.radii)
-            });
-            let time = others.fold(f32::INFINITY, f32::min);
-            let walls = view.time_to_walls(v, view.radius);
-            let penalty = |time: f32, horizon: f32| if time < horizon { self.weight / time.max(1e-3) } else { 0.0 };
-            v.distance(view.preferred)
-                + penalty(time, self.time_horizon).max(penalty(walls, self.time_horizon_obstacles))
-        })
+        self.choose(view, |_, _| ())
+    }
+
+    fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
+        let cones = view.neighbours.iter().enumerate().map(|(index, other)| {
+            let other = Neighbour { share: self.share(other), ..*other };
+            match Forbidden::truncated(view.velocity, &other, self.time_horizon, view.step) {
+                Forbidden::RightOf(line) => Reason::Permits(Cause::Neighbour(index), line),
+                cone => Reason::Forbids(Cause::Neighbour(index), cone),
+            }
+        });
+        let mut reasons: Vec<Reason> = cones.collect();
+        self.choose(view, |velocity, cost| reasons.push(Reason::Candidate { velocity, cost }));
+        reasons
     }
 
     fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
-        self.time_horizon_obstacles * max_speed + radius
+        // how far a body gets while it brakes depends on its acceleration; who brakes slowly looks this far
+        self.time_horizon_obstacles.unwrap_or(BRAKING_TIME) * max_speed + radius
     }
 
     fn check(&self) -> Result<(), Error> {
         Error::unless_positive("weight", self.weight)?;
-        Error::unless_positive("time horizon", self.time_horizon)?;
-        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)
+        let alpha = self.responsibility;
+        Error::unless((LEAST_SHARE..=1.0).contains(&alpha), "responsibility", alpha, "from 0.1 to 1")?;
+        let horizon = self.time_horizon;
+        Error::unless(horizon > 0.0, "time horizon", horizon, "greater than 0")?;
+        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles.unwrap_or(1.0))?;
+        self.search.check()
     }
+}
+
+/// Seconds of braking, from top speed, for which walls are looked at.
+const BRAKING_TIME: f32 = 2.0;
+
+impl Rvo {
+    fn share(&self, other: &Neighbour) -> f32 {
+        (other.share + self.responsibility - 0.5).clamp(LEAST_SHARE, 1.0)
+    }
+
+    /// The velocity of least penalty; `tried` hears of all that were tried.
+    fn choose(&self, view: &View<'_>, mut tried: impl FnMut(Vec2, f32)) -> Vec2 {
+        let reach = view.max_acceleration * view.step;
+        let reachable = |v: Vec2| {
+            let v = if self.kinodynamic { view.velocity + (v - view.velocity).clamp_length_max(reach) } else { v };
+            v.clamp_length_max(view.max_speed)
+        };
+        let overlaps = view.neighbours.iter().any(|n| is_overlap(view, n));
+        sampling::cheapest(self.search, view, |wish| {
+            let v = reachable(wish);
+            let cost = if overlaps { self.leaving(view, v) } else { self.penalty(view, v) };
+            tried(v, cost);
+            (v, cost)
+        })
+    }
+
+    fn judged(&self, view: &View<'_>, other: &Neighbour, v: Vec2) -> Vec2 {
+        let share = self.share(other);
+        v / share + view.velocity * (1.0 - 1.0 / share) - other.velocity
+    }
+
+    fn penalty(&self, view: &View<'_>, v: Vec2) -> f32 {
+        let times = view.neighbours.iter().map(|n| time_to_disc(n.offset, self.judged(view, n, v), n.radii));
+        let time = times.fold(f32::INFINITY, f32::min);
+        let walls = view.time_to_walls(v, view.radius);
+        let wall_horizon = self.time_horizon_obstacles.unwrap_or_else(|| {
+            // a wall that is reached later than the body stands is no wall yet
+            view.step.max(v.length() / view.max_acceleration)
+        });
+        let penalty = |time: f32, horizon: f32| if time < horizon { self.weight / time.max(1e-3) } else { 0.0 };
+        v.distance(view.preferred) + penalty(time, self.time_horizon).max(penalty(walls, wall_horizon))
+    }
+
+    /// What a velocity costs one who overlaps others: only those count, and how soon it is out (the authors' library).
+    fn leaving(&self, view: &View<'_>, v: Vec2) -> f32 {
+        let overlapped = view.neighbours.iter().filter(|n| is_overlap(view, n));
+        let steps = overlapped.map(|n| (time_to_leave(n, self.judged(view, n, v)) / view.step).ceil());
+        steps.fold(0.0, f32::max) + v.length_squared() / (view.max_speed * view.max_speed)
+    }
+}
+
+/// Whether bodies overlap, margins left aside.
+fn is_overlap(view: &View<'_>, other: &Neighbour) -> bool {
+    let radii = other.radii / view.margin;
+    other.offset.length_squared() < radii * radii * 0.999
+}
+
+/// Seconds until an overlap ends; many if it does not.
+fn time_to_leave(other: &Neighbour, velocity: Vec2) -> f32 {
+    let approach = other.offset.dot(velocity);
+    let speed_squared = velocity.length_squared();
+    let gap = other.offset.length_squared() - other.radii * other.radii;
+    let discriminant = (approach * approach - speed_squared * gap).max(0.0);
+    if speed_squared > 1e-8 { ((approach + discriminant.sqrt()) / speed_squared).min(1e4) } else { 1e4 }
 }

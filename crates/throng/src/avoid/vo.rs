@@ -6,12 +6,11 @@
 //! who both do so see their conflict gone in the next step and turn back: they oscillate. That is what
 //! [`Rvo`](super::Rvo) mends.
 
-use super::{LocalModel, View, Workspace, sampling::cheapest, time_to_disc};
+use super::{Forbidden, LocalModel, Neighbour, Reason, View, Workspace, closest_outside};
 use crate::Error;
 use glam::Vec2;
 
-/// Velocity obstacles, searched by adaptive sampling: the velocity is as good as any of a coarse pattern, refined; a better
-/// one in a narrow gap between cones can be missed.
+/// Velocity obstacles, solved exactly by [`closest_outside`].
 ///
 /// ```
 /// use throng::avoid::Vo;
@@ -32,16 +31,14 @@ impl Default for Vo {
 }
 
 impl LocalModel for Vo {
-    fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
-        cheapest(view.preferred, view.velocity, view.max_speed, |v| {
-            let others =
-                view.neighbours.iter().map(|n| time_to_disc(n.offset, v - n.velocity, n.radii) / self.time_horizon);
-            let walls = view.time_to_walls(v, view.radius) / self.time_horizon_obstacles;
-            let time = others.fold(walls, f32::min);
-            // where no velocity is free, the one that is for longest: worse than any free one
-            let forbidden = if time < 1.0 { 4.0 * view.max_speed / time.max(0.05) } else { 0.0 };
-            v.distance(view.preferred) + forbidden
-        })
+    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+        self.forbid(view, workspace);
+        closest_outside(&workspace.forbidden, view.max_speed, view.preferred)
+    }
+
+    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+        self.forbid(view, workspace);
+        workspace.reasons().collect()
     }
 
     fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
@@ -51,5 +48,14 @@ impl LocalModel for Vo {
     fn check(&self) -> Result<(), Error> {
         Error::unless_positive("time horizon", self.time_horizon)?;
         Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)
+    }
+}
+
+impl Vo {
+    fn forbid(&self, view: &View<'_>, workspace: &mut Workspace) {
+        workspace.forbid(view, self.time_horizon_obstacles, |other| {
+            let all = Neighbour { share: 1.0, room: 1.0, ..*other };
+            Forbidden::truncated(view.velocity, &all, self.time_horizon, view.step)
+        });
     }
 }

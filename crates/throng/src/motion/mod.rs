@@ -1,7 +1,9 @@
 //! Move: what a body can do. Acceleration and turn limits come before the [guard](crate::guard), headings after it.
 
+mod drive;
 mod heading;
 mod limits;
 
+pub(crate) use drive::{follow, followable};
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};

@@ -3,7 +3,7 @@
 use super::World;
 use crate::agent::Status;
 use crate::avoid::{MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, View, Workspace};
-use crate::motion::{Limits, limit};
+use crate::motion::{Limits, follow, limit};
 use crate::parallel;
 use crate::random::{Dice, Purpose, unit};
 use crate::space::{Disc, Edge, NearWalls};
@@ -45,7 +45,7 @@ impl World {
         let group = &self.groups[agents.group[row].index()];
         let Scratch { near, neighbours, edges, discs, workspace } = scratch;
         let at = agents.position[row].as_dvec2();
-        let range = group.model.wall_range(agents.radius[row], agents.max_speed[row]);
+        let range = group.model.wall_range(agents.radius[row] + agents.tracking_error[row], agents.max_speed[row]);
         self.walls.near(at, f64::from(range), near);
         let to_local = |p: DVec2| (p - at).as_vec2();
         edges.clear();
@@ -71,9 +71,14 @@ impl World {
                 velocity: agents.velocity[row],
                 heading: agents.heading[row],
                 preferred: self.step.preferred[row],
-                radius: agents.radius[row],
+                climb: 0.0,
+                preferred_climb: 0.0,
+                radius: agents.radius[row] + agents.tracking_error[row],
                 max_speed: agents.max_speed[row],
                 max_acceleration: agents.max_acceleration[row],
+                tracking_error: agents.tracking_error[row],
+                max_turn_rate: agents.max_turn_rate[row],
+                margin,
                 step: seconds,
                 neighbours,
                 edges,
@@ -87,7 +92,10 @@ impl World {
             change: agents.max_acceleration[row] * seconds,
             turn: agents.max_turn_rate[row] * seconds,
         };
-        limit(wish, agents.velocity[row], agents.heading[row], limits)
+        let heading = agents.heading[row];
+        let drives = agents.tracking_error[row] > 0.0;
+        let wish = if drives { follow(wish, heading, agents.max_turn_rate[row], seconds) } else { wish };
+        limit(wish, agents.velocity[row], heading, limits)
     }
 
     /// What the random numbers of an agent depend on in this sub-step.
@@ -111,8 +119,12 @@ impl World {
         let granted = if wanted.dot(offset) < 0.0 { wanted * (GRANT * yields.max(0.0)) } else { Vec2::ZERO };
         Neighbour {
             offset,
+            above: 0.0,
+            climb: 0.0,
             velocity: velocity + granted,
-            radii: (agents.radius[row] + agents.radius[other]) * margin,
+            preferred: self.step.preferred[other],
+            radii: (agents.radius[row] + agents.radius[other]) * margin
+                + (agents.tracking_error[row] + agents.tracking_error[other]),
             share,
             room,
             aside: if offset == Vec2::ZERO { self.aside(row, other) } else { Vec2::X },

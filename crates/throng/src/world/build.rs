@@ -247,6 +247,10 @@ impl World {
         )?;
         Error::unless(agent.max_acceleration > 0.0, "max acceleration", agent.max_acceleration, "greater than 0")?;
         Error::unless(agent.max_turn_rate > 0.0, "max turn rate", agent.max_turn_rate, "greater than 0")?;
+        let error = agent.tracking_error;
+        Error::unless((0.0..=10.0).contains(&error), "tracking error", error, "from 0 to 10 m")?;
+        let turns = error == 0.0 || agent.max_turn_rate.is_finite();
+        Error::unless(turns, "max turn rate", agent.max_turn_rate, "finite where there is a tracking error")?;
         Error::unless_finite("priority", f64::from(agent.priority))?;
         known("group", agent.group.index(), self.groups.len())?;
         known("journey", agent.journey.index(), self.journeys.len())?;

@@ -1,24 +1,12 @@
 //! ORCA against its definition: pairs stay free for the horizon, and the chosen velocity is the one that a dense
 //! search over velocities finds.
 
+use crate::common::{other, vector, view};
 use glam::Vec2;
 use proptest::prelude::*;
-use throng::avoid::{Line, LocalModel, Neighbour, Orca, View, Workspace, closest_velocity, least_violation};
+use throng::avoid::{BuiltFrom, Line, LocalModel, Neighbour, Orca, Workspace, closest_velocity, least_violation};
 
 const HORIZON: f32 = 2.0;
-
-fn view<'a>(velocity: Vec2, preferred: Vec2, max_speed: f32, neighbours: &'a [Neighbour]) -> View<'a> {
-    View { velocity, preferred, max_speed, neighbours, ..View::default() }
-}
-
-/// Another, avoided for a share, with the room that goes with it.
-fn other(offset: Vec2, velocity: Vec2, radii: f32, share: f32) -> Neighbour {
-    Neighbour { offset, velocity, radii, share, room: 1.0 - share, aside: Vec2::X }
-}
-
-fn vector(range: f32) -> impl Strategy<Value = Vec2> {
-    (-range..range, -range..range).prop_map(|(x, y)| Vec2::new(x, y))
-}
 
 /// Least distance of the centres within the horizon.
 fn nearest_approach(offset: Vec2, relative: Vec2) -> f32 {
@@ -97,6 +85,49 @@ proptest! {
         }
     }
 
+    /// The paper's other optimisation velocities: a pair that builds from the same ones is free as well.
+    #[test]
+    fn a_pair_is_free_whatever_the_planes_are_built_from(
+        offset in vector(6.0), a in vector(2.0), b in vector(2.0), wish_a in vector(2.0), wish_b in vector(2.0),
+        zero in any::<bool>(),
+    ) {
+        prop_assume!(offset.length() > 0.41);
+        let built_from = if zero { BuiltFrom::Zero } else { BuiltFrom::Preferred };
+        let orca = Orca { time_horizon: HORIZON, built_from, ..Orca::default() };
+        let mut workspace = Workspace::default();
+        let seen = |offset, velocity, preferred| [Neighbour { preferred, ..other(offset, velocity, 0.4, 0.5) }];
+        let new_a = orca.velocity(&view(a, wish_a, 100.0, &seen(offset, b, wish_b)), &mut workspace);
+        let new_b = orca.velocity(&view(b, wish_b, 100.0, &seen(-offset, a, wish_a)), &mut workspace);
+        prop_assert!(nearest_approach(offset, new_a - new_b) >= 0.4 * (1.0 - 2e-3));
+    }
+
+    /// With a turning bias: the best of all velocities, where going aside costs less or more, by a dense search.
+    #[test]
+    fn a_turning_bias_makes_going_aside_cheaper(
+        offset in vector(2.5), a in vector(1.2), b in vector(1.2), wish in vector(1.4), bias in 0.4f32..2.5,
+    ) {
+        prop_assume!(offset.length() > 0.5 && wish.length() > 0.1);
+        let wish = wish.clamp_length_max(1.5);
+        let (plain, biased) = (Orca::default(), Orca { turning_bias: bias, ..Orca::default() });
+        let mut workspace = Workspace::default();
+        let seen = [other(offset, b, 0.4, 0.5)];
+        let seen = view(a, wish, 1.5, &seen);
+        let chosen = biased.velocity(&seen, &mut workspace);
+        plain.velocity(&seen, &mut workspace);
+        let line = workspace.lines[0];
+        let ahead = wish.normalize();
+        let cost = |v: Vec2| Vec2::new((v - wish).dot(ahead), (v - wish).perp_dot(ahead) / bias).length();
+        let grid = (-75..=75).flat_map(|i| (-75..=75).map(move |j| Vec2::new(i as f32, j as f32) * 0.02));
+        let best = grid
+            .filter(|v| v.length() <= 1.5 && line.violation(*v) <= 0.0)
+            .map(cost)
+            .fold(f32::INFINITY, f32::min);
+        prop_assume!(best.is_finite());
+        prop_assert!(chosen.length() <= 1.5 * 1.0001 && line.violation(chosen) <= 1e-3, "{chosen}");
+        // the polygon within the disc of speeds costs a little
+        prop_assert!(cost(chosen) <= best + 0.02, "{} {best}", cost(chosen));
+    }
+
     /// Nothing in it depends on the direction of the axes.
     #[test]
     fn turned_scenes_give_turned_velocities(offset in vector(4.0), a in vector(1.5), b in vector(1.5), wish in vector(1.5)) {
@@ -153,8 +184,7 @@ proptest! {
 fn coincident_agents_part() {
     let orca = Orca::default();
     let mut workspace = Workspace::default();
-    let seen =
-        |aside| [Neighbour { offset: Vec2::ZERO, velocity: Vec2::ZERO, radii: 0.4, share: 0.5, room: 0.5, aside }];
+    let seen = |aside| [Neighbour { aside, ..other(Vec2::ZERO, Vec2::ZERO, 0.4, 0.5) }];
     let a = orca.velocity(&view(Vec2::ZERO, Vec2::ZERO, 1.5, &seen(Vec2::X)), &mut workspace);
     let b = orca.velocity(&view(Vec2::ZERO, Vec2::ZERO, 1.5, &seen(-Vec2::X)), &mut workspace);
     assert!(a.x > 0.1 && b.x < -0.1, "{a} {b}");
@@ -165,7 +195,7 @@ fn who_does_not_give_way_keeps_its_velocity() {
     let orca = Orca::default();
     let mut workspace = Workspace::default();
     let offset = Vec2::new(2.0, 0.1);
-    let meeting = [Neighbour { offset, velocity: -Vec2::X, radii: 0.4, share: 0.0, room: 1.0, aside: Vec2::X }];
+    let meeting = [other(offset, -Vec2::X, 0.4, 0.0)];
     let chosen = orca.velocity(&view(Vec2::X, Vec2::X, 1.5, &meeting), &mut workspace);
     // on the very edge of the half-plane, give or take rounding
     assert!(chosen.distance(Vec2::X) < 1e-5, "{chosen}");
@@ -178,7 +208,7 @@ fn room_is_used_to_the_end() {
     let mut workspace = Workspace::default();
     let offset = Vec2::new(4.0, 0.0);
     for (share, room) in [(0.0, 1.0), (0.35, 0.65), (0.5, 0.5), (1.0, 0.0), (1.0, 1.0)] {
-        let seen = [Neighbour { offset, velocity: Vec2::ZERO, radii: 0.4, share, room, aside: Vec2::X }];
+        let seen = [Neighbour { room, ..other(offset, Vec2::ZERO, 0.4, share) }];
         let chosen = orca.velocity(&view(Vec2::ZERO, offset, 100.0, &seen), &mut workspace);
         assert!(chosen.distance(Vec2::new(1.8 * room, 0.0)) < 1e-5, "{share} {room}: {chosen}");
     }

@@ -1,0 +1,123 @@
+//! Acceleration-velocity obstacles: van den Berg, Snape, Guy, Manocha, Reciprocal collision avoidance with
+//! acceleration-velocity obstacles, ICRA 2011.
+//!
+//! A body does not have a new velocity at once, it comes to it: v(t) = new - exp(-t / delay) (new - v). The new relative
+//! velocities that lead to a collision at a time t are a disc, and those within the time horizon the union of
+//! such discs. As in [`Orca`](super::Orca) the smallest change out of it (here: out of its convex hull) is shared, and
+//! leaves a half-plane. What the model answers is where the body's velocity is after the step.
+
+use super::{Line, LocalModel, Neighbour, Reason, View, Workspace, orca};
+use crate::Error;
+use glam::Vec2;
+
+/// Acceleration-velocity obstacles.
+///
+/// ```
+/// use throng::avoid::Avo;
+/// let sluggish = Avo { delay: 0.6, ..Avo::default() };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Avo {
+    /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
+    pub time_horizon: f32,
+    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0.
+    pub time_horizon_obstacles: f32,
+    /// Seconds in which a body makes up all but a third of the way to its new velocity. Limit: > 0, at most 10.
+    pub delay: f32,
+}
+
+impl Default for Avo {
+    fn default() -> Self {
+        Self { time_horizon: 2.0, time_horizon_obstacles: 0.7, delay: 0.25 }
+    }
+}
+
+impl LocalModel for Avo {
+    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+        let hard = self.permit(view, workspace);
+        let Workspace { lines, fallback, .. } = workspace;
+        let new = orca::optimum(lines, hard, view.max_speed, view.preferred, fallback);
+        view.velocity + (new - view.velocity) * (1.0 - libm::expf(-view.step / self.delay))
+    }
+
+    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+        self.permit(view, workspace);
+        workspace.permissions()
+    }
+
+    fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
+        self.time_horizon_obstacles * max_speed + radius
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("time horizon", self.time_horizon)?;
+        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)?;
+        Error::unless(self.delay > 0.0 && self.delay <= 10.0, "delay", self.delay, "greater than 0, at most 10 s")
+    }
+}
+
+impl Avo {
+    fn permit(&self, view: &View<'_>, workspace: &mut Workspace) -> usize {
+        workspace.permit(view, view.radius, self.time_horizon_obstacles);
+        let lines = &mut workspace.lines;
+        let hard = lines.len();
+        lines.extend(view.neighbours.iter().map(|n| line(view.velocity, n, self.time_horizon, self.delay, view.step)));
+        hard
+    }
+}
+
+/// Moments at which the obstacle is looked at.
+const MOMENTS: usize = 24;
+/// Directions in which the way out is sought, before it is refined.
+const DIRECTIONS: usize = 32;
+
+/// The half-plane of new velocities that one neighbour leaves to an agent of the given velocity, both of which come to
+/// their new velocities with this delay, seconds.
+pub fn line(velocity: Vec2, other: &Neighbour, horizon: f32, delay: f32, step: f32) -> Line {
+    let Neighbour { offset, radii, .. } = *other;
+    if offset.length_squared() <= radii * radii {
+        return orca::line(velocity, other, horizon, step);
+    }
+    let relative = velocity - other.velocity;
+    let discs: [(Vec2, f32); MOMENTS] = std::array::from_fn(|i| {
+        // closer together where discs change fast
+        let part = (i + 1) as f32 / MOMENTS as f32;
+        let time = horizon * part * part;
+        let lag = delay * (libm::expf(-time / delay) - 1.0);
+        // faster than ten thousand times the distance in a second nobody is, and nothing is precise
+        let reach = (time + lag).max(1e-4);
+        ((offset + relative * lag) / reach, radii / reach)
+    });
+    // how far it is out of all discs in a direction
+    let out = |normal: Vec2| {
+        let farthest = discs.iter().map(|(center, radius)| center.dot(normal) + radius);
+        farthest.fold(f32::NEG_INFINITY, f32::max) - relative.dot(normal)
+    };
+    let direction = |angle: f32| {
+        let (sin, cos) = libm::sincosf(angle);
+        Vec2::new(cos, sin)
+    };
+    let around = std::f32::consts::TAU / DIRECTIONS as f32;
+    let mut best = (0.0, f32::INFINITY);
+    for i in 0..DIRECTIONS {
+        let angle = i as f32 * around;
+        let change = out(direction(angle));
+        if change < best.1 {
+            best = (angle, change);
+        }
+    }
+    // the least lies between the neighbours of the best: narrow it down
+    let mut width = around;
+    for _ in 0..12 {
+        width *= 0.5;
+        for angle in [best.0 - width, best.0 + width] {
+            let change = out(direction(angle));
+            if change < best.1 {
+                best = (angle, change);
+            }
+        }
+    }
+    let normal = direction(best.0);
+    let part = if best.1 > 0.0 { other.share } else { other.room };
+    Line { point: velocity + normal * (best.1 * part), direction: Vec2::new(normal.y, -normal.x) }
+}

@@ -1,0 +1,132 @@
+//! Optimal reciprocal collision avoidance in space: van den Berg, Guy, Lin, Manocha, Reciprocal n-body collision
+//! avoidance, ISRR 2009 (section 4, in three dimensions); MODELS 1.5.
+//!
+//! As [`Orca`](super::Orca), with half-spaces: the velocities that lead to a collision within the time horizon are
+//! a cone with a rounded tip about the line to the neighbour. Walls stand upright and are taken to have no end: each
+//! leaves the half-space before the point nearest to the body.
+
+use super::half_space::{Plane, closest_velocity_in_space, least_violation_in_space};
+use super::{LocalModel, Neighbour, View, Workspace};
+use crate::Error;
+use glam::{Vec2, Vec3};
+
+/// Optimal reciprocal collision avoidance for those who fly.
+///
+/// ```
+/// use throng::avoid::Orca3d;
+/// let drones = Orca3d { vertical_scale: 2.0, ..Orca3d::default() };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orca3d {
+    /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
+    pub time_horizon: f32,
+    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0.
+    pub time_horizon_obstacles: f32,
+    /// How much taller than they are bodies are taken to be: above 1 they rather avoid sideways than up and down, as
+    /// birds and drones do. Limit: 1 to 10.
+    pub vertical_scale: f32,
+}
+
+impl Default for Orca3d {
+    fn default() -> Self {
+        Self { time_horizon: 2.0, time_horizon_obstacles: 0.7, vertical_scale: 1.0 }
+    }
+}
+
+impl LocalModel for Orca3d {
+    /// The part of [`velocity_in_space`](Self::velocity_in_space) along the ground.
+    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+        self.velocity_in_space(view, workspace).truncate()
+    }
+
+    fn velocity_in_space(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec3 {
+        // spheres where the upright axis is shrunk
+        let shrink = Vec3::new(1.0, 1.0, 1.0 / self.vertical_scale);
+        let velocity = view.velocity.extend(view.climb) * shrink;
+        let Workspace { planes, fallback_planes, .. } = workspace;
+        planes.clear();
+        for near in view.edges {
+            let nearest = nearest_on_edge(near.start, near.end);
+            planes.push(wall(nearest, view.radius, self.time_horizon_obstacles));
+        }
+        for near in view.discs {
+            let nearest = near.offset - near.offset.normalize_or(Vec2::X) * near.disc.radius as f32;
+            planes.push(wall(nearest, view.radius, self.time_horizon_obstacles));
+        }
+        let hard = planes.len();
+        planes.extend(view.neighbours.iter().map(|other| {
+            let offset = other.offset.extend(other.above) * shrink;
+            let theirs = other.velocity.extend(other.climb) * shrink;
+            let Plane { point, normal } = plane(velocity, offset, theirs, other, self.time_horizon, view.step);
+            // the same half-space where nothing is shrunk
+            Plane { point: point / shrink, normal: (normal * shrink).normalize() }
+        }));
+        let preferred = view.preferred.extend(view.preferred_climb);
+        closest_velocity_in_space(planes, view.max_speed, preferred)
+            .unwrap_or_else(|failed| least_violation_in_space(planes, hard, view.max_speed, failed, fallback_planes))
+    }
+
+    fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
+        self.time_horizon_obstacles * max_speed + radius
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("time horizon", self.time_horizon)?;
+        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)?;
+        let scale = self.vertical_scale;
+        Error::unless((1.0..=10.0).contains(&scale), "vertical scale", scale, "from 1 to 10")
+    }
+}
+
+/// The point of an edge nearest to the origin.
+fn nearest_on_edge(start: Vec2, end: Vec2) -> Vec2 {
+    let along = end - start;
+    start + along * (-start.dot(along) / along.length_squared()).clamp(0.0, 1.0)
+}
+
+/// What a wall leaves whose nearest point is this: not to touch it within the horizon, or not to come nearer.
+fn wall(nearest: Vec2, radius: f32, horizon: f32) -> Plane {
+    let distance = nearest.length();
+    let normal = (-nearest).normalize_or(Vec2::X);
+    let point = normal * -((distance - radius).max(0.0) / horizon);
+    Plane { point: point.extend(0.0), normal: normal.extend(0.0) }
+}
+
+/// Seconds over which an overlap, or a margin that is used up, is given back.
+const RECOVERY: f32 = 0.25;
+
+/// The half-space that a neighbour leaves to an agent of the given velocity.
+fn plane(velocity: Vec3, offset: Vec3, theirs: Vec3, other: &Neighbour, horizon: f32, step: f32) -> Plane {
+    let radii = other.radii;
+    let relative = velocity - theirs;
+    let distance_squared = offset.length_squared();
+    let out_of = |horizon: f32| {
+        let w = relative - offset / horizon;
+        let length = w.length();
+        let normal = if length > 1e-6 { w / length } else { other.aside.extend(0.0) };
+        (normal * (radii / horizon - length), normal)
+    };
+    let (change, normal) = if distance_squared <= radii * radii {
+        // too close: part, within the recovery time
+        out_of(step.max(RECOVERY))
+    } else {
+        let w = relative - offset / horizon;
+        let along = w.dot(offset);
+        if along < 0.0 && along * along > radii * radii * w.length_squared() {
+            // nearest on the rounded tip
+            out_of(horizon)
+        } else {
+            // nearest on the cone: on the sphere that touches it, of all that lie within
+            let b = offset.dot(relative);
+            let slope = distance_squared - radii * radii;
+            let c = relative.length_squared() - offset.cross(relative).length_squared() / slope;
+            let t = (b + (b * b - distance_squared * c).max(0.0).sqrt()) / distance_squared;
+            let w = relative - offset * t;
+            let length = w.length();
+            let normal = if length > 1e-6 { w / length } else { offset.any_orthonormal_vector() };
+            (normal * (radii * t - length), normal)
+        }
+    };
+    let part = if change.dot(normal) > 0.0 { other.share } else { other.room };
+    Plane { point: velocity + change * part, normal }
+}

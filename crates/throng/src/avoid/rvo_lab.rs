@@ -1,0 +1,89 @@
+//! Reciprocal velocity obstacles as students wrote them: the algorithm of two lab reports (Zhejiang University, 2020
+//! and 2021), faults included, to reproduce the reports and to compare with.
+//!
+//! A velocity is forbidden if it points into the cone of any neighbour, the apex at the mean of the two velocities:
+//! however far away the collision is. Of 63 directions by 5 speeds and the preferred velocity the nearest that is
+//! not forbidden is taken; where all are, the agent stops, though it is still in the plans of others. Obstacles are
+//! treated like neighbours that stand, as if they did half of the avoiding. That is why agents overlap by a few
+//! per cent, block each other, and tremble ([`Rvo`](super::Rvo) does not).
+
+use super::{Cause, Forbidden, LocalModel, Neighbour, Reason, View, Workspace, time_to_segment};
+use glam::Vec2;
+
+/// Directions tried, and the angle between two of them, radians.
+const DIRECTIONS: usize = 63;
+const BETWEEN: f32 = 0.1;
+/// Speeds tried, up to the preferred one.
+const SPEEDS: usize = 5;
+/// How far away walls are seen, metres.
+const WALL_RANGE: f32 = 5.0;
+
+/// Reciprocal velocity obstacles as in the lab reports. Meant for groups without the guard.
+///
+/// ```
+/// use throng::{Group, avoid::RvoLab};
+/// let group = Group { model: std::sync::Arc::new(RvoLab), keep_right: 0.0, detour: false, ..Group::default() };
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RvoLab;
+
+impl LocalModel for RvoLab {
+    fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
+        choose(view, |_, _| ())
+    }
+
+    fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
+        let neighbours = view.neighbours.iter().enumerate();
+        let mut reasons: Vec<Reason> = neighbours
+            .map(|(index, other)| Reason::Forbids(Cause::Neighbour(index), cone(view, other)))
+            .chain(discs(view).enumerate().map(|(index, disc)| Reason::Forbids(Cause::Disc(index), cone(view, &disc))))
+            .collect();
+        choose(view, |velocity, cost| reasons.push(Reason::Candidate { velocity, cost }));
+        reasons
+    }
+
+    fn wall_range(&self, radius: f32, _: f32) -> f32 {
+        WALL_RANGE + radius
+    }
+}
+
+/// The reports know no margin around bodies.
+fn radii(view: &View<'_>, other: &Neighbour) -> f32 {
+    other.radii / view.margin
+}
+
+fn discs<'a>(view: &'a View<'_>) -> impl Iterator<Item = Neighbour> + 'a {
+    view.discs.iter().map(|near| Neighbour::resting(near.offset, (near.disc.radius as f32 + view.radius) * view.margin))
+}
+
+/// The forbidden cone of one neighbour. Those who overlap forbid everything that leads nearer.
+fn cone(view: &View<'_>, other: &Neighbour) -> Forbidden {
+    let distance = other.offset.length();
+    let sine = (radii(view, other) / distance).min(1.0);
+    let (axis, cosine) = (other.offset / distance, (1.0 - sine * sine).sqrt());
+    let apex = (view.velocity + other.velocity) * 0.5;
+    Forbidden::Cone { apex, right: axis.rotate(Vec2::new(cosine, -sine)), left: axis.rotate(Vec2::new(cosine, sine)) }
+}
+
+fn choose(view: &View<'_>, mut tried: impl FnMut(Vec2, f32)) -> Vec2 {
+    let cones = view.neighbours.iter().copied().chain(discs(view)).map(|other| cone(view, &other));
+    let cones: Vec<Forbidden> = cones.collect();
+    let is_free = |v: Vec2| {
+        let walls = || view.edges.iter().map(|e| time_to_segment(e.start, e.end, v * 2.0 - view.velocity, view.radius));
+        cones.iter().all(|cone| cone.depth(v) <= 0.0) && walls().all(f32::is_infinite)
+    };
+    let speed = view.preferred.length().min(view.max_speed);
+    let pattern = (0..DIRECTIONS).flat_map(|i| {
+        let (sin, cos) = libm::sincosf(i as f32 * BETWEEN);
+        (1..=SPEEDS).map(move |k| Vec2::new(cos, sin) * (speed * k as f32 / SPEEDS as f32))
+    });
+    let mut best = (Vec2::ZERO, f32::INFINITY);
+    for v in std::iter::once(view.preferred.clamp_length_max(view.max_speed)).chain(pattern) {
+        let cost = if is_free(v) { v.distance(view.preferred) } else { f32::INFINITY };
+        tried(v, cost);
+        if cost < best.1 {
+            best = (v, cost);
+        }
+    }
+    best.0
+}

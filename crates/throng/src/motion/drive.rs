@@ -1,0 +1,86 @@
+//! Bodies that cannot move in every direction at once: Alonso-Mora, Breitenmoser, Rufli, Beardsley, Siegwart, Optimal
+//! reciprocal collision avoidance for multiple non-holonomic robots, DARS 2010.
+//!
+//! A robot with two driven wheels that is to move with a velocity aside of its heading turns while it drives, and so
+//! leaves the straight way for a while. It chooses only velocities that it can follow with at most its tracking error;
+//! and it is taken to be larger by that error, by itself and by all others.
+
+use glam::Vec2;
+use std::f32::consts::{FRAC_PI_3, PI};
+
+/// Seconds within which a body turns into the velocity it chose, where its turn rate lets it.
+const TURNING_TIME: f32 = 0.4;
+
+/// Seconds in which a body turns into its new velocity: a turn by half a circle has to be possible.
+fn turning_time(max_turn_rate: f32) -> f32 {
+    TURNING_TIME.max(PI / max_turn_rate)
+}
+
+/// Corners, counter-clockwise from ahead, of the velocities that a body can follow with at most `error` metres beside
+/// the straight way. Between the last corner and the first it is open: straight ahead only the top speed limits it.
+///
+/// Turning evenly by an angle in a time, at the best speed, a body gets speed * time * sin(angle / 2) off (section 3.2
+/// has its square). The border is convex, so what lies between the corners can be followed too.
+pub(crate) fn followable(error: f32, heading: f32, max_speed: f32, max_turn_rate: f32) -> [Vec2; 9] {
+    let time = turning_time(max_turn_rate);
+    // where the top speed can just be followed
+    let first = 2.0 * libm::asinf((error / (time * max_speed)).min(0.5));
+    let [a, b, c] = [FRAC_PI_3, 1.5 * FRAC_PI_3, 2.0 * FRAC_PI_3];
+    [first, a, b, c, PI, -c, -b, -a, -first].map(|angle| {
+        let speed = error / (time * libm::sinf(0.5 * angle).abs());
+        let (sin, cos) = libm::sincosf(heading + angle);
+        Vec2::new(cos, sin) * speed
+    })
+}
+
+/// The velocity of the next `step` seconds with which a body of this heading follows the velocity it chose: forwards,
+/// while it turns.
+pub(crate) fn follow(chosen: Vec2, heading: f32, max_turn_rate: f32, step: f32) -> Vec2 {
+    let forward = Vec2::new(libm::cosf(heading), libm::sinf(heading));
+    let angle = libm::atan2f(forward.perp_dot(chosen), forward.dot(chosen));
+    // the best speed on the way: least error at the end of the turn
+    let part = if angle.abs() < 1e-3 { 1.0 } else { 0.5 * angle * libm::sinf(angle) / (1.0 - libm::cosf(angle)) };
+    let (sin, cos) = libm::sincosf(heading + angle * (step / turning_time(max_turn_rate)).min(1.0));
+    Vec2::new(cos, sin) * (chosen.length() * part.max(0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Everything within the polygon is followed with at most the error: the motion in small steps of time.
+        #[test]
+        fn what_can_be_followed_is(
+            error in 0.01f32..0.2, heading in -PI..PI, turn_rate in 1.0f32..12.0, speed in 0.01f32..1.5, angle in -PI..PI,
+        ) {
+            let corners = followable(error, heading, 1.5, turn_rate);
+            let chosen = Vec2::from_angle(heading + angle) * speed;
+            prop_assume!(corners.windows(2).all(|side| (side[1] - side[0]).perp_dot(chosen - side[0]) >= 0.0));
+            let time = turning_time(turn_rate);
+            let part = if angle.abs() < 1e-3 { 1.0 } else { 0.5 * angle * angle.sin() / (1.0 - angle.cos()) };
+            const PARTS: usize = 1000;
+            let step = time / PARTS as f32;
+            let mut at = glam::DVec2::ZERO;
+            for i in 0..PARTS {
+                let towards = heading + angle * (i as f32 + 0.5) / PARTS as f32;
+                at += (Vec2::from_angle(towards) * (speed * part * step)).as_dvec2();
+            }
+            let off = at.distance((chosen * time).as_dvec2());
+            prop_assert!(off <= f64::from(error) * 1.001 + 1e-5, "{off} beside the way");
+        }
+
+        #[test]
+        fn a_body_that_follows_turns_no_faster_than_it_can(
+            heading in -PI..PI, turn_rate in 0.5f32..12.0, speed in 0.1f32..1.5, angle in -PI..PI, step in 0.001f32..0.1,
+        ) {
+            let chosen = Vec2::from_angle(heading + angle) * speed;
+            let velocity = follow(chosen, heading, turn_rate, step);
+            prop_assert!(velocity.length() <= speed * 1.001);
+            prop_assume!(velocity.length() > 0.05 * speed);
+            let turned = Vec2::from_angle(heading).angle_to(velocity).abs();
+            prop_assert!(turned <= turn_rate * step + 1e-3, "{turned}");
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! The local models against their papers' definitions and against independent searches.
+
+mod avo;
+mod clearpath;
+mod collision;
+mod common;
+mod family;
+mod hrvo;
+mod orca;
+mod rvo;
+mod rvo_lab;
+mod space;

@@ -1,0 +1,135 @@
+//! ORCA in space: pairs stay free, a dense search finds nothing better, and in a plane it is ORCA in the plane.
+
+use crate::common::{other, vector, view};
+use glam::{Vec2, Vec3};
+use proptest::prelude::*;
+use throng::avoid::{
+    LocalModel, Neighbour, Orca, Orca3d, Plane, View, Workspace, closest_velocity_in_space, least_violation_in_space,
+};
+
+fn in_space(range: f32) -> impl Strategy<Value = Vec3> {
+    (vector(range), -range..range).prop_map(|(v, z)| v.extend(z))
+}
+
+/// What somebody flying chooses.
+fn choose(model: &Orca3d, velocity: Vec3, preferred: Vec3, max_speed: f32, neighbours: &[Neighbour]) -> Vec3 {
+    let view = View {
+        climb: velocity.z,
+        preferred_climb: preferred.z,
+        ..view(velocity.truncate(), preferred.truncate(), max_speed, neighbours)
+    };
+    model.velocity_in_space(&view, &mut Workspace::default())
+}
+
+fn flying(offset: Vec3, velocity: Vec3, radii: f32, share: f32) -> Neighbour {
+    let flat = other(offset.truncate(), velocity.truncate(), radii, share);
+    Neighbour { above: offset.z, climb: velocity.z, ..flat }
+}
+
+fn plane() -> impl Strategy<Value = Plane> {
+    (in_space(1.0), -1.2f32..0.6).prop_filter_map("no direction", |(normal, distance)| {
+        let normal = normal.try_normalize()?;
+        Some(Plane { point: normal * distance, normal })
+    })
+}
+
+fn grid(speed: f32) -> impl Iterator<Item = Vec3> {
+    let steps = move || (-20..=20).map(move |i| i as f32 * speed / 20.0);
+    let all = steps().flat_map(move |x| steps().flat_map(move |y| steps().map(move |z| Vec3::new(x, y, z))));
+    all.filter(move |v| v.length() <= speed)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn the_chosen_velocity_is_the_best_of_all(planes in prop::collection::vec(plane(), 0..9), wish in in_space(1.2)) {
+        let speed = 1.5;
+        let worst = |v: Vec3| planes.iter().map(|plane| plane.violation(v)).fold(f32::NEG_INFINITY, f32::max);
+        match closest_velocity_in_space(&planes, speed, wish) {
+            Ok(v) => {
+                prop_assert!(v.length() <= speed * 1.001 && worst(v) <= 2e-3, "{} {}", v.length(), worst(v));
+                let best = grid(speed).filter(|&v| worst(v) <= 0.0).map(|v| v.distance(wish)).fold(f32::INFINITY, f32::min);
+                prop_assert!(v.distance(wish) <= best + 2e-3, "{} {best}", v.distance(wish));
+            }
+            Err(failed) => {
+                prop_assert!(grid(speed).all(|v| worst(v) > -0.01), "there is no velocity with room to spare");
+                let v = least_violation_in_space(&planes, 0, speed, failed, &mut Vec::new());
+                let best = grid(speed).map(worst).fold(f32::INFINITY, f32::min);
+                prop_assert!(v.length() <= speed * 1.001 && worst(v) <= best + 0.02, "{} instead of {best}", worst(v));
+            }
+        }
+    }
+
+    #[test]
+    fn in_a_plane_it_is_orca_in_the_plane(
+        all in prop::collection::vec((vector(4.0), vector(1.3)), 1..7), velocity in vector(1.0), wish in vector(1.0),
+        share in 0.1f32..0.9,
+    ) {
+        prop_assume!(all.iter().all(|(offset, _)| (offset.length() - 0.4).abs() > 1e-3));
+        let seen: Vec<Neighbour> = all.iter().map(|&(x, v)| other(x, v, 0.4, share)).collect();
+        let flat = Orca::default().velocity(&view(velocity, wish, 1.5, &seen), &mut Workspace::default());
+        let chosen = choose(&Orca3d::default(), velocity.extend(0.0), wish.extend(0.0), 1.5, &seen);
+        // where nothing is left going up or down may be as good: only the plane's velocities can be compared
+        if chosen.z.abs() < 1e-6 {
+            prop_assert!(chosen.truncate().distance(flat) < 2e-3, "{chosen} {flat}");
+        }
+    }
+
+    /// For any shares that sum to one, if both take a velocity of their half-space, they are free.
+    #[test]
+    fn a_pair_is_free_for_the_horizon(
+        offset in in_space(5.0), a in in_space(1.5), b in in_space(1.5), wish_a in in_space(1.5),
+        wish_b in in_space(1.5), share in 0.0f32..=1.0, scale in 1.0f32..3.0,
+    ) {
+        let tall = Vec3::new(1.0, 1.0, 1.0 / scale);
+        prop_assume!((offset * tall).length() > 0.42);
+        let model = Orca3d { vertical_scale: scale, ..Orca3d::default() };
+        let new_a = choose(&model, a, wish_a, 100.0, &[flying(offset, b, 0.4, share)]);
+        let new_b = choose(&model, b, wish_b, 100.0, &[flying(-offset, a, 0.4, 1.0 - share)]);
+        for i in 0..=400 {
+            let between = offset - (new_a - new_b) * (model.time_horizon * i as f32 / 400.0);
+            prop_assert!((between * tall).length() >= 0.4 * 0.997, "{}", (between * tall).length());
+        }
+    }
+
+    /// Nothing in it depends on the direction of the axes.
+    #[test]
+    fn tilted_scenes_give_tilted_velocities(
+        offset in in_space(4.0), a in in_space(1.3), b in in_space(1.3), wish in in_space(0.8), axis in in_space(1.0),
+        angle in 0.0f32..6.0,
+    ) {
+        prop_assume!(offset.length() > 0.45 && axis.length() > 0.1);
+        let tilt = |v: Vec3| glam::Quat::from_axis_angle(axis.normalize(), angle) * v;
+        let model = Orca3d::default();
+        let plain = choose(&model, a, wish, 2.0, &[flying(offset, b, 0.4, 0.5)]);
+        let tilted = choose(&model, tilt(a), tilt(wish), 2.0, &[flying(tilt(offset), tilt(b), 0.4, 0.5)]);
+        prop_assert!(tilt(plain).distance(tilted) < 2e-3, "{} {tilted}", tilt(plain));
+    }
+}
+
+#[test]
+fn tall_bodies_avoid_sideways() {
+    let meeting = [flying(Vec3::new(2.0, 0.1, 0.1), -Vec3::X, 0.4, 0.5)];
+    let aside = |scale| {
+        let model = Orca3d { vertical_scale: scale, ..Orca3d::default() };
+        let v = choose(&model, Vec3::X, Vec3::X, 1.5, &meeting);
+        (v.y.abs(), v.z.abs())
+    };
+    let ((y, z), (tall_y, tall_z)) = (aside(1.0), aside(3.0));
+    assert!((y - z).abs() < 1e-3 && y > 0.05, "{y} {z}");
+    assert!(tall_y > 3.0 * tall_z, "{tall_y} {tall_z}");
+}
+
+/// A wall is a plane: whatever is wanted, its surface is not reached within the horizon.
+#[test]
+fn walls_stand_upright() {
+    use throng::avoid::NearDisc;
+    let disc = throng::space::Disc { center: glam::DVec2::ZERO, radius: 1.0 };
+    let discs = [NearDisc { offset: Vec2::new(1.5, 0.0), disc }];
+    let model = Orca3d::default();
+    let seen = View { discs: &discs, preferred_climb: 1.0, ..view(Vec2::ZERO, Vec2::X * 1.0, 1.8, &[]) };
+    let v = model.velocity_in_space(&seen, &mut Workspace::default());
+    let most = (0.5 - 0.2) / model.time_horizon_obstacles;
+    assert!((v.x - most).abs() < 1e-5 && (v.z - 1.0).abs() < 1e-5, "{v}");
+}
