@@ -141,7 +141,7 @@ fn who_is_in_a_dead_end_comes_out_first() {
 fn any_narrow_place_is_passed() {
     let mut draw = Draw::new(41);
     for round in 0..12 {
-        let (angle, step) = (draw.between(0.0, 6.28), draw.one_of(&[1.0 / 60.0, 0.04, 0.1]));
+        let (angle, step) = (draw.between(0.0, std::f64::consts::TAU), draw.one_of(&[1.0 / 60.0, 0.04, 0.1]));
         let radius = draw.between(0.15, 0.3);
         let (width, length) = (radius * draw.between(2.2, 3.3), draw.one_of(&[0.1, 0.3, 2.0, 6.0, 10.0]));
         let counts = [1 + draw.index(5), 1 + draw.index(5)];
