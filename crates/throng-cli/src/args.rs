@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::explain::args::{self as explain, ExplainArgs};
 use crate::look::{LookArgs, parse_not_negative, parse_positive};
 use crate::source::SceneArgs;
 use clap::{Args, Parser, Subcommand};
@@ -21,6 +22,7 @@ Examples:
   throng run plan.toml -o a.mp4 -o a.csv
   throng check plan.toml             is it right, and what would it do?
   throng show doorway                a picture of the start, doorway.png
+  throng explain circle --agent 3    why agent 3 goes where it goes, circle-agent-3.svg
 
 Exit codes: 0 done; 1 the scene did not show what its [expect] says; 2 an error; 130 interrupted.";
 
@@ -42,6 +44,9 @@ pub enum Command {
     /// Draws the start of a scene
     #[command(after_help = SHOW)]
     Show(ShowArgs),
+    /// Draws why one agent goes where it goes: its velocity space at one moment
+    #[command(after_help = explain::SHORT, after_long_help = explain::LONG)]
+    Explain(Box<ExplainArgs>),
     /// Writes the JSON schema of scene files to standard output
     ///
     /// Editors that know it complete and check the keys of scene files while one types.

@@ -97,6 +97,7 @@ fn expectations(scene: &Scene, out: &mut Out) -> Result<(), Failure> {
         (e.least_wall_separation.is_some(), "least_wall_separation"),
         (e.heading_change.is_some(), "heading_change"),
         (e.mean_speed.is_some(), "mean_speed"),
+        (e.final_speed.is_some(), "final_speed"),
         (!e.flow.is_empty(), "flow"),
     ];
     let keys: Vec<&str> = keys.iter().filter(|(there, _)| *there).map(|(_, key)| *key).collect();

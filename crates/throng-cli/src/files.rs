@@ -143,3 +143,15 @@ fn begin(path: &Path, plan: &Plan) -> Result<File, Failure> {
     let film = Film::create(path, plan.setting, plan.style, plan.rate)?.still(plan.still);
     Ok(File::Film(Box::new(film)))
 }
+
+/// That a path names a single picture, which is all that `command` writes.
+///
+/// # Errors
+/// It names something else.
+pub fn one_picture(path: &Path, command: &str) -> Result<(), Failure> {
+    if matches!(Kind::of(path), Ok(Kind::Png | Kind::Svg)) {
+        return Ok(());
+    }
+    let text = format!("{}: `{command}` draws one picture", path.display());
+    Err(Failure::hint(text, "end the name in .png or .svg; `throng run` writes everything else"))
+}

@@ -104,7 +104,8 @@ fn shaped_like(extent: DVec2) -> (u32, u32) {
     (960, height.clamp(280.0, 720.0) as u32 / 2 * 2)
 }
 
-fn parse_size(text: &str) -> Result<(u32, u32), String> {
+/// Reads width and height.
+pub fn parse_size(text: &str) -> Result<(u32, u32), String> {
     let size = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
     size.filter(|(w, h)| (16..=16384).contains(w) && (16..=16384).contains(h))
         .ok_or_else(|| "write width x height in pixels, each from 16 to 16384, such as 1280x720".into())

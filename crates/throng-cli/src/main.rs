@@ -3,6 +3,7 @@
 mod args;
 mod check;
 mod completions;
+mod explain;
 mod failure;
 mod files;
 mod interrupt;
@@ -31,6 +32,7 @@ fn main() -> ExitCode {
         Command::List(args) => list::list(args, &mut out),
         Command::Check(args) => check::check(args, &mut out),
         Command::Show(args) => show::show(args, &mut out),
+        Command::Explain(args) => explain::explain(args, &mut out),
         Command::Schema => schema::schema(&mut out),
         Command::Completions(args) => completions::completions(args, &mut out),
     };

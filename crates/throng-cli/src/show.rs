@@ -2,10 +2,10 @@
 
 use crate::args::ShowArgs;
 use crate::failure::Failure;
+use crate::files::one_picture;
 use crate::moment;
 use crate::out::Out;
 use std::path::PathBuf;
-use throng_draw::sink::Kind;
 use throng_draw::{Film, Style};
 use throng_record::Frame;
 
@@ -16,10 +16,7 @@ use throng_record::Frame;
 pub fn show(args: &ShowArgs, out: &mut Out) -> Result<(), Failure> {
     let loaded = args.scene.load()?;
     let path = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}.png", loaded.name)));
-    if !matches!(Kind::of(&path), Ok(Kind::Png | Kind::Svg)) {
-        let text = format!("{}: `show` draws one picture", path.display());
-        return Err(Failure::hint(text, "end the name in .png or .svg; `throng run` writes everything else"));
-    }
+    one_picture(&path, "show")?;
     let (world, built) = loaded.build()?;
     let style = Style { trails: 0.0, ..args.look.style(&loaded.scene, built.bounds)? };
     let title = if loaded.scene.title.is_empty() { &loaded.name } else { &loaded.scene.title };

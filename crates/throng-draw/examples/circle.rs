@@ -34,6 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 velocity: (direction * 1.3).as_vec2(),
                 heading: (f64::from(n) / f64::from(count) * TAU + PI + turn) as f32,
                 radius: 0.2,
+                core: glam::Vec2::ZERO,
                 preferred_speed: 1.3,
                 status: Status::Walking,
             }

@@ -22,6 +22,7 @@ fn moment(agents: u32, k: u32) -> Frame {
                 velocity: Vec2::ONE,
                 heading: angle as f32 + 1.57,
                 radius: 0.25,
+                core: Vec2::ZERO,
                 preferred_speed: 1.3,
                 status: Status::Walking,
             }

@@ -17,10 +17,13 @@ pub struct WorldBox {
 }
 
 impl WorldBox {
+    /// Holds nothing, and can [grow](Self::add).
+    pub(crate) const NOTHING: Self = Self { min: DVec2::INFINITY, max: DVec2::NEG_INFINITY };
+
     /// The smallest box that holds the place and everybody in `frame`, with a little room round it where nothing
     /// bounds the ground, because people give way; `None` if there is nothing.
     pub fn of(setting: &Setting, frame: &Frame) -> Option<Self> {
-        let mut all = Self { min: DVec2::INFINITY, max: DVec2::NEG_INFINITY };
+        let mut all = Self::NOTHING;
         setting.walkable.iter().flat_map(|w| &w.outer).for_each(|&p| all.add(p, 0.0));
         for obstacle in &setting.obstacles {
             match obstacle {
@@ -36,16 +39,24 @@ impl WorldBox {
                 Goal::Area { corners } | Goal::Exit { corners } => corners.iter().for_each(|&p| all.add(p, 0.0)),
             }
         }
-        frame.bodies.iter().for_each(|b| all.add(b.position, f64::from(b.radius)));
+        frame.bodies.iter().for_each(|b| all.add(b.position, f64::from(b.shape().bound())));
         if setting.walkable.is_empty() {
-            let radii = frame.bodies.iter().map(|b| f64::from(b.radius)).filter(|r| r.is_finite());
+            let radii = frame.bodies.iter().map(|b| f64::from(b.shape().bound())).filter(|r| r.is_finite());
             let room = GIVING_WAY * radii.fold(0.0, f64::max);
             (all.min, all.max) = (all.min - room, all.max + room);
         }
         (all.min.cmple(all.max).all()).then_some(all)
     }
 
-    fn add(&mut self, point: DVec2, radius: f64) {
+    /// This, or a box round its middle, with sides of at least `side` metres.
+    pub(crate) fn at_least(self, side: f64) -> Self {
+        let half = (self.max - self.min).max(DVec2::splat(side)) * 0.5;
+        let center = (self.min + self.max) * 0.5;
+        Self { min: center - half, max: center + half }
+    }
+
+    /// Grows to hold a disc; what is not finite is left out.
+    pub(crate) fn add(&mut self, point: DVec2, radius: f64) {
         if point.is_finite() && radius.is_finite() {
             self.min = self.min.min(point - radius);
             self.max = self.max.max(point + radius);

@@ -42,6 +42,12 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
+    /// The name of the file is none of a single picture.
+    #[error("{}: a figure is one picture; end the name in .png or .svg", path.display())]
+    Still {
+        /// The file.
+        path: PathBuf,
+    },
     /// Nothing was pushed.
     #[error("{}: there is no frame to write", path.display())]
     Empty {

@@ -1,7 +1,8 @@
 //! From moments to a finished file: a painter and a sink in one.
 
-use crate::sink::{Ahead, FrameSink, Kind, encode_png, sink};
-use crate::{Error, Image, Painter, Style};
+use crate::picture::Picture;
+use crate::sink::{Ahead, FrameSink, Kind, sink};
+use crate::{Error, Painter, Style};
 use std::path::{Path, PathBuf};
 use throng_record::{Frame, Output, Setting};
 
@@ -46,12 +47,6 @@ enum Target {
     Moving(Box<dyn FrameSink>),
     /// One moment is painted.
     Still { which: Still, kind: Kind, picture: Option<Picture>, last: Option<Frame>, output: Output },
-}
-
-/// A finished still.
-enum Picture {
-    Pixels(Image),
-    Vector(String),
 }
 
 impl Film {
@@ -125,18 +120,12 @@ impl Film {
     /// It cannot be written, or nothing was pushed.
     pub fn finish(self) -> Result<(), Error> {
         let Some(mut painter) = self.painter else { return Err(Error::Empty { path: self.path }) };
-        let (kind, picture, last, mut output) = match self.target {
+        let (kind, picture, last, output) = match self.target {
             Target::Moving(sink) => return sink.finish(),
             Target::Still { kind, picture, last, output, .. } => (kind, picture, last, output),
         };
         let picture = picture.unwrap_or_else(|| picture_of(&mut painter, kind, &last.unwrap_or_default()));
-        match picture {
-            Picture::Pixels(image) => encode_png(output, &image),
-            Picture::Vector(text) => {
-                output.put(text.as_bytes())?;
-                Ok(output.finish()?)
-            }
-        }
+        picture.write(output)
     }
 }
 

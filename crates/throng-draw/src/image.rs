@@ -1,6 +1,7 @@
 //! A picture in memory.
 
 use crate::Color;
+use glam::Vec2;
 
 /// A picture: rows from the top, each pixel four bytes, red, green, blue, alpha. Pictures of worlds are opaque.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,6 +51,21 @@ impl Image {
     /// Makes this a copy of `other`, which has the same size.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.data.copy_from_slice(&other.data);
+    }
+}
+
+impl Image {
+    /// Makes the rectangle from `low` to `high`, pixels, a copy of that of `other`, which has the same size.
+    pub(crate) fn copy_within(&mut self, other: &Self, low: Vec2, high: Vec2) {
+        // a negative number becomes 0
+        let (left, right) = (low.x.round() as usize, (high.x.round() as usize).min(self.width as usize));
+        let (top, bottom) = (low.y.round() as usize, (high.y.round() as usize).min(self.height as usize));
+        for y in top..bottom {
+            let row = |x: usize| (y * self.width as usize + x) * 4;
+            if left < right {
+                self.data[row(left)..row(right)].copy_from_slice(&other.data[row(left)..row(right)]);
+            }
+        }
     }
 }
 

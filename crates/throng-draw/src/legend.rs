@@ -61,7 +61,7 @@ impl Layout {
             }
             _ => {}
         }
-        let title = self.clip(typeface, &setting.title, 1.15 * self.size, 0.6 * self.width);
+        let title = typeface.clip(&setting.title, 1.15 * self.size, 0.6 * self.width);
         let at = Vec2::new(self.margin, self.top());
         marks.push(self.text(title, at, Anchor::Start, 1.15 * self.size, style.theme.text));
         marks.retain(|mark| !matches!(mark, Mark::Text { text, .. } if text.is_empty()));
@@ -85,22 +85,6 @@ impl Layout {
 
     fn text(&self, text: String, at: Vec2, anchor: Anchor, size: f32, color: crate::Color) -> Mark {
         Mark::Text { text, at, anchor, size, color }
-    }
-
-    /// `text`, cut off with an ellipsis where it is wider than `room`.
-    fn clip(&self, typeface: &Type, text: &str, size: f32, room: f32) -> String {
-        let line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-        if typeface.width(&line, size) <= room {
-            return line;
-        }
-        let mut cut = line;
-        while cut.pop().is_some() {
-            let shorter = format!("{}…", cut.trim_end());
-            if typeface.width(&shorter, size) <= room {
-                return shorter;
-            }
-        }
-        cut
     }
 
     /// A bar of a round number of metres, about a sixth of the picture; the width it takes.
@@ -133,7 +117,7 @@ impl Layout {
         let radius = 0.34 * self.size;
         let mut at = Vec2::new(self.margin, self.bottom());
         for (k, name) in setting.groups.iter().enumerate() {
-            let name = self.clip(typeface, name, self.size, 0.3 * self.width);
+            let name = typeface.clip(name, self.size, 0.3 * self.width);
             let advance = 2.0 * radius + 0.5 * self.size + typeface.width(&name, self.size) + 1.3 * self.size;
             if at.x + advance - self.margin > room {
                 let more = format!("+{} more", setting.groups.len() - k);
@@ -167,7 +151,7 @@ impl Layout {
 }
 
 /// The greatest of 1, 2 and 5 times a power of ten that is not above `most`.
-fn round_length(most: f64) -> f64 {
+pub(crate) fn round_length(most: f64) -> f64 {
     if !(most.is_finite() && most > 0.0) {
         return 1.0;
     }
@@ -187,14 +171,5 @@ mod tests {
             assert_eq!(round_length(most), want);
         }
         assert_eq!(round_length(f64::NAN), 1.0);
-    }
-
-    #[test]
-    fn a_long_title_is_cut_off() {
-        let layout = Layout::new(&Style::default());
-        let typeface = Type::new();
-        let cut = layout.clip(&typeface, &"long ".repeat(50), 13.0, 200.0);
-        assert!(cut.ends_with('…') && typeface.width(&cut, 13.0) <= 200.0, "{cut}");
-        assert_eq!(layout.clip(&typeface, "short", 13.0, 200.0), "short");
     }
 }

@@ -2,20 +2,22 @@
 //!
 //! [`Film`] turns the moments of a recording into a file of the kind its name says: MP4 or GIF, PNG or SVG, a folder of
 //! PNG files, or any other video that an installed ffmpeg writes. [`Painter`] paints single moments into memory, with
-//! the look that [`Style`] describes; [`sink`] holds the kinds of output for pictures of any origin.
+//! the look that [`Style`] describes; [`Figure`] draws why one agent goes where it goes; [`sink`] holds the kinds of output for pictures of any origin.
 
 mod camera;
 mod color;
-mod disc;
 mod error;
+mod figure;
 mod film;
 mod image;
 mod legend;
 mod look;
 mod mark;
 mod painter;
+mod picture;
 mod place;
 mod raster;
+mod rounded;
 pub mod sink;
 mod style;
 mod svg;
@@ -25,6 +27,7 @@ mod trail;
 pub use camera::{Camera, WorldBox};
 pub use color::{Color, PALETTE, palette, ramp, wheel};
 pub use error::Error;
+pub use figure::Figure;
 pub use film::{Film, Still};
 pub use image::Image;
 pub use painter::Painter;

@@ -1,6 +1,7 @@
 //! What a picture is made of besides agents: shapes and type, in pixels. Pictures and SVG draw the same marks.
 
 use crate::Color;
+use crate::rounded::Rounded;
 use glam::Vec2;
 
 /// A shape or a line of type.
@@ -12,8 +13,12 @@ pub(crate) enum Mark {
     Line { points: Vec<Vec2>, closed: bool, stroke: Stroke },
     /// A filled disc.
     Disc { center: Vec2, radius: f32, fill: Color },
+    /// An agent.
+    Agent(Rounded),
     /// A circle.
     Ring { center: Vec2, radius: f32, stroke: Stroke },
+    /// What of some marks lies within a rectangle of whole pixels.
+    Within { low: Vec2, high: Vec2, marks: Vec<Mark> },
     /// A line of type.
     Text { text: String, at: Vec2, anchor: Anchor, size: f32, color: Color },
 }

@@ -1,9 +1,9 @@
 //! Pictures of moments.
 
-use crate::disc::{Disc, NOTCH_LEAST_RADIUS};
 use crate::legend::Layout;
 use crate::look::Look;
 use crate::mark::Mark;
+use crate::rounded::{NOTCH_LEAST_RADIUS, Rounded};
 use crate::text::Type;
 use crate::trail::{End, Track, TrailLayer, Trails, freshness};
 use crate::{Camera, Error, Image, Style, WorldBox, place, raster};
@@ -64,7 +64,7 @@ impl Painter {
         let everything = WorldBox { min: DVec2::splat(-5.0), max: DVec2::splat(5.0) };
         let view = style.view.or_else(|| WorldBox::of(setting, first)).unwrap_or(everything);
         // A single agent is not blown up to fill the picture.
-        let view = if style.view.is_some() { view } else { at_least(view, 4.0) };
+        let view = if style.view.is_some() { view } else { view.at_least(4.0) };
         let camera = Camera::fit(view, low, high);
         let look = Look::new(setting, style, first);
         let mut typeface = Type::new();
@@ -123,7 +123,7 @@ impl Painter {
         }
         self.layer.lay(&mut self.image);
         for body in &frame.bodies {
-            self.disc(body).draw(&mut self.image);
+            self.rounded(body).draw(&mut self.image);
         }
         raster::draw(&mut self.image, &mut self.typeface, &self.legend);
         if self.style.legend {
@@ -139,22 +139,24 @@ impl Painter {
     }
 
     /// How an agent is drawn.
-    pub(crate) fn disc(&self, body: &Body) -> Disc {
+    pub(crate) fn rounded(&self, body: &Body) -> Rounded {
         let coat = self.look.coat(body);
         let radius = self.camera.length(f64::from(body.radius)).max(LEAST_RADIUS);
-        let notch = self.style.headings && radius >= NOTCH_LEAST_RADIUS;
-        let notch = notch.then(|| {
-            let (sin, cos) = body.heading.sin_cos();
-            // Up in the world is down in the rows of a picture.
-            (Vec2::new(cos, -sin), self.style.theme.notch.alpha(0.92))
-        });
-        let rim_width = if body.status == throng::Status::Stranded { 0.34 * radius } else { 0.13 * radius };
-        Disc {
+        let core = body.core.as_dvec2() * self.camera.scale;
+        let girth = radius + core.min_element() as f32;
+        let notch = self.style.headings && girth >= NOTCH_LEAST_RADIUS;
+        let notch = notch.then(|| self.style.theme.notch.alpha(0.92));
+        let (sin, cos) = body.heading.sin_cos();
+        let rim_width = if body.status == throng::Status::Stranded { 0.34 * girth } else { 0.13 * girth };
+        Rounded {
             center: self.camera.pixel(body.position),
+            core: core.as_vec2(),
+            // Up in the world is down in the rows of a picture.
+            along: Vec2::new(cos, -sin),
             radius,
             fill: coat.fill,
             // The edge of a small disc would take its colour away.
-            rim: coat.fill.mix(coat.rim, (0.4 * (radius - 1.2)).clamp(0.0, 1.0)),
+            rim: coat.fill.mix(coat.rim, (0.4 * (girth - 1.2)).clamp(0.0, 1.0)),
             rim_width: rim_width.clamp(0.6, 3.0 * self.layout.unit),
             notch,
         }
@@ -177,11 +179,4 @@ impl Brush {
             End { at: self.camera.pixel(point), half: half * (0.35 + 0.65 * fresh), opacity: TRAIL_OPACITY * fresh }
         })
     }
-}
-
-/// `view`, or a box round its middle, with sides of at least `side` metres.
-fn at_least(view: WorldBox, side: f64) -> WorldBox {
-    let half = (view.max - view.min).max(DVec2::splat(side)) * 0.5;
-    let center = (view.min + view.max) * 0.5;
-    WorldBox { min: center - half, max: center + half }
 }

@@ -24,7 +24,13 @@ pub(crate) fn draw(image: &mut Image, typeface: &mut Type, marks: &[Mark]) {
                 stroke_path(image, path.finish(), *stroke);
             }
             Mark::Disc { center, radius, fill } => fill_path(image, circle(*center, *radius), *fill),
+            Mark::Agent(disc) => disc.draw(image),
             Mark::Ring { center, radius, stroke } => stroke_path(image, circle(*center, *radius), *stroke),
+            Mark::Within { low, high, marks } => {
+                let mut whole = image.clone();
+                draw(&mut whole, typeface, marks);
+                image.copy_within(&whole, *low, *high);
+            }
             Mark::Text { text, at, anchor, size, color } => {
                 let shift = Vec2::new(typeface.width(text, *size) * anchor.part(), 0.0);
                 typeface.draw(image, text, *at - shift, *size, *color);

@@ -1,7 +1,7 @@
 //! A moment as a vector picture.
 
-use crate::disc::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO};
 use crate::mark::{Anchor, Mark, Stroke};
+use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};
 use crate::{Color, Painter};
 use glam::Vec2;
 use std::fmt::{self, Write};
@@ -17,25 +17,18 @@ impl Painter {
     }
 
     fn write_svg(&self, out: &mut String, frame: &Frame) -> fmt::Result {
-        let (w, h) = (self.style.width, self.style.height);
-        writeln!(out, r#"<?xml version="1.0" encoding="UTF-8"?>"#)?;
-        writeln!(
-            out,
-            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" font-family="Ubuntu, 'Helvetica Neue', Arial, sans-serif" font-weight="300">"#
-        )?;
-        writeln!(out, r#"<rect width="{w}" height="{h}" {}/>"#, fill(self.base()))?;
-        group(out, "place", |out| self.place.iter().try_for_each(|mark| write_mark(out, mark)))?;
-        group(out, "trails", |out| self.write_trails(out, frame))?;
-        group(out, "agents", |out| self.write_agents(out, frame))?;
-        group(out, "legend", |out| {
-            self.legend.iter().try_for_each(|mark| write_mark(out, mark))?;
-            if self.style.legend {
-                let moment = self.layout.moment(frame, &self.style, &self.typeface);
-                moment.iter().try_for_each(|mark| write_mark(out, mark))?;
-            }
-            Ok(())
-        })?;
-        writeln!(out, "</svg>")
+        document(out, (self.style.width, self.style.height), self.base(), |out| {
+            group(out, "place", |out| write_marks(out, &self.place))?;
+            group(out, "trails", |out| self.write_trails(out, frame))?;
+            group(out, "agents", |out| frame.bodies.iter().try_for_each(|body| write_body(out, &self.rounded(body))))?;
+            group(out, "legend", |out| {
+                write_marks(out, &self.legend)?;
+                if self.style.legend {
+                    write_marks(out, &self.layout.moment(frame, &self.style, &self.typeface))?;
+                }
+                Ok(())
+            })
+        })
     }
 
     fn write_trails(&self, out: &mut String, frame: &Frame) -> fmt::Result {
@@ -53,30 +46,64 @@ impl Painter {
         }
         writeln!(out, "</g>")
     }
+}
 
-    fn write_agents(&self, out: &mut String, frame: &Frame) -> fmt::Result {
-        for body in &frame.bodies {
-            let disc = self.disc(body);
-            let (c, r) = (disc.center, disc.radius);
-            // The edge lies inside the disc.
-            let (x, y, inner) = (n(c.x), n(c.y), n(r - 0.5 * disc.rim_width));
-            let rim = stroke(Stroke::plain(disc.rim_width, disc.rim));
-            writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{inner}" {} {rim}/>"#, fill(disc.fill))?;
-            if let Some((direction, color)) = disc.notch {
-                let (a, b) = (c + direction * (NOTCH_FROM * r), c + direction * (NOTCH_TO * r));
-                let notch = stroke(Stroke::plain((2.0 * NOTCH_HALF_WIDTH * r).max(1.2), color));
-                write!(out, r#"<path d="M{} {}L{} {}" "#, n(a.x), n(a.y), n(b.x), n(b.y))?;
-                writeln!(out, r#"stroke-linecap="round" {notch}/>"#)?;
-            }
-        }
-        Ok(())
-    }
+/// Marks as an SVG document.
+pub(crate) fn picture(size: (u32, u32), base: Color, marks: &[Mark]) -> String {
+    let mut out = String::new();
+    document(&mut out, size, base, |out| write_marks(out, marks)).expect("writing to a string does not fail");
+    out
+}
+
+fn document(
+    out: &mut String,
+    (w, h): (u32, u32),
+    base: Color,
+    content: impl FnOnce(&mut String) -> fmt::Result,
+) -> fmt::Result {
+    writeln!(out, r#"<?xml version="1.0" encoding="UTF-8"?>"#)?;
+    writeln!(
+        out,
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" font-family="Ubuntu, 'Helvetica Neue', Arial, sans-serif" font-weight="300">"#
+    )?;
+    writeln!(out, r#"<rect width="{w}" height="{h}" {}/>"#, fill(base))?;
+    content(out)?;
+    writeln!(out, "</svg>")
 }
 
 fn group(out: &mut String, id: &str, content: impl FnOnce(&mut String) -> fmt::Result) -> fmt::Result {
     writeln!(out, r#"<g id="{id}">"#)?;
     content(out)?;
     writeln!(out, "</g>")
+}
+
+fn write_marks(out: &mut String, marks: &[Mark]) -> fmt::Result {
+    marks.iter().try_for_each(|mark| write_mark(out, mark))
+}
+
+fn write_body(out: &mut String, body: &Rounded) -> fmt::Result {
+    let (c, core) = (body.center, body.core);
+    // The edge lies inside.
+    let inner = body.radius - 0.5 * body.rim_width;
+    let (x, y, r) = (n(c.x), n(c.y), n(inner.max(0.0)));
+    let rim = stroke(Stroke::plain(body.rim_width, body.rim));
+    if core == Vec2::ZERO {
+        writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" {} {rim}/>"#, fill(body.fill))?;
+    } else {
+        let half = (core + inner).max(Vec2::ZERO);
+        let (left, top, width, height) = (n(-half.x), n(-half.y), n(2.0 * half.x), n(2.0 * half.y));
+        let turn = n(body.along.y.atan2(body.along.x).to_degrees());
+        write!(out, r#"<rect x="{left}" y="{top}" width="{width}" height="{height}" rx="{r}" "#)?;
+        writeln!(out, r#"transform="translate({x} {y}) rotate({turn})" {} {rim}/>"#, fill(body.fill))?;
+    }
+    if let Some(color) = body.notch {
+        let (c, r) = (body.front(), body.girth());
+        let (a, b) = (c + body.along * (NOTCH_FROM * r), c + body.along * (NOTCH_TO * r));
+        let notch = stroke(Stroke::plain((2.0 * NOTCH_HALF_WIDTH * r).max(1.2), color));
+        write!(out, r#"<path d="M{} {}L{} {}" "#, n(a.x), n(a.y), n(b.x), n(b.y))?;
+        writeln!(out, r#"stroke-linecap="round" {notch}/>"#)?;
+    }
+    Ok(())
 }
 
 fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
@@ -93,9 +120,18 @@ fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
         Mark::Disc { center, radius, fill: color } => {
             writeln!(out, r#"<circle cx="{}" cy="{}" r="{}" {}/>"#, n(center.x), n(center.y), n(*radius), fill(*color))
         }
+        Mark::Agent(disc) => write_body(out, disc),
         Mark::Ring { center, radius, stroke: line } => {
             let (x, y, r) = (n(center.x), n(center.y), n(*radius));
             writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" fill="none" {}/>"#, stroke(*line))
+        }
+        Mark::Within { low, high, marks } => {
+            // a document within the document shows what is within its view
+            let size = *high - *low;
+            let (x, y, w, h) = (n(low.x), n(low.y), n(size.x), n(size.y));
+            writeln!(out, r#"<svg x="{x}" y="{y}" width="{w}" height="{h}" viewBox="{x} {y} {w} {h}">"#)?;
+            write_marks(out, marks)?;
+            writeln!(out, "</svg>")
         }
         Mark::Text { text, at, anchor, size, color } => {
             let anchor = match anchor {

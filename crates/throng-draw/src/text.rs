@@ -39,6 +39,22 @@ impl Type {
         self.pens(text, size).1
     }
 
+    /// `text`, cut off with an ellipsis where it is wider than `room`.
+    pub(crate) fn clip(&self, text: &str, size: f32, room: f32) -> String {
+        let line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        if self.width(&line, size) <= room {
+            return line;
+        }
+        let mut cut = line;
+        while cut.pop().is_some() {
+            let shorter = format!("{}…", cut.trim_end());
+            if self.width(&shorter, size) <= room {
+                return shorter;
+            }
+        }
+        cut
+    }
+
     /// The font's own measure of size, from line to line, for a size of an em in pixels.
     fn scale(&self, size: f32) -> f32 {
         size * self.font.height_unscaled() / self.font.units_per_em().unwrap_or(1000.0)
@@ -105,5 +121,18 @@ impl Bitmap {
             }
         });
         Self { left: bounds.min.x as i32, top: bounds.min.y as i32, width, cover }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_title_is_cut_off() {
+        let typeface = Type::new();
+        let cut = typeface.clip(&"long ".repeat(50), 13.0, 200.0);
+        assert!(cut.ends_with('…') && typeface.width(&cut, 13.0) <= 200.0, "{cut}");
+        assert_eq!(typeface.clip("short", 13.0, 200.0), "short");
     }
 }

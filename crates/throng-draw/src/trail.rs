@@ -43,7 +43,7 @@ impl Trails {
                 continue;
             }
             let track = self.tracks.entry(body.number).or_default();
-            (track.color, track.radius) = (Some(colors(k)), body.radius);
+            (track.color, track.radius) = (Some(colors(k)), body.shape().girth());
             let points = &mut track.points;
             if points.back().is_some_and(|p| p.1.distance(body.position) > JUMP.max(10.0 * spacing)) {
                 points.clear();
@@ -190,6 +190,7 @@ mod tests {
             velocity: Vec2::ZERO,
             heading: 0.0,
             radius: 0.2,
+            core: Vec2::ZERO,
             preferred_speed: 1.0,
             status: throng::Status::Walking,
         };

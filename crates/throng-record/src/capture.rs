@@ -49,6 +49,7 @@ impl Frame {
             velocity: agents.velocity[row],
             heading: agents.heading[row],
             radius: agents.radius[row],
+            core: agents.core[row],
             preferred_speed: agents.preferred_speed[row],
             status: agents.status[row],
         }));

@@ -10,7 +10,7 @@
 //! | `x`, `y` | centre, world coordinates | m |
 //! | `vx`, `vy` | velocity | m/s |
 //! | `heading` | direction of the body, counter-clockwise from +x | rad |
-//! | `radius` | radius of the body | m |
+//! | `radius` | radius of the body; of one that is no disc, half of its narrower side | m |
 //! | `status` | `walking`, `waiting`, `arrived` or `stranded` | |
 //!
 //! Numbers are written with as many digits as it takes to read the same bits back. Text is UTF-8, quoted where it
@@ -115,7 +115,7 @@ fn line(
     for value in [time, body.position.x, body.position.y] {
         field(lines, &value)?;
     }
-    for value in [body.velocity.x, body.velocity.y, body.heading, body.radius] {
+    for value in [body.velocity.x, body.velocity.y, body.heading, body.shape().girth()] {
         field(lines, &value)?;
     }
     lines.write_field(status_name(body.status))?;
@@ -146,6 +146,7 @@ mod tests {
             velocity: Vec2::new(1.3, -0.25),
             heading: 0.1,
             radius: 0.2,
+            core: Vec2::ZERO,
             preferred_speed: 1.3,
             status: Status::Waiting,
         }

@@ -47,10 +47,19 @@ pub struct Body {
     pub velocity: Vec2,
     /// Direction of the body, radians counter-clockwise from +x.
     pub heading: f32,
-    /// Radius, metres.
+    /// Radius of a disc, or of the rounding of another body, metres.
     pub radius: f32,
+    /// Half extents of what is rounded, along and across the heading, metres; zero for a disc ([`throng::Body`]).
+    pub core: Vec2,
     /// The speed it would like to walk at, m/s.
     pub preferred_speed: f32,
     /// What it is doing.
     pub status: Status,
+}
+
+impl Body {
+    /// The shape.
+    pub fn shape(&self) -> throng::Body {
+        throng::Body { core: self.core, radius: self.radius }
+    }
 }

@@ -21,6 +21,12 @@ const SCENES: &[(&str, &str)] = scenes![
     "ring",
     "ring-1000",
     "crossing",
+    "gathering",
+    "robots",
+    // Bodies.
+    "mixed-sizes",
+    "vehicle",
+    "sliding-door",
     // Walls.
     "corridor",
     "bottleneck",

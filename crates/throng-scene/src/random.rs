@@ -21,6 +21,8 @@ pub enum Purpose {
     StopWait = 9,
     Choice = 10,
     TrackingError = 11,
+    Length = 12,
+    Width = 13,
 }
 
 /// The random numbers of one agent for one purpose.

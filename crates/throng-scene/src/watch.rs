@@ -47,7 +47,7 @@ pub struct Verdict {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Check {
     /// The key of `[expect]`: `arrived`, `within`, `least_separation`, `least_wall_separation`, `heading_change`,
-    /// `mean_speed`, `flow.0.at_least` and the like.
+    /// `mean_speed`, `final_speed`, `flow.0.at_least` and the like.
     pub name: String,
     /// The bound: a count, seconds, a ratio, degrees a second, m/s, agents a second.
     pub expected: Figure,
@@ -160,12 +160,16 @@ impl Watch {
             check("arrived".into(), Figure::Count(needed), Some(Figure::Count(arrived)), arrived >= needed);
         }
         let mean_speed = self.speed.0 / self.speed.1 as f64; // NaN for nobody on the way: no bound holds
+        let velocities = &world.agents().velocity;
+        let final_speed =
+            velocities.iter().map(|v| f64::from(v.length())).sum::<f64>() / velocities.len().max(1) as f64;
         let bounds = [
             ("within", expect.within, self.reached.unwrap_or(f64::INFINITY), at_most as Holds),
             ("least_separation", expect.least_separation, summary.least_separation, at_least),
             ("least_wall_separation", expect.least_wall_separation, summary.least_wall_separation, at_least),
             ("heading_change", expect.heading_change, summary.heading_change_deg_per_s, at_most),
             ("mean_speed", expect.mean_speed, mean_speed, at_least),
+            ("final_speed", expect.final_speed, final_speed, at_most),
         ];
         for (name, bound, found, holds) in bounds {
             if let Some(bound) = bound {

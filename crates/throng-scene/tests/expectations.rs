@@ -110,6 +110,20 @@ fn those_who_leave_and_those_who_come_later_count() {
 }
 
 #[test]
+fn whether_a_crowd_comes_to_rest_is_judged_at_the_end() {
+    let walk = |limit: f64, bound: f64| {
+        let scene = format!(
+            "time = {{ step = 0.04, until = \"limit\", limit = {limit:?} }}\n[[group]]\nplace.point = [0, 0]\n\
+             goal.point = [4, 0]\n[expect]\nfinal_speed = {bound:?}\n"
+        );
+        run(&scene.parse().unwrap_or_else(|error| panic!("{error}")))
+    };
+    assert!(!walk(2.0, 0.5).passed, "still on the way");
+    assert!(walk(2.0, 1.31).passed);
+    assert!(walk(10.0, 0.001).passed, "there");
+}
+
+#[test]
 fn every_bound_can_fail() {
     let failing = [
         "least_separation = 4",

@@ -1,6 +1,6 @@
 //! Changing single values, as `--set` does.
 
-use throng_scene::{Avoid, Kind, Number, Place, Scene, SubSteps, gallery};
+use throng_scene::{Avoid, Body, Kind, Number, Place, Scene, SubSteps, gallery};
 
 fn corridor() -> Scene {
     gallery::scene("corridor").unwrap()
@@ -30,8 +30,8 @@ fn a_value_of_one_group_by_name_or_number() {
     let mut scene = corridor();
     scene.set("groups.eastward.body.radius", "0.25").unwrap();
     scene.set("group.1.body.radius", "{ uniform = [0.2, 0.3] }").unwrap();
-    assert_eq!(scene.groups[0].body.radius, Number::Constant(0.25));
-    assert_eq!(scene.groups[1].body.radius, Number::Uniform([0.2, 0.3]));
+    assert_eq!(scene.groups[0].body, Body::Radius(Number::Constant(0.25)));
+    assert_eq!(scene.groups[1].body, Body::Radius(Number::Uniform([0.2, 0.3])));
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn mistakes_are_named_with_what_there_is() {
     assert_eq!(
         message("avoid.orca.time_horizn", "3"),
         "--set avoid.orca.time_horizn=3: there is no key `time_horizn` here\n  hint: did you mean `time_horizon`? the \
-         keys here are: time_horizon, time_horizon_obstacles, neighbours, neighbour_distance"
+         keys here are: time_horizon, time_horizon_obstacles, turning_bias, built_from, neighbours, neighbour_distance"
     );
     assert_eq!(
         message("group.nobody.count", "3"),

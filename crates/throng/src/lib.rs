@@ -37,9 +37,9 @@ pub mod space;
 mod summary;
 mod world;
 
-pub use agent::{Agent, AgentId, GoalId, Group, GroupId, JourneyId, ObstacleId, Status};
+pub use agent::{Agent, AgentId, Body, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
 pub use error::Error;
-pub use navigate::{Goal, Journey, Stop};
+pub use navigate::{Goal, Journey, Keyframe, Script, Stop};
 pub use space::{Obstacle, Walkable};
 pub use summary::{Counts, Summary};
-pub use world::{Settings, SubSteps, World};
+pub use world::{Explanation, Seen, Settings, SubSteps, World};

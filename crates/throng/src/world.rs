@@ -5,6 +5,7 @@ mod agree;
 mod arrive;
 mod avoid;
 mod build;
+mod explain;
 mod intend;
 mod perceive;
 mod plan;
@@ -13,9 +14,12 @@ mod schedule;
 mod snapshot;
 mod standoff;
 
+pub use explain::{Explanation, Seen};
+
 use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
+use crate::guard::Pose;
 use crate::guard::{Contacts, Guard};
-use crate::navigate::{Goal, Journey, Meshes, Unreachable};
+use crate::navigate::{Goal, Journey, Meshes, Script, Unreachable};
 use crate::perceive::{Grid, Near};
 use crate::space::{Place, Walls};
 use crate::summary::{Counts, Ended, Summary, Tally};
@@ -55,8 +59,9 @@ impl Default for Settings {
     }
 }
 
-/// Agents, groups, goals and the place they are in. See the [crate's page](crate) for an example.
-#[derive(Debug)]
+/// Agents, groups, goals and the place they are in. See the [crate's page](crate) for an example. A clone goes on with
+/// the same bits.
+#[derive(Clone, Debug)]
 pub struct World {
     settings: Settings,
     steps: u64,
@@ -65,6 +70,7 @@ pub struct World {
     groups: Vec<Group>,
     goals: Vec<Goal>,
     journeys: Vec<Journey>,
+    scripts: Vec<Script>,
     place: Place,
     schedule: Schedule,
     tally: Tally,
@@ -92,9 +98,10 @@ struct Slots {
 }
 
 /// What one step hands from stage to stage; kept so that a step allocates nothing.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct StepMemory {
     grid: Grid,
+    long: perceive::Long,
     /// Neighbours of each row: `most_neighbours` places a row, filled from the front.
     neighbours: Vec<Near>,
     most_neighbours: usize,
@@ -103,8 +110,9 @@ struct StepMemory {
     seen: Vec<u32>,
     preferred: Vec<Vec2>,
     wishes: Vec<Vec2>,
-    targets: Vec<Vec2>,
+    targets: Vec<Pose>,
     reach: Vec<f32>,
+    guarded: Vec<bool>,
     contacts: Contacts,
     guard: Guard,
     arrivals: Vec<u32>,
@@ -125,15 +133,26 @@ impl World {
     pub fn step(&mut self) {
         self.enter();
         let parts = self.sub_steps();
-        let seconds = (self.settings.step / f64::from(parts)) as f32;
+        let seconds = self.seconds(parts);
         for part in 0..parts {
-            self.perceive();
-            self.intend(seconds);
-            self.avoid(seconds);
-            self.guard(seconds);
-            self.advance(seconds, self.time() + self.settings.step * f64::from(part + 1) / f64::from(parts));
+            let now = self.time() + self.settings.step * f64::from(part + 1) / f64::from(parts);
+            self.decide(seconds, now);
+            self.advance(seconds, now);
         }
         self.steps += 1;
+    }
+
+    /// Seconds of each of the parts that a step is divided into.
+    fn seconds(&self, parts: u32) -> f32 {
+        (self.settings.step / f64::from(parts)) as f32
+    }
+
+    /// All of a sub-step that ends at `now` but the motion.
+    fn decide(&mut self, seconds: f32, now: f64) {
+        self.perceive();
+        self.intend(seconds, now);
+        self.avoid(seconds);
+        self.guard(seconds, now);
     }
 
     /// Seconds since the start.
@@ -199,6 +218,11 @@ impl World {
         &self.journeys[id.index()]
     }
 
+    /// All scripts, by index.
+    pub fn scripts(&self) -> &[Script] {
+        &self.scripts
+    }
+
     /// What is solid and what can be walked on.
     pub fn place(&self) -> &Place {
         &self.place
@@ -215,21 +239,24 @@ impl World {
         &self.stranded
     }
 
-    /// Pairs of agents that overlap, with the distance of their centres over the sum of their radii: a bad start.
+    /// Pairs of agents that overlap, with the distance of their cores (centres of discs) over the sum of their radii: a bad
+    /// start, or a group without the guard.
     /// By number, each pair once.
     pub fn overlapping(&self) -> Vec<(u32, u32, f64)> {
         let mut grid = Grid::default();
         grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
-        let largest = self.agents.radius.iter().copied().fold(0.0, f32::max);
+        let agents = &self.agents;
+        let bound = |row: usize| agents.body(row).bound();
+        let largest = (0..agents.len()).map(bound).fold(0.0, f32::max);
         let mut pairs = Vec::new();
-        for row in 0..self.agents.len() {
-            grid.within(self.agents.position[row], self.agents.radius[row] + largest, |near| {
+        for row in 0..agents.len() {
+            grid.within(agents.position[row], bound(row) + largest, |near| {
                 let other = near.row as usize;
-                let radii = f64::from(self.agents.radius[row]) + f64::from(self.agents.radius[other]);
-                let d = self.agents.position[row].as_dvec2().distance(self.agents.position[other].as_dvec2());
-                let solid = self.agents.avoids(row, other) || self.agents.avoids(other, row);
-                if solid && self.agents.number[row] < near.number && d < radii * (1.0 - 1e-4) {
-                    pairs.push((self.agents.number[row], near.number, d / radii));
+                if agents.number[row] < near.number && (agents.avoids(row, other) || agents.avoids(other, row)) {
+                    let separation = agents.separation(row, other);
+                    if separation < 1.0 - 1e-4 {
+                        pairs.push((agents.number[row], near.number, separation));
+                    }
                 }
             });
         }
@@ -237,26 +264,32 @@ impl World {
         pairs
     }
 
-    /// How many there are and how many have arrived: cheap, for every frame of a recording.
+    /// Rows of the agents that follow no script: those that count.
+    fn walkers(&self) -> impl Iterator<Item = usize> {
+        (0..self.agents.len()).filter(|&row| self.agents.script[row].is_none())
+    }
+
+    /// How many there are and how many have arrived, moving obstacles left aside: cheap, for every frame of a recording.
     pub fn counts(&self) -> Counts {
-        let (present, removed) = (self.agents.len(), self.tally.removed.len());
+        let (present, removed) = (self.walkers().count(), self.tally.removed.len());
         Counts {
             agents: present + self.schedule.len() + removed,
             // whoever an exit removed had arrived at it
-            arrived: removed + self.agents.trip.iter().filter(|trip| trip.arrived.is_some()).count(),
+            arrived: removed + self.walkers().filter(|&row| self.agents.trip[row].arrived.is_some()).count(),
             removed,
             present,
         }
     }
 
-    /// How the run went so far.
+    /// How the run went so far. Moving obstacles do not count, but what they touch does.
     pub fn summary(&self) -> Summary {
         let agents = &self.agents;
-        let trips = (0..agents.len()).map(|row| {
+        let trips = self.walkers().map(|row| {
             (agents.number[row], Ended { trip: agents.trip[row], preferred_speed: agents.preferred_speed[row] })
         });
-        let resting = agents.velocity.iter().filter(|v| v.length() < 0.05).count();
-        let stuck = (0..agents.len())
+        let resting = self.walkers().filter(|&row| agents.velocity[row].length() < 0.05).count();
+        let stuck = self
+            .walkers()
             .filter(|&row| match agents.status[row] {
                 Status::Stranded => true,
                 Status::Walking => agents.travel[row].without_progress > 10.0,
@@ -264,7 +297,7 @@ impl World {
             })
             .count();
         let summary = Summary {
-            agents: agents.len() + self.schedule.len() + self.tally.removed.len(),
+            agents: self.walkers().count() + self.schedule.len() + self.tally.removed.len(),
             resting,
             stuck,
             time: self.time(),

@@ -1,27 +1,84 @@
 //! The guard keeps its promise whatever it is asked to do: random crowds, sizes, speeds and walls, checked by an
 //! independent search over the time of the step.
 
+#[path = "shared/polygons.rs"]
+mod polygons;
+
 use glam::{DVec2, Vec2};
+use polygons::apart;
 use proptest::prelude::*;
 use throng::Obstacle;
-use throng::guard::{Bodies, Contacts, Guard, nearest_approach};
+use throng::guard::{Bodies, Contacts, Guard, Pose, nearest_approach};
 use throng::perceive::Grid;
-use throng::space::{NearWalls, Walls};
+use throng::space::Walls;
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct Crowd {
     positions: Vec<Vec2>,
+    headings: Vec<f32>,
+    cores: Vec<Vec2>,
     radii: Vec<f32>,
     reach: Vec<f32>,
-    targets: Vec<Vec2>,
+    guarded: Vec<bool>,
+    targets: Vec<Pose>,
+}
+
+impl Crowd {
+    /// Adds a guarded body that wants to go somewhere.
+    fn add(&mut self, (position, heading): (Vec2, f32), (core, radius): (Vec2, f32), reach: f32, target: Pose) {
+        self.positions.push(position);
+        self.headings.push(heading);
+        self.cores.push(core);
+        self.radii.push(radius);
+        self.reach.push(reach);
+        self.guarded.push(true);
+        self.targets.push(target);
+    }
+
+    /// Adds a disc.
+    fn add_disc(&mut self, position: Vec2, radius: f32, reach: f32, target: Vec2) {
+        self.add((position, 0.0), (Vec2::ZERO, radius), reach, Pose { position: target, heading: 0.0 });
+    }
+
+    fn kept(&self, rows: &[usize]) -> Self {
+        fn of<T: Copy>(rows: &[usize], all: &[T]) -> Vec<T> {
+            rows.iter().map(|&row| all[row]).collect()
+        }
+        Self {
+            positions: of(rows, &self.positions),
+            headings: of(rows, &self.headings),
+            cores: of(rows, &self.cores),
+            radii: of(rows, &self.radii),
+            reach: of(rows, &self.reach),
+            guarded: of(rows, &self.guarded),
+            targets: of(rows, &self.targets),
+        }
+    }
+
+    /// Corners of a core at a part of the step on its way to a target.
+    fn corners(&self, row: usize, target: Pose, t: f64) -> [DVec2; 4] {
+        let (from, to) = (f64::from(self.headings[row]), f64::from(target.heading));
+        let turn = (to - from + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI;
+        let center = self.positions[row].as_dvec2().lerp(target.position.as_dvec2(), t);
+        let (along, half) = (DVec2::from_angle(from + t * turn), self.cores[row].as_dvec2());
+        [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)]
+            .map(|(x, y)| center + along * (x * half.x) + along.perp() * (y * half.y))
+    }
 }
 
 /// Moves the crowd under guard, and gives where it went.
-fn guarded(crowd: &Crowd, walls: &Walls) -> Vec<Vec2> {
+fn guarded(crowd: &Crowd, walls: &Walls) -> Vec<Pose> {
     let numbers: Vec<u32> = (0..crowd.positions.len() as u32).collect();
     let mut grid = Grid::default();
     grid.rebuild(&crowd.positions, &numbers, 1.0);
-    let bodies = Bodies { positions: &crowd.positions, radii: &crowd.radii, reach: &crowd.reach };
+    let bodies = Bodies {
+        positions: &crowd.positions,
+        headings: &crowd.headings,
+        cores: &crowd.cores,
+        radii: &crowd.radii,
+        reach: &crowd.reach,
+        guarded: &crowd.guarded,
+    };
     let mut contacts = Contacts::default();
     contacts.collect(&bodies, &numbers, &grid, walls, |_, _| true);
     let mut targets = crowd.targets.clone();
@@ -29,36 +86,69 @@ fn guarded(crowd: &Crowd, walls: &Walls) -> Vec<Vec2> {
     targets
 }
 
+/// How far a core is from the nearest wall.
+fn to_walls(corners: &[DVec2], walls: &Walls) -> f64 {
+    let edges = walls.edges().iter().map(|edge| apart(corners, &[edge.start, edge.end]));
+    let discs = walls.discs().iter().map(|disc| apart(corners, &[disc.center]) - disc.radius);
+    edges.chain(discs).fold(f64::INFINITY, f64::min)
+}
+
 /// The promise, by sampling the step's time.
-fn check(crowd: &Crowd, walls: &Walls, targets: &[Vec2]) {
-    let at = |row: usize, t: f64| crowd.positions[row].as_dvec2().lerp(targets[row].as_dvec2(), t);
-    let times = || (0..=64).map(|i| f64::from(i) / 64.0);
+fn check(crowd: &Crowd, walls: &Walls, targets: &[Pose]) {
+    const TIMES: u32 = 64;
+    let at = |row: usize| (0..=TIMES).map(move |i| crowd.corners(row, targets[row], f64::from(i) / f64::from(TIMES)));
+    let ways: Vec<Vec<[DVec2; 4]>> = (0..targets.len()).map(|row| at(row).collect()).collect();
     for (a, target) in targets.iter().enumerate() {
-        let moved = crowd.positions[a].distance(*target);
+        let moved = crowd.positions[a].distance(target.position);
         assert!(moved <= crowd.reach[a] * 1.001, "{moved} farther than {}", crowd.reach[a]);
+        let size = |row: usize| f64::from(crowd.radii[row] + crowd.cores[row].length());
         for b in 0..a {
+            let near = crowd.positions[a].distance(crowd.positions[b]);
+            let meet = size(a) + size(b) + f64::from(crowd.reach[a] + crowd.reach[b]);
+            if f64::from(near) > meet || !(crowd.guarded[a] || crowd.guarded[b]) {
+                continue;
+            }
             let radii = f64::from(crowd.radii[a]) + f64::from(crowd.radii[b]);
-            let start = at(a, 0.0).distance(at(b, 0.0));
-            let least = times().map(|t| at(a, t).distance(at(b, t))).fold(f64::INFINITY, f64::min);
+            let start = apart(&ways[a][0], &ways[b][0]);
+            let least = ways[a].iter().zip(&ways[b]).map(|(p, q)| apart(p, q)).fold(f64::INFINITY, f64::min);
             assert!(least >= radii.min(start) - 1.1e-6 * radii, "{a} and {b}: {least} of {radii}, from {start}");
         }
-        let distance = |t: f64| walls.distance(at(a, t), 100.0, &mut NearWalls::default());
         let radius = f64::from(crowd.radii[a]);
-        let start = distance(0.0);
-        let least = times().map(distance).fold(f64::INFINITY, f64::min);
-        assert!(least >= radius.min(start) - 1.1e-6 * radius, "{a} and a wall: {least} of {radius}, from {start}");
+        let start = to_walls(&ways[a][0], walls);
+        let least = ways[a].iter().map(|corners| to_walls(corners, walls)).fold(f64::INFINITY, f64::min);
+        let held = !crowd.guarded[a] || least >= radius.min(start) - 1.1e-6 * radius;
+        assert!(held, "{a} and a wall: {least} of {radius}, from {start}");
     }
+}
+
+/// Everything that a strategy draws for one body.
+type Drawn = ((f32, f32), f32, (f32, f32), (f32, f32), f32);
+
+fn mixed(spread: f32) -> impl Strategy<Value = Crowd> {
+    let extent = || prop_oneof![Just(0.0f32), 0.05f32..0.9];
+    let place = (-spread..spread, -spread..spread);
+    let core = (extent(), extent());
+    let body = (place, 0.03f32..0.5, core, (0.0f32..2.0, 0.0f32..std::f32::consts::TAU), -3.1f32..3.1);
+    (prop::collection::vec(body, 2..25), prop_oneof![Just(1.0f32), Just(0.05)]).prop_map(|(bodies, haste)| {
+        let mut crowd = Crowd::default();
+        for ((x, y), radius, (length, width), (way, angle), heading) in bodies as Vec<Drawn> {
+            let at = Vec2::new(x, y);
+            let position = at + Vec2::from_angle(angle) * way * haste;
+            let turned = heading + (angle - 3.14) * haste;
+            let target = Pose { position, heading: (turned + 3.14).rem_euclid(6.28) - 3.14 };
+            crowd.add((at, heading), (Vec2::new(length, width), radius), 2.0, target);
+        }
+        crowd
+    })
 }
 
 fn crowd(spread: f32) -> impl Strategy<Value = Crowd> {
     let body = (-spread..spread, -spread..spread, 0.05f32..0.8, 0.0f32..3.0, 0.0f32..std::f32::consts::TAU);
     prop::collection::vec(body, 2..40).prop_map(|bodies| {
-        let mut crowd = Crowd { positions: vec![], radii: vec![], reach: vec![], targets: vec![] };
+        let mut crowd = Crowd::default();
         for (x, y, radius, length, angle) in bodies {
-            crowd.positions.push(Vec2::new(x, y));
-            crowd.radii.push(radius);
-            crowd.reach.push(2.0);
-            crowd.targets.push(Vec2::new(x, y) + Vec2::new(angle.cos(), angle.sin()) * length);
+            let at = Vec2::new(x, y);
+            crowd.add_disc(at, radius, 2.0, at + Vec2::new(angle.cos(), angle.sin()) * length);
         }
         crowd
     })
@@ -67,20 +157,15 @@ fn crowd(spread: f32) -> impl Strategy<Value = Crowd> {
 /// Takes out whoever overlaps somebody before them, or a wall.
 fn parted(crowd: Crowd, walls: &Walls) -> Crowd {
     let mut kept: Vec<usize> = Vec::new();
+    let corners = |row: usize| crowd.corners(row, crowd.targets[row], 0.0);
     for row in 0..crowd.positions.len() {
-        let p = crowd.positions[row].as_dvec2();
         let radius = |row: usize| f64::from(crowd.radii[row]);
-        let free = kept.iter().all(|&k| crowd.positions[k].as_dvec2().distance(p) >= radius(k) + radius(row));
-        if free && walls.distance(p, 100.0, &mut NearWalls::default()) >= radius(row) {
+        let free = kept.iter().all(|&k| apart(&corners(k), &corners(row)) >= radius(k) + radius(row));
+        if free && to_walls(&corners(row), walls) >= radius(row) {
             kept.push(row);
         }
     }
-    Crowd {
-        positions: kept.iter().map(|&row| crowd.positions[row]).collect(),
-        radii: kept.iter().map(|&row| crowd.radii[row]).collect(),
-        reach: kept.iter().map(|&row| crowd.reach[row]).collect(),
-        targets: kept.iter().map(|&row| crowd.targets[row]).collect(),
-    }
+    crowd.kept(&kept)
 }
 
 fn room() -> Walls {
@@ -110,6 +195,39 @@ proptest! {
         check(&crowd, &walls, &guarded(&crowd, &walls));
     }
 
+    #[test]
+    fn bodies_of_all_shapes_do_not_overlap_in_the_open(crowd in mixed(4.0)) {
+        let crowd = parted(crowd, &Walls::default());
+        check(&crowd, &Walls::default(), &guarded(&crowd, &Walls::default()));
+    }
+
+    #[test]
+    fn bodies_of_all_shapes_do_not_overlap_in_a_room(crowd in mixed(4.0)) {
+        let walls = room();
+        let crowd = parted(crowd, &walls);
+        check(&crowd, &walls, &guarded(&crowd, &walls));
+    }
+
+    #[test]
+    fn overlapping_bodies_of_all_shapes_come_no_closer(crowd in mixed(1.5)) {
+        check(&crowd, &Walls::default(), &guarded(&crowd, &Walls::default()));
+    }
+
+    /// Of two, one that is guarded is enough; who is not goes through walls and its like.
+    #[test]
+    fn the_unguarded_are_held_off_the_guarded_only(crowd in mixed(3.0), unguarded in prop::collection::vec(any::<bool>(), 25)) {
+        let walls = room();
+        let mut crowd = parted(crowd, &walls);
+        for (guarded, &not) in crowd.guarded.iter_mut().zip(&unguarded) {
+            *guarded = !not;
+        }
+        check(&crowd, &walls, &guarded(&crowd, &walls));
+        crowd.guarded.fill(false);
+        for (went, wished) in guarded(&crowd, &walls).iter().zip(&crowd.targets) {
+            prop_assert!(went.position.distance(wished.position) < 1e-6);
+        }
+    }
+
     /// Bad starts do not get worse.
     #[test]
     fn overlapping_bodies_come_no_closer(crowd in crowd(2.0)) {
@@ -118,36 +236,54 @@ proptest! {
 
     #[test]
     fn free_motion_is_left_alone(offset in 5.0f32..9.0, v in -1.0f32..1.0) {
-        let crowd = Crowd {
-            positions: vec![Vec2::ZERO, Vec2::new(offset, 0.0)],
-            radii: vec![0.5, 0.5],
-            reach: vec![1.5, 1.5],
-            targets: vec![Vec2::new(0.3, v), Vec2::new(offset - 0.4, -v)],
-        };
-        prop_assert_eq!(guarded(&crowd, &Walls::default()), crowd.targets.clone());
+        let mut crowd = Crowd::default();
+        crowd.add_disc(Vec2::ZERO, 0.5, 1.5, Vec2::new(0.3, v));
+        let target = Pose { position: Vec2::new(offset - 0.4, -v), heading: 0.7 };
+        crowd.add((Vec2::new(offset, 0.0), 0.2), (Vec2::new(1.0, 0.3), 0.2), 1.5, target);
+        prop_assert_eq!(guarded(&crowd, &Walls::default()), crowd.targets);
     }
 }
 
 #[test]
 fn a_wish_that_is_no_number_means_standing() {
-    let crowd = Crowd {
-        positions: vec![Vec2::ZERO, Vec2::X],
-        radii: vec![0.3, 0.3],
-        reach: vec![1.0, 1.0],
-        targets: vec![Vec2::new(f32::NAN, 0.0), Vec2::new(0.2, f32::INFINITY)],
-    };
-    assert_eq!(guarded(&crowd, &Walls::default()), crowd.positions);
+    let mut crowd = Crowd::default();
+    crowd.add_disc(Vec2::ZERO, 0.3, 1.0, Vec2::new(f32::NAN, 0.0));
+    let nonsense = Pose { position: Vec2::new(0.2, f32::INFINITY), heading: f32::NAN };
+    crowd.add((Vec2::X, 0.0), (Vec2::new(0.1, 0.0), 0.3), 1.0, nonsense);
+    let stood: Vec<Vec2> = guarded(&crowd, &Walls::default()).iter().map(|pose| pose.position).collect();
+    assert_eq!(stood, crowd.positions);
+}
+
+/// A bar that touches a wall with its end can still turn away from it, and stops turning into it.
+#[test]
+fn a_bar_at_a_wall_that_cannot_move_turns_away_from_it_only() {
+    let wall = Obstacle::Wall { points: vec![DVec2::new(-5.0, 0.0), DVec2::new(5.0, 0.0)] };
+    let walls = Walls::new(&[], &[wall], DVec2::ZERO);
+    for (heading, kept) in [(0.29, true), (0.31, false), (-0.5, false)] {
+        let mut crowd = Crowd::default();
+        // its lower end touches: it turns to lie along the wall, or to stand up
+        let at = Vec2::new(0.0, 0.2 + (0.3f32).sin());
+        let target = Pose { position: at, heading };
+        crowd.add((at, 0.3), (Vec2::X, 0.2), 0.0, target);
+        let targets = guarded(&crowd, &walls);
+        check(&crowd, &walls, &targets);
+        assert_eq!(targets[0].heading == heading, kept, "{heading}: {targets:?}");
+    }
 }
 
 #[test]
 fn a_bullet_does_not_pass_through_a_thin_wall() {
     let wall = Obstacle::Wall { points: vec![DVec2::new(1.0, -5.0), DVec2::new(1.0, 5.0)] };
     let walls = Walls::new(&[], &[wall], DVec2::ZERO);
-    let crowd =
-        Crowd { positions: vec![Vec2::ZERO], radii: vec![0.1], reach: vec![50.0], targets: vec![Vec2::new(40.0, 3.0)] };
-    let targets = guarded(&crowd, &walls);
-    check(&crowd, &walls, &targets);
-    assert!(targets[0].x <= 0.9 && targets[0].x > 0.5, "{}", targets[0]);
+    for core in [Vec2::ZERO, Vec2::new(0.3, 0.1)] {
+        let mut crowd = Crowd::default();
+        let target = Pose { position: Vec2::new(40.0, 3.0), heading: 0.0 };
+        crowd.add((Vec2::ZERO, 0.0), (core, 0.1), 50.0, target);
+        let targets = guarded(&crowd, &walls);
+        check(&crowd, &walls, &targets);
+        let nose = targets[0].position.x + core.x;
+        assert!(nose <= 0.9 && nose > 0.5, "{targets:?}");
+    }
 }
 
 #[test]

@@ -243,6 +243,7 @@ const CASES: &[Case] = &[
         command: "throng run headon -q --no-files --set expect.arrived=3",
         code: 1,
     },
+    Case { what: "An agent that is not there", files: &[], command: "throng explain circle --agent 99", code: 2 },
     Case { what: "An option that does not exist", files: &[], command: "throng run circle --frames 10", code: 2 },
 ];
 

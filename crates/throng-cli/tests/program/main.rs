@@ -3,6 +3,7 @@
 mod commands;
 #[cfg(target_os = "linux")]
 mod errors;
+mod explain;
 #[cfg(unix)]
 mod interrupt;
 mod mistakes;

@@ -51,6 +51,7 @@ pub fn moment(k: usize) -> Frame {
             velocity,
             heading: velocity.y.atan2(velocity.x),
             radius: 0.24,
+            core: Vec2::ZERO,
             preferred_speed: 1.5,
             status: Status::Walking,
         });
@@ -68,6 +69,7 @@ pub fn moment(k: usize) -> Frame {
             velocity: if there { Vec2::ZERO } else { outward.as_vec2() * -0.35 },
             heading: (angle + std::f64::consts::PI) as f32,
             radius: 0.24,
+            core: Vec2::ZERO,
             preferred_speed: 1.3,
             status: if there { Status::Arrived } else { Status::Walking },
         });

@@ -32,6 +32,7 @@ pub fn moment(k: usize) -> Frame {
         velocity,
         heading: velocity.y.atan2(velocity.x),
         radius: 0.5,
+        core: Vec2::ZERO,
         preferred_speed: 1.0,
         status: Status::Walking,
     };

@@ -1,5 +1,6 @@
 //! The bodies and speeds of each agent.
 
+use super::size::Size;
 use crate::random::{Purpose, Random};
 use crate::scene::{self, Avoid, Group, Number, Scene};
 use std::sync::Arc;
@@ -24,12 +25,12 @@ impl Draw<'_> {
         }
     }
 
-    /// The radius of the k-th agent.
-    pub fn radius(&self, k: usize) -> f64 {
-        self.number(k, Purpose::Radius, &self.group().body.radius)
+    /// The size of the k-th agent.
+    pub fn size(&self, k: usize) -> Size {
+        Size::of(&self.group().body, |purpose, number| self.number(k, purpose, number))
     }
 
-    /// The k-th agent, without its place, radius, ids and number.
+    /// The k-th agent, without its place, body, ids and number.
     pub fn agent(&self, k: usize) -> Agent {
         let group = self.group();
         let standard = Agent::default();
@@ -68,6 +69,7 @@ pub(super) fn shared(group: &Group, name: String) -> throng::Group {
         keep_right: group.keep_right.to_radians() as f32,
         detour: group.detour,
         resolve: group.resolve,
+        guard: group.guard,
         ..throng::Group::default()
     }
 }

@@ -4,8 +4,8 @@ use super::limits::{Limit, check, check_number, check_point, check_some};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::{
-    Avoid, Expect, Goal, Group, Obstacle, Place, Point, PointGoal, Rectangle, Region, Scene, Shape, Stop, SubSteps,
-    View,
+    Avoid, Body, Expect, Goal, Group, Mover, Obstacle, Place, Point, PointGoal, Rectangle, Region, Scene, Shape, Sides,
+    Stop, SubSteps, View,
 };
 
 type Checked = Result<(), Problem>;
@@ -29,6 +29,12 @@ pub(super) fn check_scene(scene: &Scene) -> Checked {
         check_group(&Path::of("group").index(i), group).map_err(|mut problem| {
             let name = Group::name_at(&group.name, i);
             problem.message = format!("group `{name}`: {}", problem.message);
+            problem
+        })?;
+    }
+    for (i, mover) in scene.movers.iter().enumerate() {
+        super::movers::check_mover(&Path::of("mover").index(i), mover).map_err(|mut problem| {
+            problem.message = format!("mover `{}`: {}", Mover::name_at(&mover.name, i), problem.message);
             problem
         })?;
     }
@@ -97,7 +103,6 @@ fn check_group(path: &Path, group: &Group) -> Checked {
     }
     let numbers = [
         ("wait", group.wait.as_ref(), Limit::NotNegative),
-        ("body.radius", Some(&group.body.radius), Limit::UpTo(1000.0)),
         ("speed.preferred", Some(&group.speed.preferred), Limit::Between(0.0, 1000.0)),
         ("speed.max", group.speed.max.as_ref(), Limit::Between(0.0, 1000.0)),
         ("acceleration", group.acceleration.as_ref(), Limit::Positive),
@@ -105,6 +110,7 @@ fn check_group(path: &Path, group: &Group) -> Checked {
         ("tracking_error", group.tracking_error.as_ref(), Limit::Between(0.0, 10.0)),
         ("heading", group.heading.as_ref(), Limit::Finite),
     ];
+    check_body(&path.key("body"), &group.body)?;
     for (key, number, limit) in numbers {
         if let Some(number) = number {
             check_number(&path.key(key), number, limit)?;
@@ -125,12 +131,27 @@ fn check_group(path: &Path, group: &Group) -> Checked {
     }
     check(&path.key("priority"), group.priority, Limit::Finite)?;
     check(&path.key("keep_right"), group.keep_right, Limit::Between(-28.0, 28.0))?;
-    for (key, layers) in [("layers", Some(&group.layers)), ("avoids", group.avoids.as_ref())] {
-        for (i, layer) in layers.into_iter().flatten().enumerate() {
-            check(&path.key(key).index(i), f64::from(*layer), Limit::Between(0.0, 31.0))?;
-        }
-    }
+    check_layers(&path.key("layers"), &group.layers)?;
+    check_layers(&path.key("avoids"), group.avoids.as_deref().unwrap_or_default())?;
     check_avoid(path, &group.avoid)
+}
+
+pub(super) fn check_layers(path: &Path, layers: &[u8]) -> Checked {
+    let mut layers = layers.iter().enumerate();
+    layers.try_for_each(|(i, layer)| check(&path.index(i), f64::from(*layer), Limit::Between(0.0, 31.0)))
+}
+
+pub(super) fn check_body(path: &Path, body: &Body) -> Checked {
+    let limit = Limit::UpTo(1000.0);
+    let sides = |path: &Path, sides: &Sides| {
+        check_number(&path.key("length"), &sides.length, limit)?;
+        check_number(&path.key("width"), &sides.width, limit)
+    };
+    match body {
+        Body::Radius(radius) => check_number(&path.key("radius"), radius, limit),
+        Body::Capsule(capsule) => sides(&path.key("capsule"), capsule),
+        Body::Rectangle(rectangle) => sides(&path.key("rectangle"), rectangle),
+    }
 }
 
 fn check_avoid(path: &Path, avoid: &Avoid) -> Checked {
@@ -335,6 +356,7 @@ fn check_expect(expect: &Expect) -> Checked {
     check_some(&path.key("least_wall_separation"), expect.least_wall_separation, Limit::NotNegative)?;
     check_some(&path.key("heading_change"), expect.heading_change, Limit::Positive)?;
     check_some(&path.key("mean_speed"), expect.mean_speed, Limit::NotNegative)?;
+    check_some(&path.key("final_speed"), expect.final_speed, Limit::NotNegative)?;
     for (i, flow) in expect.flow.iter().enumerate() {
         let path = path.key("flow").index(i);
         check_point(&path.key("from"), &flow.from)?;

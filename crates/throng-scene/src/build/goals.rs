@@ -2,6 +2,7 @@
 
 use super::ground::{has_room, obstacle_name, short, show};
 use super::plan::PlannedJourney;
+use super::size::Size;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::{DVec2, Solid, Touch, bounds, contains, distance_to_segment, outline_of_region};
@@ -67,29 +68,29 @@ impl<'a> Goals<'a> {
         &mut self,
         i: usize,
         starts: &[DVec2],
-        radii: &[f64],
+        sizes: &[Size],
         middle: DVec2,
     ) -> Result<Vec<Option<usize>>, Problem> {
         let group = &self.scene.groups[i];
         let Some(goal) = &group.goal else { return Ok(vec![None; starts.len()]) };
         let path = Path::of("group").index(i).key("goal");
-        let largest = radii.iter().fold(0.0_f64, |most, r| most.max(*r));
+        let largest = sizes.iter().fold(0.0_f64, |most, size| most.max(size.girth));
         let target = self.prepare(goal, &path, largest, middle, starts.len())?;
         let mut ways = target.chooses_nearest().then(|| Ways::new(self.place, largest, starts, &self.goals)).flatten();
         let mut out = Vec::with_capacity(starts.len());
-        for (k, (start, radius)) in starts.iter().zip(radii).enumerate() {
+        for (k, (start, size)) in starts.iter().zip(sizes).enumerate() {
             let random = |purpose| Random::new(self.scene.seed, i as u64, k as u64, purpose);
             let mut walker = Walker {
                 k,
                 start: *start,
-                radius: *radius,
+                radius: size.girth,
                 choice: random(Purpose::Choice),
                 wait: random(Purpose::StopWait),
             };
             let first = group.wait.map_or(0.0, |wait| random(Purpose::Wait).draw(&wait));
             let mut stops = vec![];
             if first > 0.0 {
-                let tolerance = (*radius).max(0.1) as f32;
+                let tolerance = size.girth.max(0.1) as f32;
                 stops.push((self.add(throng::Goal::Point { at: *start, tolerance }), first as f32));
             }
             let repeat = self.resolve(&target, &mut walker, &mut ways, 0.0, &mut stops)?;

@@ -100,7 +100,9 @@ pub(super) fn check_number(path: &Path, number: &Number, limit: Limit) -> Result
 pub(super) fn name(path: &Path) -> String {
     let text = path.to_string();
     match text.split_once("].") {
-        Some((head, rest)) if head.starts_with("group[") || head.starts_with("obstacle[") => rest.to_owned(),
+        Some((head, rest)) if ["group[", "obstacle[", "mover["].iter().any(|list| head.starts_with(list)) => {
+            rest.to_owned()
+        }
         _ => text,
     }
 }

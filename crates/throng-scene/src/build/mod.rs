@@ -6,8 +6,10 @@ mod count;
 mod goals;
 mod ground;
 mod limits;
+mod movers;
 mod place;
 mod plan;
+mod size;
 mod world;
 
 pub use count::MAX_AGENTS;

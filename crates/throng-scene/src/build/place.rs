@@ -1,6 +1,8 @@
 //! Where each agent starts.
 
 use super::ground::{obstacle_name, short, show};
+use super::movers::size;
+use super::size::Size;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::{DVec2, Solid, Spacing, Touch, bounds, contains, points, rectangle};
@@ -15,8 +17,8 @@ pub(super) struct Ground<'a> {
     pub scene: &'a Scene,
     pub solid: &'a Solid,
     pub areas: &'a [throng::Walkable],
-    /// Bodies: for every group, the radius of every agent.
-    pub radii: &'a [Vec<f64>],
+    /// Bodies: for every group, the size of every agent.
+    pub sizes: &'a [Vec<Size>],
     /// Whether a group enters through sources.
     pub enters: &'a [bool],
 }
@@ -25,13 +27,23 @@ impl Ground<'_> {
     /// The starts of all agents, by group. Given spots are taken first, drawn ones fill what is left.
     pub fn place(&self) -> Result<Vec<Vec<DVec2>>, Problem> {
         let groups = &self.scene.groups;
-        let largest = self.radii.iter().flatten().fold(0.0_f64, |most, r| most.max(*r));
+        let sizes = self.sizes.iter().flatten().copied().chain(self.scene.movers.iter().map(size));
+        let largest = sizes.fold(0.0_f64, |most, size| most.max(size.bound));
         let gap = groups.iter().fold(0.0_f64, |most, group| most.max(gap(&group.place)));
+        // who is no disc may be near others where the scene puts it; nobody is drawn where it could turn
+        let mut given_spots = Spacing::new(2.0 * largest);
         let mut spacing = Spacing::new(2.0 * largest + gap);
         let mut starts = vec![vec![]; groups.len()];
         let (given, drawn): (Vec<_>, Vec<_>) = (0..groups.len()).partition(|i| is_given(&groups[*i].place));
         for i in given {
-            starts[i] = self.given(i, &mut spacing)?;
+            starts[i] = self.given(i, &mut given_spots)?;
+            for (k, (spot, size)) in starts[i].iter().zip(&self.sizes[i]).enumerate().filter(|_| !self.enters[i]) {
+                spacing.add(*spot, size.bound, self.number(i, k) as u32);
+            }
+        }
+        for mover in &self.scene.movers {
+            let at = mover.script.first().map_or(DVec2::ZERO, |first| DVec2::from_array(first.at));
+            spacing.add(at, size(mover).bound, u32::MAX);
         }
         for i in drawn {
             starts[i] = self.drawn(i, &mut spacing)?;
@@ -43,16 +55,17 @@ impl Ground<'_> {
     fn given(&self, i: usize, spacing: &mut Spacing) -> Result<Vec<DVec2>, Problem> {
         let group = &self.scene.groups[i];
         let path = Path::of("group").index(i).key("place");
-        let n = self.radii[i].len();
+        let n = self.sizes[i].len();
         let spots: Vec<DVec2> = (0..n).map(|k| spot(&group.place, k, n)).collect();
-        for (k, (spot, radius)) in spots.iter().zip(&self.radii[i]).enumerate() {
+        for (k, (spot, size)) in spots.iter().zip(&self.sizes[i]).enumerate() {
+            let radius = size.girth;
             if let Some(touch) = self.solid.touch(*spot, radius * (1.0 - 1e-6)) {
-                return Err(self.in_wall(&path, i, k, *spot, *radius, touch));
+                return Err(self.in_wall(&path, i, k, *spot, radius, touch));
             }
             if self.enters[i] {
                 continue;
             }
-            if let Some((other, distance)) = spacing.too_near(*spot, *radius, 0.0) {
+            if let Some((other, distance)) = spacing.too_near(*spot, radius, 0.0) {
                 let (a, b) = (self.agent_name(other as usize), self.agent_name(self.number(i, k)));
                 let needed = radius + self.radius_of(other as usize);
                 let message = if distance == 0.0 {
@@ -67,7 +80,7 @@ impl Ground<'_> {
                 return Err(Problem::new(&path, Kind::Overlap, message)
                     .hint("move them apart, make the place larger, or use a smaller body.radius"));
             }
-            spacing.add(*spot, *radius, self.number(i, k) as u32);
+            spacing.add(*spot, radius, self.number(i, k) as u32);
         }
         Ok(spots)
     }
@@ -78,22 +91,23 @@ impl Ground<'_> {
         let path = Path::of("group").index(i).key("place");
         let shape = Drawn::new(&group.place, self.areas, &path)?;
         let gap = gap(&group.place);
-        let mut spots = Vec::with_capacity(self.radii[i].len());
-        for (k, radius) in self.radii[i].iter().enumerate() {
+        let mut spots = Vec::with_capacity(self.sizes[i].len());
+        for (k, size) in self.sizes[i].iter().enumerate() {
+            let radius = size.bound;
             let mut random = Random::new(self.scene.seed, i as u64, k as u64, Purpose::Place);
             let found = (0..TRIES).map(|_| shape.draw(&mut random)).find(|p| {
                 shape.contains(*p)
-                    && (self.enters[i] || spacing.too_near(*p, *radius, gap).is_none())
-                    && self.solid.fits(*p, *radius)
+                    && (self.enters[i] || spacing.too_near(*p, radius, gap).is_none())
+                    && self.solid.fits(*p, radius)
             });
             let Some(p) = found else {
                 let named = Group::name_at(&group.name, i);
-                let message = format!("group `{named}`: only {k} of {} agents fit into its place", self.radii[i].len());
+                let message = format!("group `{named}`: only {k} of {} agents fit into its place", self.sizes[i].len());
                 return Err(Problem::new(&path, Kind::NoRoom, message)
                     .hint("make the place larger, or use fewer agents, a smaller body.radius or a smaller gap"));
             };
             if !self.enters[i] {
-                spacing.add(p, *radius, self.number(i, k) as u32);
+                spacing.add(p, radius, self.number(i, k) as u32);
             }
             spots.push(p);
         }
@@ -134,24 +148,24 @@ impl Ground<'_> {
 
     /// The number of an agent in the whole scene.
     fn number(&self, group: usize, k: usize) -> usize {
-        self.radii[..group].iter().map(Vec::len).sum::<usize>() + k
+        self.sizes[..group].iter().map(Vec::len).sum::<usize>() + k
     }
 
     /// The group and the position in it of an agent's number.
     fn whose(&self, number: usize) -> (usize, usize) {
         let mut rest = number;
-        for (i, radii) in self.radii.iter().enumerate() {
-            if rest < radii.len() {
+        for (i, sizes) in self.sizes.iter().enumerate() {
+            if rest < sizes.len() {
                 return (i, rest);
             }
-            rest -= radii.len();
+            rest -= sizes.len();
         }
         (0, rest)
     }
 
     fn radius_of(&self, number: usize) -> f64 {
         let (i, k) = self.whose(number);
-        self.radii[i][k]
+        self.sizes[i][k].girth
     }
 
     fn agent_name(&self, number: usize) -> String {

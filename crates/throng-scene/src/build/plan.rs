@@ -5,7 +5,9 @@ use super::check::check_scene;
 use super::count::counts;
 use super::goals::Goals;
 use super::ground::{self, Wrong};
+use super::movers;
 use super::place::{Ground, middle};
+use super::size::Size;
 use crate::error::Error;
 use crate::file::Problem;
 use crate::geometry::{DVec2, Solid, bounds};
@@ -20,13 +22,15 @@ pub struct Plan {
     pub walkable: Vec<throng::Walkable>,
     /// What is solid, in the scene's order.
     pub obstacles: Vec<throng::Obstacle>,
-    /// The groups, in the scene's order.
+    /// The groups, in the scene's order, then one for everything that moves by itself.
     pub groups: Vec<throng::Group>,
     /// All goals.
     pub goals: Vec<throng::Goal>,
     /// All journeys.
     pub journeys: Vec<PlannedJourney>,
-    /// All agents, group by group; their position is their number.
+    /// All scripts.
+    pub scripts: Vec<throng::Script>,
+    /// All agents, group by group, then what moves by itself; their position is their number.
     pub agents: Vec<PlannedAgent>,
     /// Lower left and upper right corner of all of it, metres.
     pub bounds: [DVec2; 2],
@@ -50,6 +54,8 @@ pub struct PlannedAgent {
     pub group: usize,
     /// Position in [`Plan::journeys`]; `None`: it stays.
     pub journey: Option<usize>,
+    /// Position in [`Plan::scripts`]; `None`: it follows none.
+    pub script: Option<usize>,
     /// When it enters, seconds; `None`: it is there from the start.
     pub enters: Option<f64>,
 }
@@ -85,34 +91,29 @@ impl Scene {
         let walkable = ground::areas(self)?;
         let obstacles = ground::obstacles(self)?;
         let draws: Vec<Draw> = (0..self.groups.len()).map(|group| Draw { scene: self, group }).collect();
-        let radii: Vec<Vec<f64>> = draws
-            .iter()
-            .zip(&counts)
-            .map(|(draw, count)| (0..count.agents).map(|k| draw.radius(k)).collect())
-            .collect();
-        let largest = radii.iter().flatten().fold(0.0_f64, |most, radius| most.max(*radius));
+        let sizes: Vec<Vec<Size>> =
+            draws.iter().zip(&counts).map(|(draw, count)| (0..count.agents).map(|k| draw.size(k)).collect()).collect();
+        let largest = sizes.iter().flatten().fold(0.0_f64, |most, size| most.max(size.bound));
         let solid = Solid::new(&walkable, &obstacles, largest);
         let enters: Vec<bool> = counts.iter().map(|count| count.enters.is_some()).collect();
-        let ground = Ground { scene: self, solid: &solid, areas: &walkable, radii: &radii, enters: &enters };
+        let ground = Ground { scene: self, solid: &solid, areas: &walkable, sizes: &sizes, enters: &enters };
         let starts = ground.place()?;
 
         let mut goals = Goals::new(self, &solid, (&walkable, &obstacles));
-        let mut agents = Vec::with_capacity(radii.iter().map(Vec::len).sum());
+        let mut agents = Vec::with_capacity(sizes.iter().map(Vec::len).sum());
         for (i, count) in counts.iter().enumerate() {
             let middle = middle(&self.groups[i].place, &starts[i]);
-            let journeys = goals.journeys_of(i, &starts[i], &radii[i], middle)?;
+            let journeys = goals.journeys_of(i, &starts[i], &sizes[i], middle)?;
             for (k, journey) in journeys.into_iter().enumerate() {
-                let agent = throng::Agent {
-                    position: starts[i][k],
-                    radius: radii[i][k] as f32,
-                    number: Some(agents.len() as u32),
-                    ..draws[i].agent(k)
-                };
+                let agent =
+                    throng::Agent { position: starts[i][k], number: Some(agents.len() as u32), ..draws[i].agent(k) }
+                        .with_body(sizes[i][k].body);
                 let enters = count.enters.as_ref().map(|times| times[k]);
-                agents.push(PlannedAgent { agent, group: i, journey, enters });
+                agents.push(PlannedAgent { agent, group: i, journey, script: None, enters });
             }
         }
         let Goals { goals, journeys, .. } = goals;
+        let scripts = movers::add(self, &mut agents);
         let bounds = all_bounds(&walkable, &obstacles, &goals, &agents);
         let settings = throng::Settings {
             step: self.time.step,
@@ -122,8 +123,8 @@ impl Scene {
             origin: ((bounds[0] + bounds[1]) * 0.5).round(),
         };
         let named = |(i, group): (usize, &Group)| shared(group, Group::name_at(&group.name, i));
-        let groups = self.groups.iter().enumerate().map(named).collect();
-        Ok(Plan { settings, walkable, obstacles, groups, goals, journeys, agents, bounds })
+        let groups = self.groups.iter().enumerate().map(named).chain(movers::groups(self)).collect();
+        Ok(Plan { settings, walkable, obstacles, groups, goals, journeys, scripts, agents, bounds })
     }
 }
 
@@ -145,7 +146,7 @@ fn all_bounds(
         throng::Goal::Area { corners } | throng::Goal::Exit { corners } => corners.clone(),
     });
     let bodies = agents.iter().flat_map(|planned| {
-        let radius = f64::from(planned.agent.radius);
+        let radius = f64::from(planned.agent.body().bound());
         [planned.agent.position - radius, planned.agent.position + radius]
     });
     bounds(ground.chain(solid).chain(goals).chain(bodies)).unwrap_or_default()

@@ -4,16 +4,16 @@ use super::plan::Plan;
 use crate::error::{Error, Kind};
 use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
-use crate::scene::{Colour, Group, Scene};
+use crate::scene::{Colour, Scene};
 use std::ops::Range;
-use throng::{GoalId, GroupId, Journey, JourneyId, Stop, World};
+use throng::{GoalId, GroupId, Journey, JourneyId, ScriptId, Stop, World};
 
 /// What was built: which id belongs to what, for those who draw or measure it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Built {
-    /// The scene's groups, in its order.
+    /// The scene's groups, in its order, then one for everything that moves by itself.
     pub groups: Vec<BuiltGroup>,
-    /// How many agents there are and will be.
+    /// How many agents there are and will be, without what moves by itself.
     pub agents: usize,
     /// How many of them enter later.
     pub entering: usize,
@@ -60,11 +60,18 @@ impl Scene {
             let stops = journey.stops.iter().map(|(goal, wait)| Stop { goal: goals[*goal], wait: *wait });
             world.add_journey(Journey { stops: stops.collect(), repeat: journey.repeat })
         })?;
+        let scripts: Vec<ScriptId> = plan
+            .scripts
+            .iter()
+            .enumerate()
+            .map(|(i, script)| world.add_script(script.clone()).map_err(|error| self.refused("mover", Some(i), &error)))
+            .collect::<Result<_, Error>>()?;
         let built = self.built(&plan, &groups, &goals);
         let mut unturned = vec![];
         for planned in plan.agents {
             let mut agent = planned.agent;
             agent.group = groups[planned.group];
+            agent.script = planned.script.map(|script| scripts[script]);
             agent.journey = planned.journey.map_or(JourneyId::STAY, |journey| journeys[journey]);
             let given = agent.heading.is_some();
             let added = match planned.enters {
@@ -75,8 +82,12 @@ impl Scene {
                     }
                 }),
             };
-            added.map_err(|error| self.refused("group", Some(planned.group), &error))?;
+            added.map_err(|error| match planned.script {
+                Some(mover) => self.refused("mover", Some(mover), &error),
+                None => self.refused("group", Some(planned.group), &error),
+            })?;
         }
+        self.check_long_bodies(&world, &built)?;
         world.face_ways(&unturned);
         Ok((world, built))
     }
@@ -84,21 +95,51 @@ impl Scene {
     fn built(&self, plan: &Plan, ids: &[GroupId], goals: &[GoalId]) -> Built {
         let mut first = 0;
         let mut groups = vec![];
-        for (i, (group, id)) in self.groups.iter().zip(ids).enumerate() {
+        let colours = self.groups.iter().map(|group| group.colour);
+        let colours = colours.chain(self.movers.iter().map(|mover| mover.colour));
+        for (i, (colour, id)) in colours.zip(ids).enumerate() {
             let count = plan.agents[first as usize..].iter().take_while(|agent| agent.group == i).count() as u32;
-            let name = Group::name_at(&group.name, i);
-            groups.push(BuiltGroup { name, id: *id, numbers: first..first + count, colour: group.colour });
+            let name = plan.groups[i].name.clone();
+            groups.push(BuiltGroup { name, id: *id, numbers: first..first + count, colour });
             first += count;
         }
         Built {
             groups,
-            agents: plan.agents.len(),
+            agents: plan.agents.len() - plan.scripts.len(),
             entering: plan.agents.iter().filter(|agent| agent.enters.is_some()).count(),
             goals: goals.iter().copied().zip(plan.goals.iter().cloned()).collect(),
             walkable: plan.walkable.clone(),
             obstacles: plan.obstacles.clone(),
             bounds: plan.bounds,
         }
+    }
+
+    /// Bodies that are no discs were put where the scene says by their narrower sides: now that they have headings, do any
+    /// overlap? Who is guarded must not.
+    fn check_long_bodies(&self, world: &World, built: &Built) -> Result<(), Error> {
+        let agents = world.agents();
+        if (0..agents.len()).all(|row| agents.is_disc(row)) {
+            return Ok(());
+        }
+        let group_of = |number: u32| built.groups.iter().position(|group| group.numbers.contains(&number));
+        let guarded = |group: usize| world.group(built.groups[group].id).guard;
+        for (a, b, _) in world.overlapping() {
+            let (Some(first), Some(second)) = (group_of(a), group_of(b)) else { continue };
+            if guarded(first) || guarded(second) {
+                let name = |group: usize, number: u32| {
+                    let BuiltGroup { name, numbers, .. } = &built.groups[group];
+                    format!("agent {} of `{name}`", number - numbers.start)
+                };
+                let message = format!("{} and {} overlap at the start", name(first, a), name(second, b));
+                let path = match second.checked_sub(self.groups.len()) {
+                    Some(mover) => Path::of("mover").index(mover),
+                    None => Path::of("group").index(second).key("place"),
+                };
+                let problem = Problem::new(&path, Kind::Overlap, message);
+                return Err(self.explain(problem.hint("move them apart, or turn them")));
+            }
+        }
+        Ok(())
     }
 
     /// Adds each of a list to the world.

@@ -3,15 +3,15 @@
 use super::document::Document;
 use super::serde_message::{self, keys_of};
 use crate::error::{Error, Kind};
-use crate::scene::{Group, Obstacle, Scene};
+use crate::scene::{Group, Mover, Obstacle, Scene};
 use std::borrow::Cow;
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
 /// Keys whose table names one choice: setting another choice replaces it.
-const CHOICES: [&str; 10] =
-    ["walkable", "shape", "place", "goal", "avoid", "radius", "preferred", "max", "area", "exit"];
+const CHOICES: [&str; 11] =
+    ["body", "walkable", "shape", "place", "goal", "avoid", "radius", "preferred", "max", "area", "exit"];
 
 /// One changed value.
 #[derive(Clone, Debug)]
@@ -65,6 +65,7 @@ pub(super) fn apply<'i>(tree: &mut DeTable<'i>, change: &'i Override, start: usi
     match path[0] {
         "groups" => path[0] = "group",
         "obstacles" => path[0] = "obstacle",
+        "movers" => path[0] = "mover",
         _ => {}
     }
     let value = DeValue::parse(&change.value).map_err(|error| {
@@ -74,12 +75,16 @@ pub(super) fn apply<'i>(tree: &mut DeTable<'i>, change: &'i Override, start: usi
     let scene_keys = keys_of::<Scene>();
     let group_keys = keys_of::<Group>();
     match path[..] {
-        ["group" | "obstacle"] => Err(here(
+        ["group" | "obstacle" | "mover"] => Err(here(
             Error::new(Kind::UnknownKey, format!("`{}` is a list", path[0]))
                 .hint("name one of them and a key: group.walkers.body.radius"),
         )),
-        [list @ ("group" | "obstacle"), which, ref rest @ ..] => {
-            let keys = if list == "group" { group_keys } else { keys_of::<Obstacle>() };
+        [list @ ("group" | "obstacle" | "mover"), which, ref rest @ ..] => {
+            let keys = match list {
+                "group" => group_keys,
+                "obstacle" => keys_of::<Obstacle>(),
+                _ => keys_of::<Mover>(),
+            };
             let entry = find(tree, list, which).map_err(here)?;
             match rest {
                 [] => Err(here(
@@ -126,6 +131,7 @@ fn find<'t, 'i>(tree: &'t mut DeTable<'i>, list: &str, which: &str) -> Result<&'
         .map(|(i, entry)| match entry.get("name").and_then(|name| name.get_ref().as_str()) {
             Some(name) if !name.is_empty() => name.to_owned(),
             _ if list == "group" => Group::name_at("", i),
+            _ if list == "mover" => Mover::name_at("", i),
             _ => i.to_string(),
         })
         .collect();

@@ -102,7 +102,7 @@ fn reachable(areas: &[Area], exit: &Rectangle) -> Result<(), Error> {
         holes: area.holes.iter().map(|hole| points(hole)).collect(),
     };
     let ground: Vec<_> = areas.iter().map(ground).collect();
-    let radius = Group::default().body.radius.bounds()[1];
+    let radius = f64::from(throng::Agent::default().radius);
     if has_room(&Solid::new(&ground, &[], radius), &rectangle(exit), radius) {
         return Ok(());
     }

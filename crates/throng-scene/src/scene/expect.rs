@@ -29,6 +29,9 @@ pub struct Expect {
     /// The mean speed of those on their way, over the whole scene, is at least this, m/s. Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_speed: Option<f64>,
+    /// The mean speed of those who are there at the end is at most this, m/s: whether a crowd comes to rest. Limit: >= 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub final_speed: Option<f64>,
     /// How many cross a line.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub flow: Vec<FlowExpect>,

@@ -1,6 +1,6 @@
 //! Groups of agents.
 
-use super::{Avoid, Colour, Goal, Number, Place, Source, source};
+use super::{Avoid, Body, Colour, Goal, Number, Place, Source, source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -67,6 +67,9 @@ pub struct Group {
     /// How they avoid others.
     #[serde(default)]
     pub avoid: Avoid,
+    /// Whether the guard keeps them from overlapping others and walls. Two of groups without it may overlap.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub guard: bool,
     /// Colour in pictures. Without it, the next of the palette.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub colour: Option<Colour>,
@@ -94,22 +97,9 @@ impl Default for Group {
             detour: true,
             resolve: true,
             avoid: Avoid::default(),
+            guard: true,
             colour: None,
         }
-    }
-}
-
-/// Bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct Body {
-    /// Radius, metres. Limit: > 0, at most 1000.
-    pub radius: Number,
-}
-
-impl Default for Body {
-    fn default() -> Self {
-        Self { radius: Number::Constant(0.2) }
     }
 }
 
@@ -134,20 +124,20 @@ impl Default for Speed {
 fn default_keep_right() -> f64 {
     5.0
 }
-fn first_layer() -> Vec<u8> {
+pub(super) fn first_layer() -> Vec<u8> {
     vec![0]
 }
 #[allow(clippy::ptr_arg)]
-fn is_first_layer(layers: &Vec<u8>) -> bool {
+pub(super) fn is_first_layer(layers: &Vec<u8>) -> bool {
     *layers == [0]
 }
 fn is_default(x: &f64) -> bool {
     *x == 0.0
 }
-fn yes() -> bool {
+pub(super) fn yes() -> bool {
     true
 }
-fn is_yes(yes: &bool) -> bool {
+pub(super) fn is_yes(yes: &bool) -> bool {
     *yes
 }
 

@@ -1,10 +1,12 @@
 //! What a scene can say: plain data, one idea a file.
 
 mod avoid;
+mod body;
 mod expect;
 mod goal;
 mod ground;
 mod group;
+mod mover;
 mod number;
 mod obstacle;
 mod place;
@@ -14,10 +16,12 @@ mod time;
 mod view;
 
 pub use avoid::{Avo, Avoid, BuiltFrom, Clearpath, Hrvo, Orca, Rvo, RvoLab, Unavoiding, Vo};
+pub use body::{Body, Sides};
 pub use expect::{Arrived, Expect, FlowExpect};
 pub use goal::{Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
 pub use ground::{Area, Rectangle, Region, Walkable};
-pub use group::{Body, Group, Speed};
+pub use group::{Group, Speed};
+pub use mover::{Keyframe, Mover};
 pub use number::{Normal, Number};
 pub use obstacle::{As, Circle, Obstacle, Shape};
 pub use place::{DiscPlace, Grid, Line, Place, PolygonPlace, RectanglePlace, Ring, WalkablePlace};
@@ -58,6 +62,9 @@ pub struct Scene {
     /// Who is there.
     #[serde(default, rename = "group", skip_serializing_if = "Vec::is_empty")]
     pub groups: Vec<Group>,
+    /// What moves by itself.
+    #[serde(default, rename = "mover", skip_serializing_if = "Vec::is_empty")]
+    pub movers: Vec<Mover>,
     /// How pictures of it look.
     #[serde(default, skip_serializing_if = "View::is_default")]
     pub view: View,
@@ -85,6 +92,7 @@ impl Default for Scene {
             walkable: None,
             obstacles: vec![],
             groups: vec![],
+            movers: vec![],
             view: View::default(),
             expect: Expect::default(),
             origin: Origin::default(),

@@ -4,7 +4,7 @@ use crate::scenes::{Dice, points};
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::{DVec2, Vec2};
-use throng::avoid::{LocalModel, Neighbour, Orca, View, Workspace};
+use throng::avoid::{LocalModel, Neighbour, Orca, Outline, View, Workspace};
 use throng::perceive::Grid;
 
 /// Everybody of a crowd, with the ten nearest; velocities and wishes at random, up to walking speed.
@@ -30,6 +30,7 @@ fn ten_neighbours(bencher: Bencher, density: f64) {
             share: 0.5,
             room: 0.5,
             aside: Vec2::X,
+            outline: Outline::POINT,
         };
         seen.push(found.iter().map(|near| neighbour(near.row as usize)).collect::<Vec<_>>());
     }

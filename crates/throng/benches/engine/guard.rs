@@ -4,12 +4,12 @@ use crate::scenes::Dice;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::{DVec2, Vec2};
-use throng::guard::{Bodies, Contacts, Guard};
+use throng::guard::{Bodies, Contacts, Guard, Pose};
 use throng::perceive::Grid;
 use throng::space::Walls;
 
 /// Bodies of 0.2 m in rows like bricks, a gap of 2 % between them, and where each would go in a sub-step of 1/120 s.
-fn packed(count: usize) -> (Vec<Vec2>, Vec<Vec2>) {
+fn packed(count: usize) -> (Vec<Vec2>, Vec<Pose>) {
     let mut dice = Dice(5);
     let side = (count as f64).sqrt() as usize;
     let place = |k: usize| {
@@ -18,7 +18,7 @@ fn packed(count: usize) -> (Vec<Vec2>, Vec<Vec2>) {
     };
     let positions: Vec<Vec2> = (0..count).map(|k| place(k).as_vec2()).collect();
     let mut push = || (DVec2::from_angle(dice.between(0.0, 6.3)) * dice.between(0.0, 1.3 / 120.0)).as_vec2();
-    let targets = positions.iter().map(|&at| at + push()).collect();
+    let targets = positions.iter().map(|&at| Pose { position: at + push(), heading: 0.0 }).collect();
     (positions, targets)
 }
 
@@ -28,7 +28,15 @@ fn collect_contacts(bencher: Bencher, count: usize) {
     let (radii, reach, numbers) = (vec![0.2; count], vec![0.015; count], (0..count as u32).collect::<Vec<_>>());
     let (mut grid, mut contacts, walls) = (Grid::default(), Contacts::default(), Walls::default());
     grid.rebuild(&positions, &numbers, 1.0);
-    let bodies = Bodies { positions: &positions, radii: &radii, reach: &reach };
+    let (headings, cores, guarded) = (vec![0.0; count], vec![Vec2::ZERO; count], vec![true; count]);
+    let bodies = Bodies {
+        positions: &positions,
+        headings: &headings,
+        cores: &cores,
+        radii: &radii,
+        reach: &reach,
+        guarded: &guarded,
+    };
     bencher
         .counter(ItemsCount::new(count))
         .bench_local(|| contacts.collect(&bodies, &numbers, &grid, &walls, |_, _| true));
@@ -40,7 +48,15 @@ fn certify(bencher: Bencher, count: usize) {
     let (radii, reach, numbers) = (vec![0.2; count], vec![0.015; count], (0..count as u32).collect::<Vec<_>>());
     let (mut grid, mut contacts, walls) = (Grid::default(), Contacts::default(), Walls::default());
     grid.rebuild(&positions, &numbers, 1.0);
-    let bodies = Bodies { positions: &positions, radii: &radii, reach: &reach };
+    let (headings, cores, guarded) = (vec![0.0; count], vec![Vec2::ZERO; count], vec![true; count]);
+    let bodies = Bodies {
+        positions: &positions,
+        headings: &headings,
+        cores: &cores,
+        radii: &radii,
+        reach: &reach,
+        guarded: &guarded,
+    };
     contacts.collect(&bodies, &numbers, &grid, &walls, |_, _| true);
     let mut guard = Guard::default();
     bencher

@@ -1,6 +1,6 @@
 //! The agents' state: a column a fact, a row an agent.
 
-use super::{Agent, GroupId, JourneyId, Status};
+use super::{Agent, GroupId, JourneyId, ScriptId, Status};
 use crate::navigate::Travel;
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
@@ -34,8 +34,12 @@ columns! {
     velocity: Vec2,
     /// Direction of the body, radians counter-clockwise from +x, -pi to pi.
     heading: f32,
-    /// Radius of the body.
+    /// Radians a second that the body turned in the last sub-step; 0 for discs, whose turning touches nobody.
+    spin: f32,
+    /// Radius of the body, or of its rounding.
     radius: f32,
+    /// Half extents of the core of the body; zero for discs.
+    core: Vec2,
     /// Speed it walks at when nothing hinders it.
     preferred_speed: f32,
     /// Speed it never exceeds.
@@ -56,6 +60,8 @@ columns! {
     group: GroupId,
     /// Its journey.
     journey: JourneyId,
+    /// The script it follows.
+    script: Option<ScriptId>,
     /// What it is doing, as others see it in this step.
     status: Status,
     /// How its journey goes.
@@ -98,7 +104,9 @@ impl Columns {
         self.position.push((agent.position - origin).as_vec2());
         self.velocity.push(agent.velocity);
         self.heading.push(heading);
+        self.spin.push(0.0);
         self.radius.push(agent.radius);
+        self.core.push(agent.core);
         self.preferred_speed.push(agent.preferred_speed);
         self.max_speed.push(agent.max_speed);
         self.max_acceleration.push(agent.max_acceleration);
@@ -109,6 +117,7 @@ impl Columns {
         self.avoids.push(agent.avoids);
         self.group.push(agent.group);
         self.journey.push(agent.journey);
+        self.script.push(agent.script);
         self.status.push(Status::Walking);
         self.travel.push(Travel::default());
         self.trip.push(Trip { entered: now, ..Trip::default() });

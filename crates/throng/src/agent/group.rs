@@ -10,7 +10,7 @@ pub struct Group {
     pub name: String,
     /// How the preferred velocity becomes a safe one.
     pub model: Arc<dyn LocalModel>,
-    /// How far an agent looks for others, metres between centres. Limit: > 0.
+    /// How far an agent looks for others, metres between centres (cores, of bodies that are no discs). Limit: > 0.
     pub neighbour_distance: f32,
     /// How many of the nearest it takes into account. Limit: >= 1.
     pub neighbours: usize,
@@ -21,6 +21,9 @@ pub struct Group {
     pub detour: bool,
     /// Whether agents that block each other's ways agree who steps aside (MODELS 1.10, narrow places).
     pub resolve: bool,
+    /// Whether the [guard](crate::guard) keeps its agents from overlapping others and walls. Two who are both of
+    /// groups without it may overlap; nobody else may.
+    pub guard: bool,
 }
 
 impl Default for Group {
@@ -33,6 +36,7 @@ impl Default for Group {
             keep_right: 5.0_f32.to_radians(),
             detour: true,
             resolve: true,
+            guard: true,
         }
     }
 }

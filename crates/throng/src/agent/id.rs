@@ -40,6 +40,10 @@ index_id!(
     /// Names an [`Obstacle`](crate::Obstacle).
     ObstacleId
 );
+index_id!(
+    /// Names a [`Script`](crate::Script).
+    ScriptId
+);
 
 impl GroupId {
     /// The group every world has from the start.

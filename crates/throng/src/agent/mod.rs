@@ -3,13 +3,15 @@
 //! [`Agent`] describes one agent for [`World::add_agent`](crate::World::add_agent); inside the world the same
 //! facts live as [columns](Columns). [`Group`] holds what many agents share: the local model and its reach.
 
+mod body;
 mod columns;
 mod group;
 mod id;
 
+pub use body::Body;
 pub use columns::{Columns, Trip};
 pub use group::Group;
-pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId};
+pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId, ScriptId};
 
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
@@ -29,8 +31,13 @@ pub struct Agent {
     pub group: GroupId,
     /// Where it goes.
     pub journey: JourneyId,
-    /// Radius of the body. Limit: > 0.
+    /// A script that it follows instead of a journey: it moves whatever its group's model says, and no faster than
+    /// `max_speed`.
+    pub script: Option<ScriptId>,
+    /// Radius of the body, or of its rounding if it is no disc ([`Body`]). Limit: 0.001 to 1000.
     pub radius: f32,
+    /// Half extents of the core of the body ([`Body`]), along and across the heading; zero for a disc. Limit: 0 to 1000.
+    pub core: Vec2,
     /// Speed it walks at when nothing hinders it. Limit: >= 0.
     pub preferred_speed: f32,
     /// Speed it never exceeds. Limit: >= preferred_speed.
@@ -65,7 +72,9 @@ impl Default for Agent {
             heading: None,
             group: GroupId(0),
             journey: JourneyId::STAY,
+            script: None,
             radius: 0.2,
+            core: Vec2::ZERO,
             preferred_speed: 1.3,
             max_speed: 1.8,
             max_acceleration: 5.0,

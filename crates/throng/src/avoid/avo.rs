@@ -75,7 +75,8 @@ const DIRECTIONS: usize = 32;
 /// their new velocities with this delay, seconds.
 pub fn line(velocity: Vec2, other: &Neighbour, horizon: f32, delay: f32, step: f32) -> Line {
     let Neighbour { offset, radii, .. } = *other;
-    if offset.length_squared() <= radii * radii {
+    // of bodies that are no discs the delay is left aside
+    if other.touches() || !other.outline.is_point() {
         return orca::line(velocity, other, horizon, step);
     }
     let relative = velocity - other.velocity;

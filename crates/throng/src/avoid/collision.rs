@@ -52,7 +52,10 @@ impl View<'_> {
     /// Seconds until a body of `radius` that keeps `velocity` touches a wall in view; infinite if it never does.
     pub(super) fn time_to_walls(&self, velocity: Vec2, radius: f32) -> f32 {
         let edges = self.edges.iter().map(|near| time_to_segment(near.start, near.end, velocity, radius));
-        let discs = self.discs.iter().map(|near| time_to_disc(near.offset, velocity, near.disc.radius as f32 + radius));
+        let discs = self
+            .discs
+            .iter()
+            .map(|near| near.outline.time_to_collision(near.offset, velocity, near.disc.radius as f32 + radius));
         edges.chain(discs).fold(f32::INFINITY, f32::min)
     }
 }

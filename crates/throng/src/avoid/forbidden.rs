@@ -1,6 +1,6 @@
 //! Regions of forbidden velocities, and the pieces of line and circle that bound them.
 
-use super::{Line, Neighbour, obstacle_lines, orca};
+use super::{Line, Neighbour, orca};
 use glam::Vec2;
 
 /// Velocities that are forbidden.
@@ -37,13 +37,14 @@ impl Forbidden {
     /// The velocities that lead an agent to a collision with a neighbour within `horizon` seconds, if the agent does
     /// its share of the avoiding and the neighbour the rest: with a share of 1 the velocity obstacle (Fiorini, Shiller
     /// 1998), with less the reciprocal one (van den Berg, Lin, Manocha 2008), both cut off as in ClearPath. For a
-    /// neighbour that is too close there is no cone: a half-plane leads out.
+    /// neighbour that is too close there is no cone: a half-plane leads out; and so for one of two that are no discs: no
+    /// cone with a round tip is as narrow as what leads to a collision.
     pub fn truncated(velocity: Vec2, other: &Neighbour, horizon: f32, step: f32) -> Self {
         let Neighbour { offset, radii, share, .. } = *other;
-        if offset.length_squared() <= radii * radii {
+        if other.touches() || !other.outline.is_point() {
             return Self::RightOf(orca::line(velocity, other, horizon, step));
         }
-        let (left, right) = obstacle_lines::tangents(offset, radii);
+        let (left, right) = other.legs();
         let apex = velocity * (1.0 - share) + other.velocity * share;
         let scale = share / horizon;
         Self::Truncated { apex, right, left, center: apex + offset * scale, radius: radii * scale }

@@ -5,7 +5,7 @@
 //! side that the agent is not to pass, to the leg of the plain velocity obstacle: crossing over costs all of the
 //! avoiding. The velocity is found by [ClearPath](super::closest_outside).
 
-use super::{Forbidden, LocalModel, Neighbour, Reason, View, Workspace, closest_outside, obstacle_lines, orca};
+use super::{Forbidden, LocalModel, Neighbour, Reason, View, Workspace, closest_outside, orca};
 use crate::Error;
 use glam::Vec2;
 
@@ -51,11 +51,11 @@ impl LocalModel for Hrvo {
 /// The hybrid reciprocal velocity obstacle of one neighbour for an agent of the given velocity; a half-plane that leads
 /// out of those who are too close.
 pub fn hybrid(velocity: Vec2, other: &Neighbour, step: f32) -> Forbidden {
-    let Neighbour { offset, radii, share, .. } = *other;
-    if offset.length_squared() <= radii * radii {
+    let Neighbour { offset, share, .. } = *other;
+    if other.touches() {
         return Forbidden::RightOf(orca::line(velocity, other, 1.0, step));
     }
-    let (left, right) = obstacle_lines::tangents(offset, radii);
+    let (left, right) = other.legs();
     let relative = velocity - other.velocity;
     let opening = right.perp_dot(left);
     // where the leg of the reciprocal velocity obstacle on the side to pass meets the other leg of the plain one

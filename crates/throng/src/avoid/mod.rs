@@ -16,6 +16,7 @@ mod none;
 mod obstacle_lines;
 mod orca;
 mod orca_3d;
+mod outline;
 mod rvo;
 mod rvo_lab;
 mod sampling;
@@ -34,6 +35,7 @@ pub use hrvo::Hrvo;
 pub use none::Unavoiding;
 pub use orca::{BuiltFrom, Orca};
 pub use orca_3d::Orca3d;
+pub use outline::Outline;
 pub use rvo::Rvo;
 pub use rvo_lab::RvoLab;
 pub use sampling::Search;
@@ -58,6 +60,8 @@ pub struct Neighbour {
     pub preferred: Vec2,
     /// Sum of the two radii, with the margin that the model keeps (see [`MARGIN`]).
     pub radii: f32,
+    /// What lies within `radii` of this polygon round `offset` touches; a point for two discs.
+    pub outline: Outline,
     /// The choosing agent's share of the avoiding, 0 (none) to 1 (all).
     pub share: f32,
     /// The choosing agent's part of the room that is left while the two are on no collision course, 0 to 1. Who
@@ -77,6 +81,7 @@ impl Neighbour {
             velocity: Vec2::ZERO,
             preferred: Vec2::ZERO,
             radii,
+            outline: Outline::POINT,
             share: 1.0,
             room: 1.0,
             aside: Vec2::X,
@@ -95,13 +100,15 @@ pub struct NearEdge {
     pub edge: Edge,
 }
 
-/// A solid disc near the choosing agent.
+/// A solid disc near the choosing agent; near one that is no disc, a wall edge too, as a disc without radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearDisc {
     /// Its centre, from the agent's.
     pub offset: Vec2,
     /// The disc.
     pub disc: Disc,
+    /// What lies within both radii of this polygon round `offset` touches; a point for an agent that is a disc.
+    pub outline: Outline,
 }
 
 /// What a model sees: one agent and what is near it. The default is a pedestrian that stands alone.

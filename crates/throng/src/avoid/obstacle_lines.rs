@@ -29,6 +29,7 @@ impl Workspace {
         }
         for (index, near) in view.discs.iter().enumerate() {
             let disc = Neighbour::resting(near.offset, near.disc.radius as f32 + radius);
+            let disc = Neighbour { outline: near.outline, ..disc };
             push(lines, Cause::Disc(index), orca::line(view.velocity, &disc, horizon, view.step));
         }
         if view.tracking_error > 0.0 {

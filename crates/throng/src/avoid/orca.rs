@@ -116,7 +116,9 @@ pub(super) fn line(velocity: Vec2, other: &Neighbour, horizon: f32, step: f32) -
     let Neighbour { offset, radii, .. } = *other;
     let relative = velocity - other.velocity;
     let distance_squared = offset.length_squared();
-    let (change, normal) = if distance_squared > radii * radii {
+    let (change, normal) = if !other.outline.is_point() {
+        other.change(relative, horizon, step.max(RECOVERY))
+    } else if distance_squared > radii * radii {
         let w = relative - offset / horizon;
         let along = w.dot(offset);
         if along < 0.0 && along * along > radii * radii * w.length_squared() {

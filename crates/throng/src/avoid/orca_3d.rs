@@ -116,15 +116,15 @@ fn plane(velocity: Vec3, offset: Vec3, theirs: Vec3, other: &Neighbour, horizon:
             // nearest on the rounded tip
             out_of(horizon)
         } else {
-            // nearest on the cone: on the sphere that touches it, of all that lie within
-            let b = offset.dot(relative);
-            let slope = distance_squared - radii * radii;
-            let c = relative.length_squared() - offset.cross(relative).length_squared() / slope;
-            let t = (b + (b * b - distance_squared * c).max(0.0).sqrt()) / distance_squared;
-            let w = relative - offset * t;
-            let length = w.length();
-            let normal = if length > 1e-6 { w / length } else { offset.any_orthonormal_vector() };
-            (normal * (radii * t - length), normal)
+            // nearest on the cone: on its side in the plane through its axis and the relative velocity
+            let distance = distance_squared.sqrt();
+            let (axis, sine) = (offset / distance, radii / distance);
+            let cosine = (1.0 - sine * sine).max(0.0).sqrt();
+            let ahead = relative.dot(axis);
+            let aside = relative - axis * ahead;
+            let (aside, off) = (aside.try_normalize(), aside.length());
+            let normal = aside.unwrap_or_else(|| axis.any_orthonormal_vector()) * cosine - axis * sine;
+            (normal * (ahead * sine - off * cosine), normal)
         }
     };
     let part = if change.dot(normal) > 0.0 { other.share } else { other.room };

@@ -7,7 +7,7 @@
 //! of the avoiding falls on the agent.
 
 use super::sampling::{self, Search};
-use super::{Cause, Forbidden, LocalModel, Neighbour, Reason, View, Workspace, time_to_disc};
+use super::{Cause, Forbidden, LocalModel, Neighbour, Reason, View, Workspace};
 use crate::Error;
 use glam::Vec2;
 
@@ -119,7 +119,7 @@ impl Rvo {
     }
 
     fn penalty(&self, view: &View<'_>, v: Vec2) -> f32 {
-        let times = view.neighbours.iter().map(|n| time_to_disc(n.offset, self.judged(view, n, v), n.radii));
+        let times = view.neighbours.iter().map(|n| n.time_to_collision(self.judged(view, n, v)));
         let time = times.fold(f32::INFINITY, f32::min);
         let walls = view.time_to_walls(v, view.radius);
         let wall_horizon = self.time_horizon_obstacles.unwrap_or_else(|| {
@@ -138,10 +138,10 @@ impl Rvo {
     }
 }
 
-/// Whether bodies overlap, margins left aside.
+/// Whether discs overlap, margins left aside.
 fn is_overlap(view: &View<'_>, other: &Neighbour) -> bool {
     let radii = other.radii / view.margin;
-    other.offset.length_squared() < radii * radii * 0.999
+    other.outline.is_point() && other.offset.length_squared() < radii * radii * 0.999
 }
 
 /// Seconds until an overlap ends; many if it does not.

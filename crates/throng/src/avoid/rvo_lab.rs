@@ -53,15 +53,23 @@ fn radii(view: &View<'_>, other: &Neighbour) -> f32 {
 }
 
 fn discs<'a>(view: &'a View<'_>) -> impl Iterator<Item = Neighbour> + 'a {
-    view.discs.iter().map(|near| Neighbour::resting(near.offset, (near.disc.radius as f32 + view.radius) * view.margin))
+    view.discs.iter().map(|near| Neighbour {
+        outline: near.outline,
+        ..Neighbour::resting(near.offset, (near.disc.radius as f32 + view.radius) * view.margin)
+    })
 }
 
 /// The forbidden cone of one neighbour. Those who overlap forbid everything that leads nearer.
 fn cone(view: &View<'_>, other: &Neighbour) -> Forbidden {
-    let distance = other.offset.length();
-    let sine = (radii(view, other) / distance).min(1.0);
-    let (axis, cosine) = (other.offset / distance, (1.0 - sine * sine).sqrt());
     let apex = (view.velocity + other.velocity) * 0.5;
+    let bare = Neighbour { radii: radii(view, other), ..*other };
+    if !bare.outline.is_point() && !bare.touches() {
+        let (left, right) = bare.legs();
+        return Forbidden::Cone { apex, right, left };
+    }
+    let distance = other.offset.length();
+    let sine = (bare.radii / distance).min(1.0);
+    let (axis, cosine) = (other.offset / distance, (1.0 - sine * sine).sqrt());
     Forbidden::Cone { apex, right: axis.rotate(Vec2::new(cosine, -sine)), left: axis.rotate(Vec2::new(cosine, sine)) }
 }
 

@@ -38,13 +38,13 @@ impl Contacts {
         parallel::rows(&mut self.own, 1, NearWalls::default, |near, row, found| {
             let found = &mut found[0];
             found.smaller.clear();
-            let (at, radius, reach) = (bodies.positions[row], bodies.radii[row], bodies.reach[row]);
+            let (at, radius, reach) = (bodies.positions[row], bodies.bound(row), bodies.reach[row]);
             // a little farther than the sum, for the rounding of squares
             let range = (2.0 * radius + reach + farthest) * 1.0001;
             grid.within(at, range, |near| {
                 let other = near.row as usize;
-                let size = bodies.radii[other];
-                let rank = |row: usize| (bodies.radii[row], numbers[row]);
+                let size = bodies.bound(other);
+                let rank = |row: usize| (bodies.bound(row), numbers[row]);
                 let range = (radius + size + reach + bodies.reach[other]) * 1.0001;
                 if rank(other) < rank(row) && near.distance_squared <= range * range && meets(row, other) {
                     found.smaller.push((near.number, near.row));

@@ -4,28 +4,39 @@
 //! little as it can. It knows nothing of models, goals or speeds, so it holds for any model and any time step.
 //!
 //! # Why it holds
-//! Let `x` be positions, `d` displacements, `R` the sum of two radii, all motion linear over the step.
+//! A body is everything within its radius of its *core*, a rectangle; the core of a disc is a point. Let `R` be the sum
+//! of two radii; over the step all bodies move and turn evenly, each by its own displacement and angle.
 //!
-//! 1. A pair is *safe* if its swept discs stay apart: the least distance over the step of `xj - xi + t (dj - di)` is
-//!    at least `R` less a slack of 1e-6 `R`. A pair closer than that at the start (a bad start) is safe if it is
-//!    never closer than at the start. The same for a body and a wall.
-//! 2. Every agent has a *cell* (`cell.rs`): its displacement along the line to each near neighbour is at most half the
-//!    gap between them (none if there is no gap), and towards each near wall at most the gap. Two agents that both
-//!    stay in their cells are safe: along the line between the centres they close at most the gap, so at every
-//!    moment the centres' distance, which is at least its part along that line, is at least `R`. An edge of a wall
-//!    lies wholly beyond the line across its nearest point, hence a cell is safe for walls too. Standing still is in
-//!    every cell.
+//! 1. A pair is *safe* if the distance of its cores is at least `R`, less a slack of 1e-6 `R`, all through the step. A
+//!    pair closer than that at the start (a bad start) is safe if it is never closer than at the start; where cores
+//!    overlap, the least shift that parts them counts as a negative distance. The same for a body and a wall.
+//!    - Two discs: the least of `|xj - xi + t (dj - di)|` over the step is known exactly.
+//!    - Other cores (`sweep.rs`): along any fixed direction the gap between two cores is at most their distance, and
+//!      the least of `n . (q(t) - p(t))` over their corners. A corner at `r` from a centre that turns by `a` runs along
+//!      `n` with a second derivative of at most `r a^2`. So between its values at two times the gap sags no deeper than
+//!      a parabola of that curvature, and if that stays above what is needed, the pair is safe between the two times.
+//!      The normals between the nearest points at both times are tried, and the time is halved where neither shows it.
+//!      For two that stand nothing sags, and the normal shows their distance: standing is safe.
+//! 2. Every agent has a *cell* (`cell.rs`): along the normal to each near neighbour no point of its core gets farther,
+//!    by moving and turning together, than half the gap between the two beyond where the core reached (none if there is
+//!    no gap), and towards each near wall at most the gap. Two agents that both stay in their cells are safe: along that
+//!    normal they close at most the gap, so at every moment the distance of the cores, which is at least the gap along
+//!    it, is at least `R`. An edge of a wall lies wholly beyond the line across its nearest point, hence a cell is safe
+//!    for walls too. Standing still is in every cell.
 //! 3. All start free. In each round every agent that is in an unsafe pair with any other, or unsafe with a wall,
-//!    while free, is *clamped*: moved into its cell. A clamped agent stays clamped. After eight rounds, or
-//!    when nobody new is clamped, the rest: if rounds ran out everybody who is still free is clamped. Each agent is
-//!    clamped at most once, so this ends, and at the end every pair is either safe by check (one of the two is free)
-//!    or safe by 2 (both are clamped).
-//! 4. Rounding: what is checked is the motion that rounding leaves, `fl(x + d) - x`, in `f64`. A clamped result is
-//!    checked against its cell after rounding; if rounding took it out it is shortened, and failing that the
-//!    agent stands.
+//!    while free, is *clamped*: moved into its cell, its turn kept if there is room for it, halved, or given up. A
+//!    clamped agent stays clamped. After eight rounds, or when nobody new is clamped, the rest: if rounds ran out
+//!    everybody who is still free is clamped. Each agent is clamped at most once, so this ends, and at the end every
+//!    pair is either safe by check (one of the two is free) or safe by 2 (both are clamped).
+//! 4. Rounding: what is checked is the motion that rounding leaves, `fl(x + d) - x`, and the turn to the heading that is
+//!    kept, in `f64`. A clamped result is checked against its cell after rounding; if rounding took it out it is
+//!    shortened, and failing that the agent stands.
 //!
-//! Only pairs that can meet need a look: nobody moves farther than its `reach`, so pairs farther apart than `R` plus
-//! both reaches are safe.
+//! The heading of a disc touches nobody: the guard leaves it alone. Two who are both unguarded are not held apart, nor
+//! is one who is unguarded held off walls.
+//!
+//! Only pairs that can meet need a look: nobody moves farther than its `reach`, and turning leaves a body within the disc
+//! about its centre that holds it at any heading; pairs whose discs are farther apart than both reaches are safe.
 //!
 //! Before certifying, a few symmetric relaxations (`relax.rs`) part the pairs that would collide: position-based, as
 //! Weiss et al. (MIG 2017) resolve contacts. They make clamping rare; nothing depends on them.
@@ -33,13 +44,17 @@
 mod cell;
 mod contacts;
 mod relax;
+mod solid;
+mod sweep;
 
 pub use contacts::Contacts;
 
 use crate::avoid::Line;
 use crate::parallel;
-use crate::space::Walls;
+use crate::space::{Core, Walls};
 use glam::{DVec2, Vec2};
+use solid::Solid;
+use sweep::Sweep;
 
 /// Part of the sum of radii by which a checked pair may be closer than touching.
 pub const SLACK: f64 = 1e-6;
@@ -51,10 +66,32 @@ const ROUNDS: usize = 8;
 pub struct Bodies<'a> {
     /// Centres.
     pub positions: &'a [Vec2],
-    /// Radii.
+    /// Directions, radians counter-clockwise from +x.
+    pub headings: &'a [f32],
+    /// Half extents of the cores, along and across the heading; zero for discs.
+    pub cores: &'a [Vec2],
+    /// Radii: how far bodies reach beyond their cores.
     pub radii: &'a [f32],
     /// How far each may move in the step at most, metres.
     pub reach: &'a [f32],
+    /// Who is kept from overlapping: of two, one at least must be.
+    pub guarded: &'a [bool],
+}
+
+impl Bodies<'_> {
+    /// Radius of the disc about the centre that holds the body at any heading.
+    fn bound(&self, row: usize) -> f32 {
+        self.radii[row] + self.cores[row].length()
+    }
+}
+
+/// Where a body is, or is to be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// Its centre.
+    pub position: Vec2,
+    /// Its direction, radians counter-clockwise from +x, -pi to pi.
+    pub heading: f32,
 }
 
 /// What the guard did.
@@ -71,30 +108,41 @@ pub struct Report {
 /// The guard, with the memory it keeps from step to step.
 #[derive(Clone, Debug, Default)]
 pub struct Guard {
-    targets: Vec<Vec2>,
-    next: Vec<Vec2>,
+    targets: Vec<Pose>,
+    next: Vec<Pose>,
     clamped: Vec<bool>,
     verdicts: Vec<bool>,
+    cores: Vec<Core>,
 }
 
 /// Memory for one agent's cell.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scratch {
     pub(crate) lines: Vec<Line>,
+    pub(crate) sides: Vec<cell::Side>,
 }
 
 impl Guard {
     /// Makes the motion to `targets` certain, and puts what is certain there instead. `contacts` must hold every pair
     /// and every wall that the bodies' reach lets meet.
-    pub fn certify(&mut self, bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, targets: &mut [Vec2]) -> Report {
-        let Self { targets: now, next, clamped, verdicts } = self;
+    pub fn certify(&mut self, bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, targets: &mut [Pose]) -> Report {
+        let Self { targets: now, next, clamped, verdicts, cores } = self;
+        cores.clear();
+        cores.extend(bodies.positions.iter().zip(bodies.headings).zip(bodies.cores).map(|((at, &heading), &half)| {
+            let center = at.as_dvec2();
+            if half == Vec2::ZERO { Core::point(center) } else { Core::new(center, heading, half) }
+        }));
+        let solid = Solid { bodies, contacts, walls, cores };
         now.clear();
-        now.extend(targets.iter().zip(bodies.positions).zip(bodies.reach).map(|((&to, &from), &reach)| {
+        now.extend(targets.iter().enumerate().map(|(row, &Pose { position: to, heading })| {
+            let (from, reach) = (bodies.positions[row], bodies.reach[row]);
             // a target that is not a number is no wish at all
-            if to.is_finite() { from + (to - from).clamp_length_max(reach) } else { from }
+            let position = if to.is_finite() { from + (to - from).clamp_length_max(reach) } else { from };
+            let turns = heading.is_finite() && !solid.is_disc(row);
+            Pose { position, heading: if turns { heading } else { bodies.headings[row] } }
         }));
         let mut report = Report::default();
-        relax::relax(bodies, contacts, walls, now, next);
+        relax::relax(solid, now, next);
         clamped.clear();
         clamped.resize(now.len(), false);
         for round in 1.. {
@@ -106,8 +154,7 @@ impl Guard {
                 1,
                 || (),
                 |(), row, verdict| {
-                    verdict[0] = !clamped[row]
-                        && (last && !contacts.is_alone(row) || !is_safe(row, bodies, contacts, walls, now));
+                    verdict[0] = !clamped[row] && (last && !contacts.is_alone(row) || !is_safe(row, solid, now));
                 },
             );
             if !verdicts.contains(&true) {
@@ -117,7 +164,7 @@ impl Guard {
             next.clone_from(now);
             parallel::rows(next, 1, Scratch::default, |scratch, row, target| {
                 if verdicts[row] {
-                    target[0] = cell::clamp(row, bodies, contacts, walls, target[0], scratch);
+                    target[0] = cell::clamp(row, solid, target[0], scratch);
                 }
             });
             std::mem::swap(now, next);
@@ -127,10 +174,11 @@ impl Guard {
         }
         report.clamped = clamped.iter().filter(|&&c| c).count();
         for (row, (target, &certain)) in targets.iter_mut().zip(&*now).enumerate() {
-            let wish = *target;
+            let wish = target.position;
             // beyond a hundredth of the way, or of a thousandth of the body
             let tolerance = wish.distance(bodies.positions[row]).max(1e-3 * bodies.radii[row]) * 1e-2;
-            report.changed += usize::from(!wish.is_finite() || wish.distance(certain) > tolerance);
+            let turned = !solid.is_disc(row) && target.heading != certain.heading;
+            report.changed += usize::from(!wish.is_finite() || wish.distance(certain.position) > tolerance || turned);
             *target = certain;
         }
         report
@@ -138,31 +186,40 @@ impl Guard {
 }
 
 /// Whether the motion of `row` is safe with everybody and every wall.
-fn is_safe(row: usize, bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, targets: &[Vec2]) -> bool {
+fn is_safe(row: usize, solid: Solid<'_>, targets: &[Pose]) -> bool {
+    let bodies = solid.bodies;
     let from = bodies.positions[row].as_dvec2();
-    let motion = targets[row].as_dvec2() - from;
-    contacts.of(row).iter().all(|&other| {
-        let other = other as usize;
-        let offset = bodies.positions[other].as_dvec2() - from;
+    let motion = targets[row].position.as_dvec2() - from;
+    solid.others(row).all(|other| {
         let radii = f64::from(bodies.radii[row]) + f64::from(bodies.radii[other]);
-        let relative = targets[other].as_dvec2() - bodies.positions[other].as_dvec2() - motion;
-        let needed = radii.min(offset.length()) - SLACK * radii;
-        nearest_approach(offset, relative) >= needed
-    }) && walls_are_safe(row, bodies, contacts, walls, from, motion)
+        if solid.is_disc(row) && solid.is_disc(other) {
+            let offset = bodies.positions[other].as_dvec2() - from;
+            let relative = targets[other].position.as_dvec2() - bodies.positions[other].as_dvec2() - motion;
+            return nearest_approach(offset, relative) >= needed(radii, offset.length());
+        }
+        keeps(&solid.sweep(row, targets[row]), &solid.sweep(other, targets[other]), radii)
+    }) && if solid.is_disc(row) {
+        walls_are_safe(row, solid, from, motion)
+    } else {
+        let radius = f64::from(bodies.radii[row]);
+        let own = solid.sweep(row, targets[row]);
+        solid.standing(row).all(|(core, size)| keeps(&own, &Sweep::still(core), radius + size))
+    }
 }
 
-fn walls_are_safe(
-    row: usize,
-    bodies: &Bodies<'_>,
-    contacts: &Contacts,
-    walls: &Walls,
-    from: DVec2,
-    motion: DVec2,
-) -> bool {
-    let radius = f64::from(bodies.radii[row]);
-    let needed = |distance: f64| radius.min(distance) - SLACK * radius;
-    contacts.edges_of(row).iter().all(|&index| {
-        let edge = &walls.edges()[index as usize];
+/// The least distance that two may have who touch at `radii` and are at `distance` now.
+fn needed(radii: f64, distance: f64) -> f64 {
+    radii.min(distance) - SLACK * radii
+}
+
+/// Whether the motion of two cores is safe.
+fn keeps(own: &Sweep, other: &Sweep, radii: f64) -> bool {
+    own.keeps(other, needed(radii, own.start.separation(&other.start).distance))
+}
+
+fn walls_are_safe(row: usize, solid: Solid<'_>, from: DVec2, motion: DVec2) -> bool {
+    let radius = f64::from(solid.bodies.radii[row]);
+    solid.edges(row).all(|edge| {
         // a segment and the swept centre: apart at an end of one of them, unless they cross
         let at_start = edge.nearest(from).distance(from);
         let to = from + motion;
@@ -172,11 +229,10 @@ fn walls_are_safe(
             .min(crate::space::nearest_on_segment(from, to, edge.start).distance(edge.start))
             .min(crate::space::nearest_on_segment(from, to, edge.end).distance(edge.end))
             .min(at_start);
-        swept >= needed(at_start) && !cross(from, to, edge.start, edge.end)
-    }) && contacts.discs_of(row).iter().all(|&index| {
-        let disc = &walls.discs()[index as usize];
+        swept >= needed(radius, at_start) && !cross(from, to, edge.start, edge.end)
+    }) && solid.discs(row).all(|disc| {
         let offset = disc.center - from;
-        nearest_approach(offset, -motion) - disc.radius >= needed(offset.length() - disc.radius)
+        nearest_approach(offset, -motion) - disc.radius >= needed(radius, offset.length() - disc.radius)
     })
 }
 

@@ -1,9 +1,10 @@
 //! Parts pairs that would collide, before the guard certifies: symmetric, position-based, a few rounds.
 
-use super::{Bodies, Contacts};
+use super::Pose;
+use super::solid::Solid;
+use super::sweep::Sweep;
 use crate::parallel;
-use crate::space::Walls;
-use glam::{DVec2, Vec2};
+use glam::DVec2;
 
 const ITERATIONS: usize = 4;
 /// Part of the sum of radii that relaxed pairs keep between them.
@@ -14,13 +15,7 @@ const OVERLAP: f64 = 1e-4;
 const PART: f64 = 0.125;
 
 /// Moves `targets` apart; nobody's motion becomes longer than its reach.
-pub(super) fn relax(
-    bodies: &Bodies<'_>,
-    contacts: &Contacts,
-    walls: &Walls,
-    targets: &mut Vec<Vec2>,
-    next: &mut Vec<Vec2>,
-) {
+pub(super) fn relax(solid: Solid<'_>, targets: &mut Vec<Pose>, next: &mut Vec<Pose>) {
     for _ in 0..ITERATIONS {
         next.clone_from(targets);
         parallel::rows(
@@ -28,8 +23,8 @@ pub(super) fn relax(
             1,
             || (),
             |(), row, target| {
-                if !contacts.is_alone(row) {
-                    target[0] = relaxed(row, bodies, contacts, walls, targets);
+                if !solid.contacts.is_alone(row) {
+                    target[0] = relaxed(row, solid, targets);
                 }
             },
         );
@@ -41,38 +36,64 @@ pub(super) fn relax(
     }
 }
 
-fn relaxed(row: usize, bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, targets: &[Vec2]) -> Vec2 {
+fn relaxed(row: usize, solid: Solid<'_>, targets: &[Pose]) -> Pose {
+    let bodies = solid.bodies;
     let from = bodies.positions[row].as_dvec2();
     let radius = f64::from(bodies.radii[row]);
-    let motion = targets[row].as_dvec2() - from;
+    let motion = targets[row].position.as_dvec2() - from;
+    let is_disc = solid.is_disc(row);
     let mut push = DVec2::ZERO;
-    for &other in contacts.of(row) {
-        let other = other as usize;
-        let offset = from - bodies.positions[other].as_dvec2();
+    for other in solid.others(row) {
         let radii = radius + f64::from(bodies.radii[other]);
-        let relative = motion - (targets[other].as_dvec2() - bodies.positions[other].as_dvec2());
         let reach = f64::from(bodies.reach[row]) + f64::from(bodies.reach[other]);
-        push += parting(offset, relative, clearance(offset, radii, reach)) * 0.5;
+        push += 0.5
+            * if is_disc && solid.is_disc(other) {
+                let offset = from - bodies.positions[other].as_dvec2();
+                let relative = motion - (targets[other].position.as_dvec2() - bodies.positions[other].as_dvec2());
+                parting(offset, relative, clearance(offset.length(), radii, reach))
+            } else {
+                let (own, theirs) = (solid.sweep(row, targets[row]), solid.sweep(other, targets[other]));
+                parting_cores(&own, &theirs, radii, reach)
+            };
     }
-    for &index in contacts.edges_of(row) {
-        let offset = from - walls.edges()[index as usize].nearest(from);
-        push += parting(offset, motion, clearance(offset, radius, f64::from(bodies.reach[row])));
-    }
-    for &index in contacts.discs_of(row) {
-        let disc = &walls.discs()[index as usize];
-        push += parting(from - disc.center, motion, radius * (1.0 + SKIN) + disc.radius);
+    let reach = f64::from(bodies.reach[row]);
+    if is_disc {
+        for edge in solid.edges(row) {
+            let offset = from - edge.nearest(from);
+            push += parting(offset, motion, clearance(offset.length(), radius, reach));
+        }
+        for disc in solid.discs(row) {
+            push += parting(from - disc.center, motion, radius * (1.0 + SKIN) + disc.radius);
+        }
+    } else {
+        let own = solid.sweep(row, targets[row]);
+        for (core, size) in solid.standing(row) {
+            push += parting_cores(&own, &Sweep::still(core), radius + size, reach);
+        }
     }
     if push == DVec2::ZERO {
         return targets[row];
     }
-    bodies.positions[row] + (motion + push).clamp_length_max(f64::from(bodies.reach[row])).as_vec2()
+    let position = bodies.positions[row] + (motion + push).clamp_length_max(reach).as_vec2();
+    Pose { position, ..targets[row] }
 }
 
-/// The distance to keep from what is at `offset` now and touches at `radii`.
-fn clearance(offset: DVec2, radii: f64, reach: f64) -> f64 {
-    let distance = offset.length();
+/// The distance to keep from what is at `distance` now and touches at `radii`.
+fn clearance(distance: f64, radii: f64, reach: f64) -> f64 {
     let overlaps = distance < radii * (1.0 - OVERLAP);
     (radii * (1.0 + SKIN)).min(if overlaps { distance + PART * reach } else { f64::INFINITY })
+}
+
+/// How the motion of a core must change so that at the end it is not nearer to another than its clearance, along the
+/// line between their nearest points.
+fn parting_cores(own: &Sweep, other: &Sweep, radii: f64, reach: f64) -> DVec2 {
+    let apart = own.start.separation(&other.start);
+    if apart.distance - own.closing(other) >= radii * (1.0 + SKIN) {
+        return DVec2::ZERO;
+    }
+    let end = own.at(1.0).gap_along(&other.at(1.0), apart.normal);
+    let clearance = clearance(apart.distance, radii, reach);
+    apart.normal * (end - clearance).clamp(-2.0 * clearance.max(0.0), 0.0)
 }
 
 /// How a relative motion must change so that `offset + t * motion` comes no nearer than `clearance` on its way: a

@@ -8,40 +8,44 @@
 use glam::Vec2;
 use std::f32::consts::{FRAC_PI_3, PI};
 
-/// Seconds within which a body turns into the velocity it chose, where its turn rate lets it.
-const TURNING_TIME: f32 = 0.4;
-
-/// Seconds in which a body turns into its new velocity: a turn by half a circle has to be possible.
-fn turning_time(max_turn_rate: f32) -> f32 {
-    TURNING_TIME.max(PI / max_turn_rate)
-}
-
 /// Corners, counter-clockwise from ahead, of the velocities that a body can follow with at most `error` metres beside
 /// the straight way. Between the last corner and the first it is open: straight ahead only the top speed limits it.
 ///
 /// Turning evenly by an angle in a time, at the best speed, a body gets speed * time * sin(angle / 2) off (section 3.2
-/// has its square). The border is convex, so what lies between the corners can be followed too.
+/// has its square); it turns as fast as it can. The border is convex, so what lies between the corners can be followed too.
 pub(crate) fn followable(error: f32, heading: f32, max_speed: f32, max_turn_rate: f32) -> [Vec2; 9] {
-    let time = turning_time(max_turn_rate);
-    // where the top speed can just be followed
-    let first = 2.0 * libm::asinf((error / (time * max_speed)).min(0.5));
+    let speed = |angle: f32| error * max_turn_rate / (angle * libm::sinf(0.5 * angle));
+    // where the top speed can just be followed; the faster the body turns, the nearer to sideways
+    let (mut low, mut first) = (0.0, FRAC_PI_3);
+    for _ in 0..12 {
+        let middle = 0.5 * (low + first);
+        if speed(middle) > max_speed {
+            low = middle;
+        } else {
+            first = middle;
+        }
+    }
     let [a, b, c] = [FRAC_PI_3, 1.5 * FRAC_PI_3, 2.0 * FRAC_PI_3];
     [first, a, b, c, PI, -c, -b, -a, -first].map(|angle| {
-        let speed = error / (time * libm::sinf(0.5 * angle).abs());
         let (sin, cos) = libm::sincosf(heading + angle);
-        Vec2::new(cos, sin) * speed
+        Vec2::new(cos, sin) * speed(angle.abs())
     })
 }
 
+/// The part of a chosen speed at which a body drives while it turns by `angle` into the chosen direction: the least
+/// error at the end of the turn.
+fn part(angle: f32) -> f32 {
+    if angle.abs() < 1e-3 { 1.0 } else { 0.5 * angle * libm::sinf(angle) / (1.0 - libm::cosf(angle)) }
+}
+
 /// The velocity of the next `step` seconds with which a body of this heading follows the velocity it chose: forwards,
-/// while it turns.
+/// while it turns as fast as it can.
 pub(crate) fn follow(chosen: Vec2, heading: f32, max_turn_rate: f32, step: f32) -> Vec2 {
     let forward = Vec2::new(libm::cosf(heading), libm::sinf(heading));
     let angle = libm::atan2f(forward.perp_dot(chosen), forward.dot(chosen));
-    // the best speed on the way: least error at the end of the turn
-    let part = if angle.abs() < 1e-3 { 1.0 } else { 0.5 * angle * libm::sinf(angle) / (1.0 - libm::cosf(angle)) };
-    let (sin, cos) = libm::sincosf(heading + angle * (step / turning_time(max_turn_rate)).min(1.0));
-    Vec2::new(cos, sin) * (chosen.length() * part.max(0.0))
+    let most = max_turn_rate * step;
+    let (sin, cos) = libm::sincosf(heading + angle.clamp(-most, most));
+    Vec2::new(cos, sin) * (chosen.length() * part(angle).max(0.0))
 }
 
 #[cfg(test)]
@@ -58,14 +62,13 @@ mod tests {
             let corners = followable(error, heading, 1.5, turn_rate);
             let chosen = Vec2::from_angle(heading + angle) * speed;
             prop_assume!(corners.windows(2).all(|side| (side[1] - side[0]).perp_dot(chosen - side[0]) >= 0.0));
-            let time = turning_time(turn_rate);
-            let part = if angle.abs() < 1e-3 { 1.0 } else { 0.5 * angle * angle.sin() / (1.0 - angle.cos()) };
+            let time = angle.abs() / turn_rate;
             const PARTS: usize = 1000;
             let step = time / PARTS as f32;
             let mut at = glam::DVec2::ZERO;
             for i in 0..PARTS {
                 let towards = heading + angle * (i as f32 + 0.5) / PARTS as f32;
-                at += (Vec2::from_angle(towards) * (speed * part * step)).as_dvec2();
+                at += (Vec2::from_angle(towards) * (speed * part(angle) * step)).as_dvec2();
             }
             let off = at.distance((chosen * time).as_dvec2());
             prop_assert!(off <= f64::from(error) * 1.001 + 1e-5, "{off} beside the way");
@@ -79,8 +82,9 @@ mod tests {
             let velocity = follow(chosen, heading, turn_rate, step);
             prop_assert!(velocity.length() <= speed * 1.001);
             prop_assume!(velocity.length() > 0.05 * speed);
-            let turned = Vec2::from_angle(heading).angle_to(velocity).abs();
-            prop_assert!(turned <= turn_rate * step + 1e-3, "{turned}");
+            let forward = Vec2::from_angle(heading);
+            let turned = forward.perp_dot(velocity).atan2(forward.dot(velocity)).abs();
+            prop_assert!(turned <= turn_rate * step + 1e-5, "{turned}");
         }
     }
 }

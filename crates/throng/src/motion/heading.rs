@@ -31,7 +31,7 @@ pub fn faces(velocity: Vec2, preferred: Vec2, max_turn_rate: f32) -> Vec2 {
 }
 
 /// The same angle between -pi and pi.
-fn wrap(angle: f32) -> f32 {
+pub(crate) fn wrap(angle: f32) -> f32 {
     if angle > PI {
         angle - 2.0 * PI
     } else if angle < -PI {

@@ -5,5 +5,6 @@ mod heading;
 mod limits;
 
 pub(crate) use drive::{follow, followable};
+pub(crate) use heading::wrap;
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};

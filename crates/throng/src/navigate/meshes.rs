@@ -7,12 +7,12 @@ use glam::DVec2;
 use std::collections::BTreeMap;
 
 /// A mesh for each size of body, in steps of a millimetre.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Meshes {
     classes: BTreeMap<u32, Class>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Class {
     mesh: Result<NavMesh, NavError>,
     areas: BTreeMap<GoalId, Option<Area>>,

@@ -2,10 +2,12 @@
 
 mod cells;
 mod place;
+mod rounded;
 mod shape;
 mod walls;
 
 pub(crate) use cells::Cells;
 pub use place::{Place, check_polygon, is_inside};
+pub use rounded::{Core, Separation};
 pub use shape::{Obstacle, Walkable};
 pub use walls::{Disc, Edge, NearWalls, Walls, nearest_on_segment};

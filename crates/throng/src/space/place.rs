@@ -1,7 +1,8 @@
 //! The place: what is solid and what can be walked on, in world coordinates, and whether a body fits somewhere.
 
-use super::{NearWalls, Obstacle, Walkable, Walls};
+use super::{Core, NearWalls, Obstacle, Walkable, Walls};
 use crate::Error;
+use crate::agent::Body;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -28,7 +29,23 @@ impl Place {
         self.obstacles().any(|obstacle| obstacle.covers(p)).then_some("it is inside an obstacle")
     }
 
-    /// Why a body does not fit at a point, if it does not. `walls` are those of this place round `origin`.
+    /// Why a body does not fit where its core is, if it does not: `p` in world coordinates, the core and `walls` round
+    /// the local origin.
+    pub(crate) fn no_room_for(&self, p: DVec2, core: &Core, body: Body, walls: &Walls) -> Option<&'static str> {
+        self.blocked(p).or_else(|| {
+            let mut near = NearWalls::default();
+            walls.near(core.center, f64::from(body.bound()), &mut near);
+            let edges = near.edges.iter().map(|&(_, index)| walls.edges()[index as usize]);
+            let edges = edges.map(|edge| core.separation(&Core::segment(edge.start, edge.end)).distance);
+            let discs = near.discs.iter().map(|&(_, index)| walls.discs()[index as usize]);
+            let discs = discs.map(|disc| core.separation(&Core::point(disc.center)).distance - disc.radius);
+            let radius = f64::from(body.radius);
+            let overlaps = edges.chain(discs).any(|distance| distance < radius * (1.0 - 1e-4));
+            overlaps.then_some("its body would overlap a wall")
+        })
+    }
+
+    /// Why a disc does not fit at a point, if it does not. `walls` are those of this place round `origin`.
     pub fn no_room(&self, p: DVec2, radius: f64, walls: &Walls, origin: DVec2) -> Option<&'static str> {
         self.blocked(p).or_else(|| {
             // positions are rounded to f32: that much less is not an overlap

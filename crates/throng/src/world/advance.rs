@@ -2,40 +2,77 @@
 
 use super::World;
 use crate::agent::Status;
-use crate::guard::Bodies;
-use crate::motion::{faces, turn};
+use crate::guard::{Bodies, Pose};
+use crate::motion::{faces, turn, wrap};
+use crate::space::Core;
+use glam::Vec2;
 
 impl World {
     /// 4. What is certain: nobody overlaps.
-    pub(super) fn guard(&mut self, seconds: f32) {
-        let Self { agents, step, walls, tally, .. } = self;
+    pub(super) fn guard(&mut self, seconds: f32, now: f64) {
+        let mut targets = std::mem::take(&mut self.step.targets);
+        targets.clear();
+        targets.extend((0..self.agents.len()).map(|row| Pose {
+            position: self.agents.position[row] + self.step.wishes[row] * seconds,
+            heading: self.wished_heading(row, seconds, now),
+        }));
+        let Self { agents, step, groups, walls, tally, .. } = self;
         step.reach.clear();
         step.reach.extend(agents.max_speed.iter().map(|speed| speed * seconds));
-        step.targets.clear();
-        step.targets.extend(agents.position.iter().zip(&step.wishes).map(|(&at, &v)| at + v * seconds));
-        let bodies = Bodies { positions: &agents.position, radii: &agents.radius, reach: &step.reach };
+        step.guarded.clear();
+        step.guarded.extend(agents.group.iter().map(|group| groups[group.index()].guard));
+        let bodies = Bodies {
+            positions: &agents.position,
+            headings: &agents.heading,
+            cores: &agents.core,
+            radii: &agents.radius,
+            reach: &step.reach,
+            guarded: &step.guarded,
+        };
         step.contacts.collect(&bodies, &agents.number, &step.grid, walls, |row, other| {
             agents.avoids(row, other) || agents.avoids(other, row)
         });
-        let report = step.guard.certify(&bodies, &step.contacts, walls, &mut step.targets);
+        let report = step.guard.certify(&bodies, &step.contacts, walls, &mut targets);
+        step.targets = targets;
         tally.guard_changed += report.changed as u64;
         tally.agent_steps += agents.len() as u64;
         tally.sub_steps += 1;
+    }
+
+    /// The heading that an agent would like at the end of the sub-step, for those whose turning touches others: where
+    /// its script says, or where its wish leads.
+    fn wished_heading(&self, row: usize, seconds: f32, now: f64) -> f32 {
+        let agents = &self.agents;
+        let (heading, most) = (agents.heading[row], agents.max_turn_rate[row]);
+        if let Some(there) = self.scripted(row, now) {
+            let most = most * seconds;
+            let turn = there.heading - f64::from(heading);
+            let turn = turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
+            wrap(heading + (turn as f32).clamp(-most, most))
+        } else if agents.is_disc(row) {
+            heading
+        } else {
+            turn(heading, faces(self.step.wishes[row], self.step.preferred[row], most), seconds, most)
+        }
     }
 
     /// 5. Move: to where the guard said, then headings, arrivals, exits.
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
         let agents = &mut self.agents;
         for row in 0..agents.len() {
-            let (from, to, wish) = (agents.position[row], self.step.targets[row], self.step.wishes[row]);
+            let from = agents.position[row];
+            let Pose { position: to, heading: certain } = self.step.targets[row];
             let motion = to - from;
             agents.position[row] = to;
-            // what was certified as it was wished is the wish: the motion may be far below what positions resolve
-            let unchanged = to.distance(from + wish * seconds) <= to.abs().max_element() * f32::EPSILON;
-            agents.velocity[row] = if unchanged { wish } else { motion / seconds };
+            agents.velocity[row] = velocity(from, to, self.step.wishes[row], seconds);
             let before = agents.heading[row];
-            let facing = faces(agents.velocity[row], self.step.preferred[row], agents.max_turn_rate[row]);
-            let heading = turn(before, facing, seconds, agents.max_turn_rate[row]);
+            let heading = if agents.is_disc(row) {
+                let facing = faces(agents.velocity[row], self.step.preferred[row], agents.max_turn_rate[row]);
+                turn(before, facing, seconds, agents.max_turn_rate[row])
+            } else {
+                agents.spin[row] = wrap(certain - before) / seconds;
+                certain
+            };
             agents.heading[row] = heading;
             if agents.status[row] == Status::Walking {
                 let trip = &mut agents.trip[row];
@@ -49,16 +86,18 @@ impl World {
         self.arrive(seconds, now);
     }
 
+    /// The velocity that the guard leaves to an agent that has yet to move.
+    pub(super) fn certain_velocity(&self, row: usize, seconds: f32) -> Vec2 {
+        velocity(self.agents.position[row], self.step.targets[row].position, self.step.wishes[row], seconds)
+    }
+
     /// Notes how close bodies came to each other and to walls.
     pub(super) fn measure(&mut self) {
         let Self { agents, step, walls, tally, .. } = self;
         for row in 0..agents.len() {
             let at = agents.position[row].as_dvec2();
             let radius = f64::from(agents.radius[row]);
-            let separation = |other: u32| {
-                let radii = radius + f64::from(agents.radius[other as usize]);
-                at.distance(agents.position[other as usize].as_dvec2()) / radii
-            };
+            let separation = |other: u32| agents.separation(row, other as usize);
             for &other in step.contacts.of(row) {
                 if agents.number[other as usize] > agents.number[row] {
                     let separation = separation(other);
@@ -72,10 +111,16 @@ impl World {
             {
                 tally.least_separation = tally.least_separation.min(separation(near.row));
             }
-            let edges = step.contacts.edges_of(row).iter().map(|&i| walls.edges()[i as usize].nearest(at).distance(at));
-            let discs = step.contacts.discs_of(row).iter().map(|&i| {
-                let disc = walls.discs()[i as usize];
-                disc.center.distance(at) - disc.radius
+            let core = (!agents.is_disc(row)).then(|| agents.core_of(row));
+            let edges = step.contacts.edges_of(row).iter().map(|&i| walls.edges()[i as usize]);
+            let edges = edges.map(|edge| match &core {
+                None => edge.nearest(at).distance(at),
+                Some(core) => core.separation(&Core::segment(edge.start, edge.end)).distance,
+            });
+            let discs = step.contacts.discs_of(row).iter().map(|&i| walls.discs()[i as usize]);
+            let discs = discs.map(|disc| match &core {
+                None => disc.center.distance(at) - disc.radius,
+                Some(core) => core.separation(&Core::point(disc.center)).distance - disc.radius,
             });
             if let Some(distance) = edges.chain(discs).min_by(f64::total_cmp) {
                 let separation = distance / radius;
@@ -84,4 +129,11 @@ impl World {
             }
         }
     }
+}
+
+/// The velocity of a motion. What was certified as it was wished is the wish: the motion may be far below what
+/// positions resolve.
+fn velocity(from: Vec2, to: Vec2, wish: Vec2, seconds: f32) -> Vec2 {
+    let unchanged = to.distance(from + wish * seconds) <= to.abs().max_element() * f32::EPSILON;
+    if unchanged { wish } else { (to - from) / seconds }
 }

@@ -49,7 +49,7 @@ impl World {
 
     /// Whether, on its way from one agent to the other, there is no room for the two side by side.
     pub(super) fn is_narrow(&self, row: usize, other: usize) -> bool {
-        let Some(mesh) = self.meshes.mesh(self.agents.radius[row]) else { return false };
+        let Some(mesh) = self.meshes.mesh(self.agents.body(row).girth()) else { return false };
         let (lane, radius) = self.lane(row);
         let need = 2.0 * f64::from(self.agents.radius[other]) * NARROW;
         let mut left = self.world_position(other).distance(lane[0]);
@@ -226,7 +226,7 @@ impl<'a> Ground<'a> {
     /// The way to where somebody waits, from where it can go on when the others have passed.
     fn retreat(&mut self, row: usize) -> Option<Path> {
         let (world, radius) = (self.world, f64::from(self.world.agents.radius[row]));
-        let mesh = world.meshes.mesh(world.agents.radius[row])?;
+        let mesh = world.meshes.mesh(world.agents.body(row).girth())?;
         let known = self.refuges.iter().position(|refuge| std::ptr::eq(refuge.mesh(), mesh));
         let at = known.unwrap_or_else(|| {
             self.refuges.push(Refuge::new(mesh, self.middle));

@@ -148,7 +148,7 @@ impl World {
             let touch = (agents.radius[row] + agents.radius[other]) * 1.1;
             agents.status[other] == Status::Arrived
                 && self.goal_of(other) == Some(goal)
-                && agents.position[row].distance(agents.position[other]) <= touch
+                && agents.offset(row, other).length() <= touch
         })
     }
 }

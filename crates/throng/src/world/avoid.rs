@@ -2,11 +2,11 @@
 
 use super::World;
 use crate::agent::Status;
-use crate::avoid::{MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, View, Workspace};
+use crate::avoid::{LocalModel, MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, Outline, View, Workspace};
 use crate::motion::{Limits, follow, limit};
 use crate::parallel;
 use crate::random::{Dice, Purpose, unit};
-use crate::space::{Disc, Edge, NearWalls};
+use crate::space::{Core, Disc, Edge, NearWalls};
 use glam::{DVec2, Vec2};
 
 /// How much of the avoiding, beyond its half, falls on who has more way to go to the same goal, and on who rests or
@@ -20,11 +20,19 @@ const GRANT: f32 = 2.0;
 /// What a thread keeps while it goes through agents.
 #[derive(Default)]
 struct Scratch {
-    near: NearWalls,
-    neighbours: Vec<Neighbour>,
-    edges: Vec<NearEdge>,
-    discs: Vec<NearDisc>,
+    sight: Sight,
     workspace: Workspace,
+}
+
+/// What an agent sees.
+#[derive(Default)]
+pub(super) struct Sight {
+    near: NearWalls,
+    /// Rows of the neighbours.
+    pub rows: Vec<u32>,
+    pub neighbours: Vec<Neighbour>,
+    pub edges: Vec<NearEdge>,
+    pub discs: Vec<NearDisc>,
 }
 
 impl World {
@@ -35,17 +43,28 @@ impl World {
         wishes.resize(self.agents.len(), Vec2::ZERO);
         let world = &*self;
         parallel::rows(&mut wishes, 1, Scratch::default, |scratch, row, wish| {
-            wish[0] = world.chosen_velocity(row, seconds, scratch);
+            if world.agents.script[row].is_some() {
+                wish[0] = world.step.preferred[row].clamp_length_max(world.agents.max_speed[row]);
+                return;
+            }
+            let view = world.view(row, seconds, &mut scratch.sight);
+            let chosen = world.model(row).velocity(&view, &mut scratch.workspace);
+            wish[0] = world.limited_velocity(row, chosen, seconds);
         });
         self.step.wishes = wishes;
     }
 
-    fn chosen_velocity(&self, row: usize, seconds: f32, scratch: &mut Scratch) -> Vec2 {
+    pub(super) fn model(&self, row: usize) -> &dyn LocalModel {
+        &*self.groups[self.agents.group[row].index()].model
+    }
+
+    /// What the model of an agent sees.
+    pub(super) fn view<'a>(&self, row: usize, seconds: f32, sight: &'a mut Sight) -> View<'a> {
         let agents = &self.agents;
-        let group = &self.groups[agents.group[row].index()];
-        let Scratch { near, neighbours, edges, discs, workspace } = scratch;
+        let Sight { near, rows, neighbours, edges, discs } = sight;
         let at = agents.position[row].as_dvec2();
-        let range = group.model.wall_range(agents.radius[row] + agents.tracking_error[row], agents.max_speed[row]);
+        let bound = agents.body(row).bound() + agents.tracking_error[row];
+        let range = self.model(row).wall_range(bound, agents.max_speed[row]);
         self.walls.near(at, f64::from(range), near);
         let to_local = |p: DVec2| (p - at).as_vec2();
         edges.clear();
@@ -56,37 +75,44 @@ impl World {
         discs.clear();
         discs.extend(near.discs.iter().map(|&(_, index)| {
             let disc: Disc = self.walls.discs()[index as usize];
-            NearDisc { offset: to_local(disc.center), disc }
+            NearDisc { offset: to_local(disc.center), disc, outline: Outline::POINT }
         }));
+        rows.clear();
         neighbours.clear();
         let margin = 1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN };
         for near in self.neighbours(row) {
-            let neighbour = self.neighbour(row, near.row as usize, margin);
-            if !edges.iter().any(|edge| hides(edge, neighbour.offset)) {
-                neighbours.push(neighbour);
+            let other = near.row as usize;
+            if !edges.iter().any(|edge| hides(edge, agents.offset(row, other))) {
+                rows.push(near.row);
+                neighbours.push(self.neighbour(row, other, margin));
             }
         }
-        let wish = group.model.velocity(
-            &View {
-                velocity: agents.velocity[row],
-                heading: agents.heading[row],
-                preferred: self.step.preferred[row],
-                climb: 0.0,
-                preferred_climb: 0.0,
-                radius: agents.radius[row] + agents.tracking_error[row],
-                max_speed: agents.max_speed[row],
-                max_acceleration: agents.max_acceleration[row],
-                tracking_error: agents.tracking_error[row],
-                max_turn_rate: agents.max_turn_rate[row],
-                margin,
-                step: seconds,
-                neighbours,
-                edges,
-                discs,
-                dice: self.dice(row),
-            },
-            workspace,
-        );
+        if !agents.is_disc(row) {
+            see_with_core(&agents.core_of(row), edges, discs);
+        }
+        View {
+            velocity: agents.velocity[row],
+            heading: agents.heading[row],
+            preferred: self.step.preferred[row],
+            climb: 0.0,
+            preferred_climb: 0.0,
+            radius: agents.radius[row] + agents.tracking_error[row],
+            max_speed: agents.max_speed[row],
+            max_acceleration: agents.max_acceleration[row],
+            tracking_error: agents.tracking_error[row],
+            max_turn_rate: agents.max_turn_rate[row],
+            margin,
+            step: seconds,
+            neighbours,
+            edges,
+            discs,
+            dice: self.dice(row),
+        }
+    }
+
+    /// What of a chosen velocity the body can do.
+    fn limited_velocity(&self, row: usize, chosen: Vec2, seconds: f32) -> Vec2 {
+        let agents = &self.agents;
         let limits = Limits {
             speed: agents.max_speed[row],
             change: agents.max_acceleration[row] * seconds,
@@ -94,7 +120,7 @@ impl World {
         };
         let heading = agents.heading[row];
         let drives = agents.tracking_error[row] > 0.0;
-        let wish = if drives { follow(wish, heading, agents.max_turn_rate[row], seconds) } else { wish };
+        let wish = if drives { follow(chosen, heading, agents.max_turn_rate[row], seconds) } else { chosen };
         limit(wish, agents.velocity[row], heading, limits)
     }
 
@@ -114,17 +140,24 @@ impl World {
             (1.0, 1.0)
         };
         let offset = agents.position[other] - agents.position[row];
-        let velocity = agents.velocity[other];
+        let velocity = agents.velocity_near(other, agents.position[row].as_dvec2());
+        let own_turn = agents.velocity_near(row, agents.position[other].as_dvec2()) - agents.velocity[row];
+        let outline = if agents.is_disc(row) && agents.is_disc(other) {
+            Outline::POINT
+        } else {
+            Outline::between(&agents.core_of(row), &agents.core_of(other))
+        };
         let wanted = self.step.preferred[other] - velocity;
         let granted = if wanted.dot(offset) < 0.0 { wanted * (GRANT * yields.max(0.0)) } else { Vec2::ZERO };
         Neighbour {
             offset,
             above: 0.0,
             climb: 0.0,
-            velocity: velocity + granted,
+            velocity: velocity - own_turn + granted,
             preferred: self.step.preferred[other],
             radii: (agents.radius[row] + agents.radius[other]) * margin
                 + (agents.tracking_error[row] + agents.tracking_error[other]),
+            outline,
             share,
             room,
             aside: if offset == Vec2::ZERO { self.aside(row, other) } else { Vec2::X },
@@ -158,6 +191,18 @@ impl World {
         let (sin, cos) = libm::sincosf(draw * std::f32::consts::TAU);
         if a < b { Vec2::new(cos, sin) } else { -Vec2::new(cos, sin) }
     }
+}
+
+/// Makes what an agent that is no disc sees of walls: they touch its core, not only its centre.
+fn see_with_core(own: &Core, edges: &mut Vec<NearEdge>, discs: &mut Vec<NearDisc>) {
+    for near in &mut *discs {
+        near.outline = Outline::between(own, &Core::point(near.disc.center));
+    }
+    discs.extend(edges.drain(..).map(|NearEdge { start, end, edge }| NearDisc {
+        offset: start.midpoint(end),
+        disc: Disc { center: edge.start.midpoint(edge.end), radius: 0.0 },
+        outline: Outline::between(own, &Core::segment(edge.start, edge.end)),
+    }));
 }
 
 /// Whether an edge lies between the agent and what is at `offset`.

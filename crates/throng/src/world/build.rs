@@ -1,12 +1,12 @@
 //! Adding and removing: groups, goals, journeys, agents, obstacles. Everything can be done while the world runs.
 
 use super::{Settings, Slots, StepMemory, SubSteps, World};
-use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, Status};
-use crate::navigate::{Goal, Journey, Meshes, union};
-use crate::space::{Obstacle, Place, Walkable, Walls, check_polygon, is_inside};
+use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
+use crate::navigate::{Goal, Journey, Meshes, Script, union};
+use crate::space::{Core, Obstacle, Place, Walkable, Walls, check_polygon, is_inside};
 use crate::summary::Tally;
 use crate::{Error, world::schedule::Schedule};
-use glam::DVec2;
+use glam::{DVec2, Vec2};
 
 /// Distance from the origin, in metres, up to which a world keeps its promises: beyond it `f32` is too coarse.
 const FARTHEST: f64 = 20_000.0;
@@ -30,6 +30,7 @@ impl World {
             groups: vec![Group::default()],
             goals: Vec::new(),
             journeys: vec![Journey::default()],
+            scripts: Vec::new(),
             place: Place::default(),
             schedule: Schedule::default(),
             tally: Tally::default(),
@@ -82,6 +83,19 @@ impl World {
         }
         self.journeys.push(journey);
         Ok(JourneyId(self.journeys.len() as u32 - 1))
+    }
+
+    /// Adds a script.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] for too few keyframes, times that do not increase, and positions or headings out of range.
+    pub fn add_script(&mut self, script: Script) -> Result<ScriptId, Error> {
+        script.check()?;
+        for keyframe in &script.keyframes {
+            self.check_position("position of a keyframe", keyframe.at)?;
+        }
+        self.scripts.push(script);
+        Ok(ScriptId(self.scripts.len() as u32 - 1))
     }
 
     /// Adds an obstacle. Agents whose bodies it touches are pushed out; those who are yet to
@@ -150,9 +164,22 @@ impl World {
         Ok(())
     }
 
-    /// Whether a body could stand at `at`; why not, if not.
+    /// Whether a disc could stand at `at`; why not, if not.
     pub fn no_room(&self, at: DVec2, radius: f32) -> Option<&'static str> {
         self.place.no_room(at, f64::from(radius), &self.walls, self.settings.origin)
+    }
+
+    /// Why an agent cannot be where it is to be, if it cannot. Who is unguarded can be anywhere.
+    pub(super) fn no_room_for(&self, agent: &Agent) -> Option<&'static str> {
+        if !self.groups[agent.group.index()].guard {
+            None
+        } else if agent.core == Vec2::ZERO {
+            self.no_room(agent.position, agent.radius)
+        } else {
+            let center = agent.position - self.settings.origin;
+            let core = Core::new(center, self.first_heading(agent), agent.core);
+            self.place.no_room_for(agent.position, &core, agent.body(), &self.walls)
+        }
     }
 
     /// Adds an agent. It may overlap others: then the pair is parted smoothly, and
@@ -206,13 +233,7 @@ impl World {
         });
         let row = self.agents.len() as u32;
         self.slots.rows[slot as usize].1 = Some(row);
-        let heading = agent.heading.map(within_a_turn).unwrap_or_else(|| {
-            let towards = self.first_leg(agent.journey, agent.position).and_then(|leg| {
-                let stop = self.journeys[agent.journey.index()].stops[leg as usize];
-                direction(self.goals[stop.goal.index()].middle() - agent.position)
-            });
-            towards.unwrap_or(0.0)
-        });
+        let heading = self.first_heading(agent);
         self.agents.push(agent, self.settings.origin, slot, number, heading, now);
         let status = self.first_status(agent.journey);
         self.agents.status[row as usize] = status;
@@ -220,6 +241,16 @@ impl World {
             self.agents.trip[row as usize].arrived = Some(now);
         }
         AgentId { slot, generation: self.slots.rows[slot as usize].0 }
+    }
+
+    /// The heading that an agent begins with: its own, or towards its first goal.
+    pub(super) fn first_heading(&self, agent: &Agent) -> f32 {
+        let towards_goal = || {
+            let leg = self.first_leg(agent.journey, agent.position)?;
+            let stop = self.journeys[agent.journey.index()].stops[leg as usize];
+            direction(self.goals[stop.goal.index()].middle() - agent.position)
+        };
+        agent.heading.map(within_a_turn).or_else(towards_goal).unwrap_or(0.0)
     }
 
     /// The first leg of a journey that leads away from `at`: a stop to wait at where one stands does not.
@@ -237,6 +268,9 @@ impl World {
         Error::unless_finite("velocity", f64::from(agent.velocity.x + agent.velocity.y))?;
         Error::unless_finite("heading", f64::from(agent.heading.unwrap_or(0.0)))?;
         Error::unless(agent.radius >= 1e-3 && agent.radius <= 1e3, "radius", agent.radius, "from 0.001 to 1000 m")?;
+        for half in [agent.core.x, agent.core.y] {
+            Error::unless((0.0..=1e3).contains(&half), "half extent of the core", half, "from 0 to 1000 m")?;
+        }
         let limit = "at least 0 m/s and at most 1000 m/s";
         Error::unless((0.0..=1e3).contains(&agent.preferred_speed), "preferred speed", agent.preferred_speed, limit)?;
         Error::unless(
@@ -254,7 +288,10 @@ impl World {
         Error::unless_finite("priority", f64::from(agent.priority))?;
         known("group", agent.group.index(), self.groups.len())?;
         known("journey", agent.journey.index(), self.journeys.len())?;
-        match self.no_room(agent.position, agent.radius) {
+        if let Some(script) = agent.script {
+            known("script", script.index(), self.scripts.len())?;
+        }
+        match self.no_room_for(agent) {
             Some(why) => Err(Error::NoRoom { at: agent.position, radius: agent.radius, why }),
             None => Ok(()),
         }

@@ -2,7 +2,7 @@
 
 use super::{Way, World};
 use crate::agent::Status;
-use crate::navigate::{Goal, Travel, Turn, turned_right};
+use crate::navigate::{Goal, Keyframe, Travel, Turn, turned_right};
 use crate::parallel;
 use glam::{DVec2, Vec2};
 
@@ -10,8 +10,8 @@ use glam::{DVec2, Vec2};
 const RETURN_TIME: f32 = 0.5;
 
 impl World {
-    /// 2. What would I like: the preferred velocity of everybody.
-    pub(super) fn intend(&mut self, seconds: f32) {
+    /// 2. What would I like: the preferred velocity of everybody in the sub-step that ends at `now`.
+    pub(super) fn intend(&mut self, seconds: f32, now: f64) {
         self.plan();
         self.show_ways();
         self.follow_others();
@@ -28,11 +28,19 @@ impl World {
             || (),
             |(), row, out| {
                 let (travel, preferred) = &mut out[0];
-                **preferred = world.preferred_velocity(row, travel, seconds);
+                **preferred = match world.scripted(row, now) {
+                    Some(there) => (there.at - world.world_position(row)).as_vec2() / seconds,
+                    None => world.preferred_velocity(row, travel, seconds),
+                };
             },
         );
         self.agents.travel = travels;
         self.step.preferred = preferred;
+    }
+
+    /// Where the script of an agent is at a time, if it has one.
+    pub(super) fn scripted(&self, row: usize, time: f64) -> Option<Keyframe> {
+        Some(self.scripts[self.agents.script[row]?.index()].at(time))
     }
 
     /// Notes where everybody wants to go, for others to see.

@@ -1,10 +1,11 @@
 //! 1. Who is near: how finely to divide the step, and the nearest neighbours of everybody.
 
 use super::World;
-use crate::perceive::Near;
+use crate::agent::Columns;
+use crate::perceive::{Grid, Near};
 use crate::{SubSteps, parallel};
 
-/// Part of the smallest radius that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
+/// Part of the smallest radius (half of the narrower side of who is no disc) that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
 const FREE_MOVE: f32 = 0.25;
 const CROWD_MOVE: f32 = 0.125;
 
@@ -15,7 +16,7 @@ impl World {
             SubSteps::Fixed(parts) => return parts,
             SubSteps::Auto => {
                 let agents = &self.agents;
-                let smallest = agents.radius.iter().copied().fold(f32::INFINITY, f32::min);
+                let smallest = (0..agents.len()).map(|row| agents.body(row).girth()).fold(f32::INFINITY, f32::min);
                 let fastest = agents.max_speed.iter().copied().fold(0.0, f32::max);
                 let part = if self.is_crowded() { CROWD_MOVE } else { FREE_MOVE };
                 // an empty or motionless world: 0 / inf or 0 / x
@@ -28,7 +29,7 @@ impl World {
     /// Whether any two bodies are within a body's width of each other.
     fn is_crowded(&mut self) -> bool {
         let agents = &self.agents;
-        let widest = agents.radius.iter().copied().fold(0.0, f32::max) * 2.0;
+        let widest = (0..agents.len()).map(|row| agents.body(row).bound()).fold(0.0, f32::max) * 2.0;
         self.step.grid.rebuild(&agents.position, &agents.number, widest.max(0.1) * 2.0);
         let grid = &self.step.grid;
         (0..agents.len()).any(|row| {
@@ -43,14 +44,18 @@ impl World {
         let Self { agents, groups, step, .. } = self;
         let widest = agents.radius.iter().copied().fold(0.1, f32::max);
         step.grid.rebuild(&agents.position, &agents.number, widest * 5.0);
+        step.long.rebuild(agents, widest * 5.0);
         step.most_neighbours = groups.iter().map(|group| group.neighbours).max().unwrap_or(1);
         step.neighbours.resize(agents.len() * step.most_neighbours, Near::default());
-        let grid = &step.grid;
+        let (grid, long) = (&step.grid, &step.long);
         parallel::rows(&mut step.neighbours, step.most_neighbours, Vec::new, |found, row, places| {
             let group = &groups[agents.group[row].index()];
             let accept = |near: &Near| near.row as usize != row && agents.avoids(row, near.row as usize);
             let at = agents.position[row];
             grid.nearest(at, group.neighbours, group.neighbour_distance, accept, found);
+            if !long.rows.is_empty() {
+                long.add(agents, grid, row, (group.neighbours, group.neighbour_distance), accept, found);
+            }
             places[..found.len()].copy_from_slice(found);
             if let Some(end) = places.get_mut(found.len()) {
                 // marks the end: nobody is their own neighbour
@@ -64,5 +69,119 @@ impl World {
         let places = &self.step.neighbours[row * most..(row + 1) * most];
         let count = places.iter().position(|near| near.row as usize == row).unwrap_or(most);
         &places[..count]
+    }
+}
+
+/// Bodies that are no discs: they may be near with their centres far.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Long {
+    rows: Vec<usize>,
+    grid: Grid,
+    /// Greatest distance of a point of a core from its centre.
+    reach: f32,
+}
+
+impl Long {
+    fn rebuild(&mut self, agents: &Columns, cell: f32) {
+        self.rows.clear();
+        self.rows.extend((0..agents.len()).filter(|&row| !agents.is_disc(row)));
+        self.reach = self.rows.iter().map(|&row| agents.core[row].length()).fold(0.0, f32::max);
+        let points: Vec<_> = self.rows.iter().map(|&row| agents.position[row]).collect();
+        let numbers: Vec<_> = self.rows.iter().map(|&row| agents.number[row]).collect();
+        self.grid.rebuild(&points, &numbers, cell);
+    }
+
+    /// Puts bodies into `found`, the discs nearest to `row` by their centres, where their cores are nearer: the `k`
+    /// nearest within `range` by the distance of cores.
+    fn add(
+        &self,
+        agents: &Columns,
+        grid: &Grid,
+        row: usize,
+        (k, range): (usize, f32),
+        accept: impl Fn(&Near) -> bool,
+        found: &mut Vec<Near>,
+    ) {
+        let at = agents.position[row];
+        if agents.is_disc(row) {
+            found.retain(|near| agents.is_disc(near.row as usize));
+            self.grid.within(at, range + self.reach, |near| {
+                found.push(Near { row: self.rows[near.row as usize] as u32, ..near });
+            });
+        } else {
+            found.clear();
+            grid.within(at, range + self.reach + agents.core[row].length(), |near| found.push(near));
+        }
+        found.retain(accept);
+        // cores are at least this far apart: who is too far by that needs no closer look
+        let reach = |row: usize| agents.core[row].length();
+        let least = |near: &Near| {
+            let cores = reach(row) + reach(near.row as usize);
+            (at.distance(agents.position[near.row as usize]) - cores) * 0.9999
+        };
+        found.sort_unstable_by(|a, b| least(a).total_cmp(&least(b)).then(a.number.cmp(&b.number)));
+        let mut kept = 0;
+        for next in 0..found.len() {
+            let mut near = found[next];
+            let worst = if kept < k { range } else { found[k - 1].distance_squared.sqrt() };
+            if least(&near) > worst {
+                break;
+            }
+            near.distance_squared = agents.offset(row, near.row as usize).length_squared();
+            if near.distance_squared > range * range {
+                continue;
+            }
+            let place = found[..kept]
+                .partition_point(|other| (other.distance_squared, other.number) < (near.distance_squared, near.number));
+            if place < k {
+                // the kept ones are in front, by distance
+                kept = (kept + 1).min(k);
+                found[place..=next].rotate_right(1);
+                found[place] = near;
+            }
+        }
+        found.truncate(kept);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Agent, Body, Group, Settings};
+    use glam::DVec2;
+    use proptest::prelude::*;
+
+    type One = ((f64, f64), f32, (f32, f32), bool);
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+
+        #[test]
+        fn the_nearest_are_those_of_a_search_through_all(
+            all in prop::collection::vec(((-6.0..6.0, -6.0..6.0), -3.0f32..3.0, (0.2f32..4.0, 0.2f32..0.6), any::<bool>()), 1..40),
+            k in 1usize..8, range in 1.0f32..6.0,
+        ) {
+            let mut world = World::new(Settings::default()).unwrap();
+            let group = Group { neighbours: k, neighbour_distance: range, ..Group::default() };
+            let group = world.add_group(group).unwrap();
+            for ((x, y), heading, (length, width), disc) in all as Vec<One> {
+                let body = if disc { Body::disc(width) } else { Body::capsule(length, width) };
+                let agent = Agent { position: DVec2::new(x, y), heading: Some(heading), group, ..Agent::default() };
+                world.add_agent(agent.with_body(body)).unwrap();
+            }
+            world.perceive();
+            let agents = &world.agents;
+            for row in 0..agents.len() {
+                let others = (0..agents.len()).filter(|&other| other != row);
+                let mut nearest: Vec<(f32, u32)> =
+                    others.map(|other| (agents.offset(row, other).length_squared(), agents.number[other])).collect();
+                nearest.retain(|near| near.0 <= range * range);
+                nearest.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+                nearest.truncate(k);
+                let found: Vec<(f32, u32)> =
+                    world.neighbours(row).iter().map(|near| (near.distance_squared, near.number)).collect();
+                prop_assert_eq!(found, nearest);
+            }
+        }
     }
 }

@@ -48,11 +48,12 @@ impl World {
     }
 
     /// Turns agents to where their ways begin: round walls to the first corner, else straight to the goal. Those who
-    /// are gone, have nowhere to go, or cannot get there, keep their headings. Meant for the start: agents that were
-    /// added without a heading face their goals, even through walls.
+    /// are gone, have nowhere to go, or cannot get there, keep their headings, and so do bodies that are no discs: turned
+    /// they might not fit. Meant for the start: agents that were added without a heading face their goals, even through
+    /// walls.
     pub fn face_ways(&mut self, agents: &[AgentId]) {
         let leg = |row: usize| self.first_leg(self.agents.journey[row], self.world_position(row));
-        let rows = agents.iter().filter_map(|&id| self.row(id));
+        let rows = agents.iter().filter_map(|&id| self.row(id)).filter(|&row| self.agents.is_disc(row));
         let mut ways: Vec<Planned> =
             rows.filter_map(|row| Some(Planned { row, leg: leg(row)?, outcome: None })).collect();
         self.prepare_meshes(&ways);
@@ -74,7 +75,7 @@ impl World {
             (Turn::Aside(route), _) | (_, Some(route)) => route,
             _ => return,
         };
-        let heading = match self.meshes.mesh(self.agents.radius[row]) {
+        let heading = match self.meshes.mesh(self.agents.body(row).girth()) {
             Some(mesh) => route.advance(mesh, at),
             None => route.end().map_or(Heading::Lost, Heading::End),
         };
@@ -97,7 +98,7 @@ impl World {
         let Some(stop) = self.stop(planned.row, planned.leg) else { return };
         let goal = &self.goals[stop.goal.index()];
         let from = self.world_position(planned.row);
-        let path = self.meshes.path(search, self.agents.radius[planned.row], from, stop.goal, goal);
+        let path = self.meshes.path(search, self.agents.body(planned.row).girth(), from, stop.goal, goal);
         planned.outcome = Some(path.map(|(path, gap)| (Route::new(&path), path.length, gap as f32)));
     }
 
@@ -134,7 +135,7 @@ impl World {
         let Some(extent) = self.extent else { return };
         let need = |&row: &usize| {
             let stop = self.stop(row, self.agents.travel[row].leg)?;
-            Some((self.agents.radius[row], stop.goal))
+            Some((self.agents.body(row).girth(), stop.goal))
         };
         let needs: Vec<_> = rows.iter().filter_map(need).collect();
         self.meshes.prepare(needs.into_iter(), &self.place, &self.goals, extent);

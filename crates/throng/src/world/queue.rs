@@ -74,7 +74,7 @@ impl World {
         }
         let all = others().filter_map(|other| {
             let radii = agents.radius[row] + agents.radius[other];
-            let offset = agents.position[other] - agents.position[row];
+            let offset = agents.offset(row, other);
             let aside = offset.perp_dot(direction).abs();
             (aside < FOLLOW_WIDTH * radii && self.leads(other, offset, direction)).then(|| {
                 let closing = (offset.length() - radii * (1.0 + MARGIN)).max(0.0) / FOLLOW_TIME;
@@ -93,7 +93,7 @@ impl World {
         self.neighbours(row).iter().any(|near| {
             let other = near.row as usize;
             let theirs = &self.step.ways[other];
-            let offset = agents.position[other] - agents.position[row];
+            let offset = agents.offset(row, other);
             let distance = offset.length();
             let close = distance - agents.radius[row] - agents.radius[other] < 2.0 * agents.radius[row];
             let ahead = offset.dot(direction) / distance;

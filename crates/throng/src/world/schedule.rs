@@ -3,6 +3,8 @@
 use super::World;
 use crate::agent::Agent;
 use crate::perceive::Grid;
+use crate::space::Core;
+use glam::Vec2;
 use serde::{Deserialize, Serialize};
 
 /// Agents that have yet to enter.
@@ -54,17 +56,23 @@ impl World {
         }
         let mut grid = Grid::default();
         grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
-        let largest = self.agents.radius.iter().copied().fold(0.0, f32::max);
+        let bound = |row: usize| self.agents.body(row).bound();
+        let largest = (0..self.agents.len()).map(bound).fold(0.0, f32::max);
         let settled = self.agents.len();
         for (time, agent) in due {
             let at = (agent.position - self.settings.origin).as_vec2();
+            let core = Core::new(at.as_dvec2(), self.first_heading(&agent), agent.core);
             let touches = |other: usize| {
-                let d = self.agents.position[other].as_dvec2().distance(at.as_dvec2());
+                let d = if agent.core == Vec2::ZERO && self.agents.is_disc(other) {
+                    self.agents.position[other].as_dvec2().distance(core.center)
+                } else {
+                    core.separation(&self.agents.core_of(other)).distance
+                };
                 d < (f64::from(self.agents.radius[other]) + f64::from(agent.radius)) * 1.01
             };
             let mut taken = (settled..self.agents.len()).any(touches);
-            grid.within(at, (agent.radius + largest) * 1.02, |near| taken |= touches(near.row as usize));
-            if taken || self.no_room(agent.position, agent.radius).is_some() {
+            grid.within(at, (agent.body().bound() + largest) * 1.02, |near| taken |= touches(near.row as usize));
+            if taken || self.no_room_for(&agent).is_some() {
                 self.schedule.add(time, agent);
             } else {
                 let number = agent.number.unwrap_or_default();

@@ -3,7 +3,7 @@
 use super::{Settings, Slots, World, schedule::Schedule, standoff::Standoff};
 use crate::Error;
 use crate::agent::Columns;
-use crate::navigate::{Goal, Journey, Unreachable};
+use crate::navigate::{Goal, Journey, Script, Unreachable};
 use crate::space::Place;
 use crate::summary::Tally;
 use glam::DVec2;
@@ -22,6 +22,7 @@ struct State {
     groups: Vec<String>,
     goals: Vec<Goal>,
     journeys: Vec<Journey>,
+    scripts: Vec<Script>,
     place: Place,
     schedule: Schedule,
     tally: Tally,
@@ -42,6 +43,7 @@ impl World {
             groups: self.groups.iter().map(|group| group.name.clone()).collect(),
             goals: self.goals.clone(),
             journeys: self.journeys.clone(),
+            scripts: self.scripts.clone(),
             place: self.place.clone(),
             schedule: self.schedule.clone(),
             tally: self.tally.clone(),
@@ -75,6 +77,7 @@ impl World {
         self.slots = state.slots;
         self.goals = state.goals;
         self.journeys = state.journeys;
+        self.scripts = state.scripts;
         self.schedule = state.schedule;
         self.tally = state.tally;
         self.stranded = state.stranded;

@@ -72,6 +72,7 @@ impl World {
         let agents = &self.agents;
         agents.status[row] == Status::Walking
             && agents.travel[row].turn == Turn::Free
+            && agents.script[row].is_none()
             && self.groups[agents.group[row].index()].resolve
     }
 

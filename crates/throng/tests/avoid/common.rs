@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 use proptest::prelude::*;
-use throng::avoid::{LocalModel, Neighbour, View, Workspace};
+use throng::avoid::{LocalModel, Neighbour, Outline, View, Workspace};
 
 pub fn vector(range: f32) -> impl Strategy<Value = Vec2> {
     (-range..range, -range..range).prop_map(|(x, y)| Vec2::new(x, y))
@@ -21,6 +21,7 @@ pub fn other(offset: Vec2, velocity: Vec2, radii: f32, share: f32) -> Neighbour 
         velocity,
         preferred: velocity,
         radii,
+        outline: Outline::POINT,
         share,
         room: 1.0 - share,
         aside: Vec2::X,

@@ -7,6 +7,7 @@ mod common;
 mod family;
 mod hrvo;
 mod orca;
+mod outline;
 mod rvo;
 mod rvo_lab;
 mod space;

@@ -3,7 +3,9 @@
 use crate::common::{choose, grid, other, vector, view};
 use glam::Vec2;
 use proptest::prelude::*;
-use throng::avoid::{Dice, LocalModel, NearDisc, Neighbour, Reason, Rvo, Search, View, Workspace, time_to_disc};
+use throng::avoid::{
+    Dice, LocalModel, NearDisc, Neighbour, Outline, Reason, Rvo, Search, View, Workspace, time_to_disc,
+};
 use throng::space::Disc;
 
 /// As the authors' library searches.
@@ -119,7 +121,10 @@ fn draws_fill_the_disc_evenly_and_differ_from_step_to_step() {
 /// A wall counts only where braking would not do.
 #[test]
 fn a_wall_counts_when_it_is_too_late_to_brake() {
-    let disc = |x: f32| [NearDisc { offset: Vec2::new(x, 0.0), disc: Disc { center: glam::DVec2::ZERO, radius: 1.0 } }];
+    let disc = |x: f32| {
+        let disc = Disc { center: glam::DVec2::ZERO, radius: 1.0 };
+        [NearDisc { offset: Vec2::new(x, 0.0), disc, outline: Outline::POINT }]
+    };
     // 1.4 m/s at 5 m/s²: 0.28 s, 0.39 m
     for (x, free) in [(1.2 + 0.45, true), (1.2 + 0.3, false)] {
         let discs = disc(x);

@@ -4,7 +4,7 @@ use crate::scenes::{busy, packed};
 use throng::{Status, World};
 
 /// Hash and bits, every now and then.
-type History = Vec<(u64, Vec<[u32; 6]>)>;
+pub type History = Vec<(u64, Vec<[u32; 6]>)>;
 
 /// Everybody's position, velocity and heading, bit for bit, by number.
 pub fn bits(world: &World) -> Vec<[u32; 6]> {
@@ -32,7 +32,7 @@ fn histories(order: u64) -> [History; 2] {
 }
 
 /// Hash and bits after every ten of 240 steps.
-fn history(mut world: World) -> History {
+pub fn history(mut world: World) -> History {
     let mut all = Vec::new();
     for step in 1..=240 {
         world.step();
@@ -43,7 +43,7 @@ fn history(mut world: World) -> History {
     all
 }
 
-fn with_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+pub fn with_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
 }
 

@@ -2,20 +2,25 @@
 
 mod anywhere;
 mod bad_starts;
+mod bodies;
 mod calm;
 mod changes;
 mod common;
 mod determinism;
 mod doors;
 mod entry;
+mod explain;
 mod journeys;
 mod limits;
 mod manners;
 mod mistakes;
+mod movers;
 mod narrow;
 mod obstacles;
 mod oracle;
 mod overlap;
+#[path = "../shared/polygons.rs"]
+mod polygons;
 mod saved;
 mod scenes;
 mod stranded;

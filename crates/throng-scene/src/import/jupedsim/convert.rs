@@ -45,7 +45,7 @@ pub(super) fn convert(config: &Value, mut areas: Vec<Area>) -> Result<Imported, 
             goal,
             source: distribution.source.into_iter().collect(),
             wait: distribution.wait,
-            body: crate::scene::Body { radius: distribution.radius },
+            body: crate::scene::Body::Radius(distribution.radius),
             speed: crate::scene::Speed { preferred: distribution.speed, max: None },
             ..Group::default()
         });

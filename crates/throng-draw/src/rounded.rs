@@ -1,4 +1,4 @@
-//! Agents: antialiased discs with a notch, laid straight onto the picture.
+//! Agents: antialiased discs and rounded rectangles with a notch, laid straight onto the picture.
 //!
 //! A pixel is covered by the clamped distance of its centre to the edge, which is right to a fraction of a percent of
 //! the disc's area; thousands of discs cost less than one filled path each would.
@@ -7,18 +7,22 @@ use crate::Color;
 use crate::image::{Image, blend};
 use glam::Vec2;
 
-/// One disc, in pixels.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Disc {
+/// One body, in pixels: everything within a radius of a rectangle; of a point, a disc.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Rounded {
     pub center: Vec2,
+    /// Half extents of the rectangle, along and across `along`; zero for a disc.
+    pub core: Vec2,
+    /// Unit vector along its length.
+    pub along: Vec2,
     pub radius: f32,
     pub fill: Color,
     /// The edge is drawn in this colour.
     pub rim: Color,
-    /// Width of the edge, inside the disc.
+    /// Width of the edge, inside.
     pub rim_width: f32,
-    /// Unit vector to the notch, and its colour.
-    pub notch: Option<(Vec2, Color)>,
+    /// Colour of the notch, which lies at the end of its length.
+    pub notch: Option<Color>,
 }
 
 /// The notch runs from here ...
@@ -30,12 +34,23 @@ pub(crate) const NOTCH_HALF_WIDTH: f32 = 0.14;
 /// Discs smaller than this have no notch, pixels.
 pub(crate) const NOTCH_LEAST_RADIUS: f32 = 3.5;
 
-impl Disc {
-    /// Lays the disc over the picture.
+impl Rounded {
+    /// Half of its narrower side.
+    pub fn girth(&self) -> f32 {
+        self.radius + self.core.min_element()
+    }
+
+    /// Centre of the disc that fills its front end.
+    pub fn front(&self) -> Vec2 {
+        self.center + self.along * (self.core.x - self.core.min_element())
+    }
+
+    /// Lays it over the picture.
     pub(crate) fn draw(&self, image: &mut Image) {
         // The linear ramp at the edge adds pi / 12 to the area of the disc; a slightly smaller disc makes up for it.
-        let r = (self.radius * self.radius - 1.0 / 12.0).max(0.01).sqrt();
-        let reach = r + 0.5;
+        let is_disc = self.core == Vec2::ZERO;
+        let r = if is_disc { (self.radius * self.radius - 1.0 / 12.0).max(0.01).sqrt() } else { self.radius };
+        let reach = r + self.core.length() + 0.5;
         let (width, height) = (image.width() as i32, image.height() as i32);
         let c = self.center;
         if !(c.is_finite() && reach.is_finite()) {
@@ -60,18 +75,26 @@ impl Disc {
         }
     }
 
+    /// Distance of a pixel from the rectangle, negative inside.
+    fn from_core(&self, offset: Vec2) -> f32 {
+        let local = Vec2::new(offset.dot(self.along), self.along.perp_dot(offset));
+        let beyond = local.abs() - self.core;
+        beyond.max(Vec2::ZERO).length() + beyond.max_element().min(0.0)
+    }
+
     fn pixel(&self, pixel: &mut [u8], offset: Vec2, r: f32) {
-        let distance = offset.length();
+        let distance = if self.core == Vec2::ZERO { offset.length() } else { self.from_core(offset) };
         let cover = (r + 0.5 - distance).clamp(0.0, 1.0);
         let mut color = self.fill;
         let rim = (distance - (r - self.rim_width) + 0.5).clamp(0.0, 1.0);
         if rim > 0.0 {
             color = color.mix(self.rim, rim);
         }
-        if let Some((direction, notch)) = self.notch {
-            let along = offset.dot(direction).clamp(NOTCH_FROM * r, NOTCH_TO * r);
+        if let Some(notch) = self.notch {
+            let (r, offset) = (r + self.core.min_element(), offset + self.center - self.front());
+            let along = offset.dot(self.along).clamp(NOTCH_FROM * r, NOTCH_TO * r);
             let half = (NOTCH_HALF_WIDTH * r).max(0.6);
-            let over = (half + 0.5 - offset.distance(direction * along)).clamp(0.0, 1.0);
+            let over = (half + 0.5 - offset.distance(self.along * along)).clamp(0.0, 1.0);
             if over > 0.0 {
                 color = color.mix(notch, over * f32::from(notch.a) / 255.0);
             }
@@ -88,8 +111,9 @@ mod tests {
     const BLACK: Color = Color::rgb(0);
     const WHITE: Color = Color::rgb(0xffffff);
 
-    fn white(center: Vec2, radius: f32) -> Disc {
-        Disc { center, radius, fill: WHITE, rim: WHITE, rim_width: 0.0, notch: None }
+    fn white(center: Vec2, radius: f32) -> Rounded {
+        let (core, along) = (Vec2::ZERO, Vec2::Y);
+        Rounded { center, core, along, radius, fill: WHITE, rim: WHITE, rim_width: 0.0, notch: None }
     }
 
     fn area(image: &Image) -> f64 {
@@ -111,6 +135,22 @@ mod tests {
     }
 
     #[test]
+    fn the_covered_pixels_of_a_rounded_rectangle_sum_to_its_area() {
+        for (core, radius) in [(Vec2::new(12.0, 0.0), 4.0), (Vec2::new(10.0, 6.0), 2.5), (Vec2::new(0.0, 9.0), 3.0)] {
+            for k in 0..16 {
+                let mut image = Image::new(64, 64, BLACK);
+                let along = Vec2::from_angle(k as f32 * 0.4);
+                let center = Vec2::new(32.0 + k as f32 * 0.0625, 32.0);
+                Rounded { core, along, ..white(center, radius) }.draw(&mut image);
+                let sides = 4.0 * core.x * core.y + 4.0 * radius * (core.x + core.y);
+                let want = f64::from(sides + std::f32::consts::PI * radius * radius);
+                let error = (area(&image) - want) / want;
+                assert!(error.abs() < 0.01, "{core} at {along}: {:.2} %", error * 100.0);
+            }
+        }
+    }
+
+    #[test]
     fn a_disc_across_the_corner_is_cut_off() {
         let mut image = Image::new(20, 20, BLACK);
         white(Vec2::ZERO, 10.0).draw(&mut image);
@@ -125,8 +165,7 @@ mod tests {
     fn the_notch_points_where_the_agent_does() {
         let mut image = Image::new(40, 40, BLACK);
         let grey = Color::rgb(0x808080);
-        Disc { fill: grey, rim: grey, notch: Some((Vec2::Y, WHITE)), ..white(Vec2::splat(20.0), 12.0) }
-            .draw(&mut image);
+        Rounded { fill: grey, rim: grey, notch: Some(WHITE), ..white(Vec2::splat(20.0), 12.0) }.draw(&mut image);
         assert_eq!(image.pixel(20, 27), WHITE);
         for (x, y) in [(20, 20), (20, 12), (12, 20), (27, 20)] {
             assert_eq!(image.pixel(x, y), grey, "at ({x}, {y})");

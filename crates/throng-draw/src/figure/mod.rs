@@ -1,0 +1,89 @@
+//! Why one agent goes where it goes: the figure that papers on velocity obstacles draw by hand.
+//!
+//! Left the agent and what is near it, to scale; right its velocities: what each neighbour and each wall forbids, what is
+//! left, and the velocities that the agent has, would like, and gets. See van den Berg, Guy, Lin, Manocha, Reciprocal
+//! n-body collision avoidance, ISRR 2009, figures 2 and 4.
+
+mod arrow;
+mod labels;
+mod near;
+mod region;
+mod sheet;
+mod tint;
+mod velocities;
+mod words;
+
+use crate::mark::Mark;
+use crate::picture::Picture;
+use crate::sink::Kind;
+use crate::text::Type;
+use crate::{Color, Error, Image, Style, raster, svg};
+use sheet::Sheet;
+use std::path::Path;
+use throng::Explanation;
+use throng_record::{Frame, Output, Setting};
+
+/// A finished figure.
+///
+/// ```
+/// use throng::{Agent, Settings, World};
+/// use throng_draw::{Figure, Style};
+/// use throng_record::{Frame, Setting};
+/// let mut world = World::new(Settings::default())?;
+/// let id = world.add_agent(Agent::default())?;
+/// let why = world.explain(id).expect("it is there");
+/// let figure = Figure::explain(&Setting::of(&world, "Alone"), &Frame::of(&world), &why, &Style::default())?;
+/// assert!(figure.svg().contains("Alone"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Figure {
+    size: (u32, u32),
+    base: Color,
+    marks: Vec<Mark>,
+}
+
+impl Figure {
+    /// The figure of an explanation: `frame` is the world at its time, `setting` the place. Of the style, size and
+    /// theme matter; a figure of 1200 by 760 pixels has room for everything.
+    ///
+    /// # Errors
+    /// [`Error::Size`] if the style's width or height is out of its limits.
+    pub fn explain(setting: &Setting, frame: &Frame, why: &Explanation, style: &Style) -> Result<Self, Error> {
+        Error::check_size(style.width, style.height)?;
+        let key = velocities::key(why);
+        let sheet = Sheet::new(style, words::caption(why), key);
+        let [near, scale] = near::marks(setting, frame, why, &sheet);
+        let [plot, numbers] = velocities::marks(why, &sheet);
+        let mut marks = vec![sheet.near.clip(near), sheet.plot.clip(plot)];
+        marks.extend([scale, numbers].concat());
+        marks.extend(sheet.frame(words::title(setting, why)));
+        Ok(Self { size: (style.width, style.height), base: style.theme.ground, marks })
+    }
+
+    /// The figure in pixels.
+    pub fn image(&self) -> Image {
+        let mut image = Image::new(self.size.0, self.size.1, self.base);
+        raster::draw(&mut image, &mut Type::new(), &self.marks);
+        image
+    }
+
+    /// The figure as an SVG document.
+    pub fn svg(&self) -> String {
+        svg::picture(self.size, self.base, &self.marks)
+    }
+
+    /// Writes the figure, a `.png` or `.svg` by the ending of the name.
+    ///
+    /// # Errors
+    /// [`Error::Still`] if it ends otherwise; the file cannot be written.
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), Error> {
+        let path = path.as_ref();
+        let picture = match Kind::of(path) {
+            Ok(Kind::Png) => Picture::Pixels(self.image()),
+            Ok(Kind::Svg) => Picture::Vector(self.svg()),
+            _ => return Err(Error::Still { path: path.to_path_buf() }),
+        };
+        picture.write(Output::create(path)?)
+    }
+}
