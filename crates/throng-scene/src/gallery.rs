@@ -16,6 +16,7 @@ const SCENES: &[(&str, &str)] = scenes![
     "circle",
     "box",
     "pillars",
+    "circle-lab",
     // Meetings.
     "headon",
     "ring",

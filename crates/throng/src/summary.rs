@@ -49,6 +49,9 @@ pub struct Summary {
     pub guard_share: f64,
     /// Mean over agents of the turning of their headings while on their way, degrees a second.
     pub heading_change_deg_per_s: f64,
+    /// Mean over agents of the turning of their direction of motion while on their way, degrees a second: trembling,
+    /// which headings smooth out. Motion below 0.1 m/s does not count.
+    pub course_change_deg_per_s: f64,
     /// Steps made.
     pub steps: u64,
     /// Sub-steps made: what steps were divided into.
@@ -107,14 +110,15 @@ impl Tally {
             (trip.shortest > 1e-3 && free > 0.0).then(|| (time / free, trip.walked / trip.shortest))
         };
         let (times, paths): (Vec<f64>, Vec<f64>) = trips.iter().filter_map(arrived).unzip();
-        let turns: Vec<f64> = trips
-            .iter()
-            .filter(|(_, ended)| ended.trip.on_way > 0.0)
-            .map(|(_, ended)| (ended.trip.turned / ended.trip.on_way).to_degrees())
-            .collect();
+        let a_second = |radians: fn(&Trip) -> f64| {
+            let on_way = trips.iter().map(|(_, ended)| &ended.trip).filter(|trip| trip.on_way > 0.0);
+            let all: Vec<f64> = on_way.map(|trip| (radians(trip) / trip.on_way).to_degrees()).collect();
+            mean(&all)
+        };
         summary.time_ratio = mean(&times);
         summary.path_ratio = mean(&paths);
-        summary.heading_change_deg_per_s = mean(&turns);
+        summary.heading_change_deg_per_s = a_second(|trip| trip.turned);
+        summary.course_change_deg_per_s = a_second(|trip| trip.course_turned);
         summary.arrived = trips.iter().filter(|(_, ended)| ended.trip.arrived.is_some()).count();
         summary.removed = self.removed.len();
         summary.least_separation = self.least_separation;

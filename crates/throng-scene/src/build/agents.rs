@@ -69,7 +69,7 @@ pub(super) fn shared(group: &Group, name: String) -> throng::Group {
         keep_right: group.keep_right.to_radians() as f32,
         detour: group.detour,
         resolve: group.resolve,
-        guard: group.guard,
+        guard: group.is_guarded(),
         ..throng::Group::default()
     }
 }

@@ -81,6 +81,8 @@ pub struct Trip {
     pub walked: f64,
     /// Radians its heading has turned, either way.
     pub turned: f64,
+    /// Radians the direction of its motion has turned, either way: unlike the heading it is not smoothed.
+    pub course_turned: f64,
     /// Seconds it has been on its way.
     pub on_way: f64,
     /// Metres of the shortest way of the legs begun so far.

@@ -64,6 +64,7 @@ impl World {
             let Pose { position: to, heading: certain } = self.step.targets[row];
             let motion = to - from;
             agents.position[row] = to;
+            let velocity_before = agents.velocity[row];
             agents.velocity[row] = velocity(from, to, self.step.wishes[row], seconds);
             let before = agents.heading[row];
             let heading = if agents.is_disc(row) {
@@ -78,6 +79,7 @@ impl World {
                 let trip = &mut agents.trip[row];
                 let turned = f64::from((heading - before).abs());
                 trip.turned += turned.min(std::f64::consts::TAU - turned);
+                trip.course_turned += f64::from(angle_between(velocity_before, agents.velocity[row]));
                 trip.on_way += f64::from(seconds);
                 trip.walked += f64::from(motion.length());
             }
@@ -129,6 +131,14 @@ impl World {
             }
         }
     }
+}
+
+/// Below this speed, m/s, a velocity has no direction that could be seen.
+const SEEN: f32 = 0.1;
+
+/// The angle between two velocities, radians, if both can be seen.
+fn angle_between(a: Vec2, b: Vec2) -> f32 {
+    if a.length() < SEEN || b.length() < SEEN { 0.0 } else { libm::atan2f(a.perp_dot(b), a.dot(b)).abs() }
 }
 
 /// The velocity of a motion. What was certified as it was wished is the wish: the motion may be far below what
