@@ -35,6 +35,8 @@ const SCENES: &[(&str, &str)] = scenes![
     "doorway",
     "doorway-0.8",
     "doorway-0.6",
+    "doorway-two-way",
+    "narrow-corridor",
     "maze",
     "office",
 ];

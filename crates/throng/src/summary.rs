@@ -43,6 +43,8 @@ pub struct Summary {
     pub least_wall_separation: f64,
     /// Pairs of bodies, and bodies and walls, that overlapped by more than 1e-4 of a radius, counted every sub-step.
     pub overlaps: u64,
+    /// How often people who blocked each other's ways agreed who steps aside.
+    pub standoffs: u64,
     /// Share of agent-steps in which the guard changed the motion by more than a hundredth.
     pub guard_share: f64,
     /// Mean over agents of the turning of their headings while on their way, degrees a second.
@@ -65,6 +67,7 @@ pub(crate) struct Tally {
     pub agent_steps: u64,
     pub guard_changed: u64,
     pub overlaps: u64,
+    pub standoffs: u64,
     pub least_separation: f64,
     pub least_wall_separation: f64,
     /// Trips of the agents that exits removed, with their numbers.
@@ -85,6 +88,7 @@ impl Default for Tally {
             agent_steps: 0,
             guard_changed: 0,
             overlaps: 0,
+            standoffs: 0,
             least_separation: f64::INFINITY,
             least_wall_separation: f64::INFINITY,
             removed: Vec::new(),
@@ -120,6 +124,7 @@ impl Tally {
         summary.least_separation = self.least_separation;
         summary.least_wall_separation = self.least_wall_separation;
         summary.overlaps = self.overlaps;
+        summary.standoffs = self.standoffs;
         summary.guard_share = self.guard_changed as f64 / (self.agent_steps.max(1) as f64);
         summary.sub_steps = self.sub_steps;
         summary.agent_steps = self.agent_steps;

@@ -61,6 +61,9 @@ pub struct Group {
     /// Whether an agent whom others block steps aside for a moment.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
     pub detour: bool,
+    /// Whether agents that cannot pass each other agree who steps aside.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub resolve: bool,
     /// How they avoid others.
     #[serde(default)]
     pub avoid: Avoid,
@@ -93,6 +96,7 @@ impl Default for Group {
             avoids: None,
             keep_right: default_keep_right(),
             detour: true,
+            resolve: true,
             avoid: Avoid::default(),
             guard: None,
             colour: None,

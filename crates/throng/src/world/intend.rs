@@ -2,7 +2,7 @@
 
 use super::{Way, World};
 use crate::agent::Status;
-use crate::navigate::{Goal, Keyframe, Travel, turned_right};
+use crate::navigate::{Goal, Keyframe, Travel, Turn, turned_right};
 use crate::parallel;
 use glam::{DVec2, Vec2};
 
@@ -14,6 +14,8 @@ impl World {
     pub(super) fn intend(&mut self, seconds: f32, now: f64) {
         self.plan();
         self.show_ways();
+        self.follow_others();
+        self.resolve(seconds);
         self.step.preferred.clear();
         self.step.preferred.resize(self.agents.len(), Vec2::ZERO);
         let mut travels = std::mem::take(&mut self.agents.travel);
@@ -47,8 +49,9 @@ impl World {
         ways.clear();
         ways.extend(self.agents.travel.iter().enumerate().map(|(row, travel)| Way {
             goal: self.goal_of(row),
-            direction: match self.agents.status[row] {
-                Status::Walking => self.towards(row, travel).normalize_or_zero(),
+            direction: match (self.agents.status[row], &travel.turn) {
+                (Status::Walking, Turn::Aside(_)) if travel.remaining < self.agents.radius[row] => Vec2::ZERO,
+                (Status::Walking, _) => self.towards(row, travel).normalize_or_zero(),
                 _ => Vec2::ZERO,
             },
             remaining: travel.remaining,
@@ -74,18 +77,22 @@ impl World {
         let group = &self.groups[agents.group[row].index()];
         let made = if speed > 0.0 { agents.velocity[row].dot(direction) / speed } else { 1.0 };
         let dice = self.dice(row);
-        let detour =
-            if group.detour { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
+        travel.stall(agents.radius[row], seconds * speed / agents.radius[row]);
+        let detours = group.detour && travel.turn == Turn::Free;
+        let detour = if detours { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
         // coming to a point: as slow as stopping there takes, half of the acceleration left to turn with, and never
         // past it
-        let arriving = match goal {
-            Goal::Point { .. } if self.is_last(row, travel.leg) => {
-                (agents.max_acceleration[row] * remaining).sqrt().min(remaining / seconds)
-            }
-            _ => f32::INFINITY,
+        let stops = match (&travel.turn, goal) {
+            (Turn::Aside(_), _) => true,
+            (_, goal) => matches!(goal, Goal::Point { .. }) && self.is_last(row, travel.leg),
+        };
+        let arriving = if stops {
+            (agents.max_acceleration[row] * remaining).sqrt().min(remaining / seconds)
+        } else {
+            f32::INFINITY
         };
         let bias = if distance > 2.0 * agents.radius[row] { group.keep_right } else { 0.0 };
-        let following = if detour == 0.0 { self.following_speed(row, direction) } else { f32::INFINITY };
+        let following = if detour == 0.0 { self.step.following[row].speed } else { f32::INFINITY };
         turned_right(direction, bias + detour) * speed.min(arriving).min(following)
     }
 
