@@ -1,7 +1,9 @@
 //! The command line.
 
+use crate::compare::{COMPARE, COMPARE_SHORT, CompareArgs};
 use crate::explain::args::{self as explain, ExplainArgs};
-use crate::look::{LookArgs, parse_not_negative, parse_positive};
+use crate::look::LookArgs;
+use crate::options::{EndArgs, FilmArgs, ThreadArgs};
 use crate::source::SceneArgs;
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
@@ -20,6 +22,7 @@ Examples:
   throng list                        the scenes of the gallery
   throng run circle                  run one; writes circle.mp4
   throng run plan.toml -o a.mp4 -o a.csv
+  throng compare circle -o c.html    the local models side by side
   throng check plan.toml             is it right, and what would it do?
   throng show doorway                a picture of the start, doorway.png
   throng explain circle --agent 3    why agent 3 goes where it goes, circle-agent-3.svg
@@ -32,6 +35,12 @@ pub enum Command {
     /// Runs a scene and writes what happens
     #[command(after_help = RUN_SHORT, after_long_help = RUN)]
     Run(Box<RunArgs>),
+    /// Runs a scene with several local models and shows them side by side
+    ///
+    /// Every model runs every seed. The table holds the median of each figure, and the range where there are several
+    /// seeds; docs/compare.md says what the figures mean.
+    #[command(after_help = COMPARE_SHORT, after_long_help = COMPARE)]
+    Compare(Box<CompareArgs>),
     /// Lists the scenes of the gallery
     List(ListArgs),
     /// Validates a scene and says what it would do
@@ -88,6 +97,7 @@ Keys of --json (one object on standard output):
   overlaps                  overlaps of bodies with bodies and walls, counted every sub-step
   guard_share               share of the moves that the guard changed by more than 1 %
   heading_change_deg_per_s  turning of the headings of those on their way, mean
+  course_change_deg_per_s   turning of their directions of motion, which headings smooth out: trembling
   steps, sub_steps          steps made, and the parts they were divided into
   agent_steps_per_second    moves of one agent by one sub-step, a second of computing the steps
   expect                    { passed, checks: [{ name, expected, found, passed }] }: the scene's [expect]
@@ -137,22 +147,17 @@ pub struct RunArgs {
     #[arg(long, conflicts_with = "output")]
     pub no_files: bool,
 
-    /// Ends at this many seconds at the latest, instead of the scene's `time.limit`
-    #[arg(long, value_name = "SECONDS", value_parser = parse_positive, conflicts_with = "duration")]
-    pub limit: Option<f64>,
-
-    /// Ends at this many seconds exactly, whatever the scene's `time.until` says
-    #[arg(long, value_name = "SECONDS", value_parser = parse_positive)]
-    pub duration: Option<f64>,
+    /// When it ends.
+    #[command(flatten)]
+    pub end: EndArgs,
 
     /// Does not check what the scene's [expect] says
     #[arg(long)]
     pub no_expect: bool,
 
-    /// Threads for the steps; 0: as many as there are cores. The result is the same for any number
-    #[cfg(feature = "parallel")]
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(..=1024))]
-    pub threads: u16,
+    /// How many threads.
+    #[command(flatten)]
+    pub threads: ThreadArgs,
 
     /// Shows no progress bar and no summary
     #[arg(short, long)]
@@ -162,31 +167,9 @@ pub struct RunArgs {
     #[arg(long)]
     pub json: bool,
 
-    /// Which moment .png and .svg show, seconds; without it, the last
-    #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative, help_heading = "Pictures")]
-    pub frame: Option<f64>,
-
-    /// Pictures a second of video [default: the scene's `view.fps`, else 25]
-    #[arg(long, value_name = "N", value_parser = parse_rate, help_heading = "Pictures")]
-    pub fps: Option<f64>,
-
-    /// Seconds of the scene in a second of video
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = parse_factor, help_heading = "Pictures")]
-    pub speed_up: f64,
-
-    /// How pictures look.
+    /// Which moments pictures show, and how they look.
     #[command(flatten)]
-    pub look: LookArgs,
-}
-
-impl RunArgs {
-    /// Threads for the steps; 0: as many as there are cores.
-    pub fn threads(&self) -> usize {
-        #[cfg(feature = "parallel")]
-        return usize::from(self.threads);
-        #[cfg(not(feature = "parallel"))]
-        1
-    }
+    pub film: FilmArgs,
 }
 
 /// What `throng list` is told.
@@ -219,14 +202,4 @@ pub struct CompletionsArgs {
     /// Which shell
     #[arg(value_enum)]
     pub shell: clap_complete::Shell,
-}
-
-fn parse_rate(text: &str) -> Result<f64, String> {
-    let rate = parse_positive(text)?;
-    if (0.001..=1000.0).contains(&rate) { Ok(rate) } else { Err("write a number from 0.001 to 1000".into()) }
-}
-
-fn parse_factor(text: &str) -> Result<f64, String> {
-    let factor = parse_positive(text)?;
-    if (1e-3..=1e6).contains(&factor) { Ok(factor) } else { Err("write a number from 0.001 to 1000000".into()) }
 }

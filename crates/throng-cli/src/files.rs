@@ -1,9 +1,10 @@
 //! The files a run writes.
 
 use crate::failure::Failure;
+use crate::pace::Pace;
 use std::path::{Path, PathBuf};
 use throng_draw::sink::Kind;
-use throng_draw::{Film, Still, Style};
+use throng_draw::{Film, Sheet, Still, Style};
 use throng_record::csv::CsvWriter;
 use throng_record::{Frame, Setting};
 
@@ -19,9 +20,7 @@ pub struct Files {
     paths: Vec<PathBuf>,
     /// The moment to capture into, kept for its memory.
     moment: Frame,
-    /// Seconds of the world between two pictures.
-    interval: f64,
-    pictures: u64,
+    pace: Pace,
     /// Time of the last picture.
     last: Option<f64>,
 }
@@ -47,18 +46,15 @@ impl Files {
     /// A name does not say what to write or comes twice, or a file cannot be begun.
     pub fn create(paths: &[PathBuf], plan: &Plan) -> Result<Self, Failure> {
         let mut files = Vec::new();
-        for (index, path) in paths.iter().enumerate() {
-            if paths[..index].contains(path) {
-                return Err(Failure::hint(format!("{} is given twice", path.display()), "leave one of the two out"));
-            }
+        distinct(paths)?;
+        for path in paths {
             files.push(begin(path, plan)?);
         }
         Ok(Self {
             files,
             paths: paths.to_vec(),
             moment: Frame::default(),
-            interval: plan.speed_up / plan.rate,
-            pictures: 0,
+            pace: Pace::new(plan.speed_up / plan.rate),
             last: None,
         })
     }
@@ -74,12 +70,7 @@ impl Files {
     /// # Errors
     /// A file cannot be written.
     pub fn push(&mut self, time: f64, step: f64, capture: impl FnOnce(&mut Frame)) -> Result<(), Failure> {
-        let reach = time + step * 0.5;
-        let mut due = 0;
-        while self.pictures as f64 * self.interval < reach - 1e-9 {
-            self.pictures += 1;
-            due += 1;
-        }
+        let due = self.pace.due(time, step);
         if self.files.is_empty() || (due == 0 && !self.files.iter().any(|file| matches!(file, File::Table(_)))) {
             return Ok(());
         }
@@ -124,9 +115,36 @@ impl Files {
 }
 
 fn begin(path: &Path, plan: &Plan) -> Result<File, Failure> {
-    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) && !path.is_dir() {
+    if is(path, "csv") {
         return Ok(File::Table(Box::new(CsvWriter::create(path, plan.setting)?)));
     }
+    let film = film(path, plan.setting, plan.style, plan.rate, &["csv"])?;
+    Ok(File::Film(Box::new(film.still(plan.still))))
+}
+
+/// That no file is named twice.
+///
+/// # Errors
+/// One is.
+pub fn distinct(paths: &[PathBuf]) -> Result<(), Failure> {
+    for (index, path) in paths.iter().enumerate() {
+        if paths[..index].contains(path) {
+            return Err(Failure::hint(format!("{} is given twice", path.display()), "leave one of the two out"));
+        }
+    }
+    Ok(())
+}
+
+/// Whether a name has this ending, which files have and folders do not.
+pub fn is(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending)) && !path.is_dir()
+}
+
+/// Begins a picture or a video; `others` are the endings of what else could have been written.
+///
+/// # Errors
+/// The name does not say what to write, or the file cannot be begun.
+pub fn film(path: &Path, sheet: impl Into<Sheet>, style: &Style, rate: f64, others: &[&str]) -> Result<Film, Failure> {
     let slash = path.as_os_str().as_encoded_bytes().last().is_some_and(|&byte| std::path::is_separator(byte.into()));
     if path.is_dir() && !slash {
         let text = format!("cannot write {}: it is a folder", path.display());
@@ -134,14 +152,17 @@ fn begin(path: &Path, plan: &Plan) -> Result<File, Failure> {
     }
     if let Err(throng_draw::Error::Extension { .. }) = Kind::of(path) {
         let text = format!("{}: cannot tell what to write from this name", path.display());
+        let (last, others) = others.split_last().unwrap_or((&"csv", &[]));
+        let others: String = others.iter().map(|other| format!(", .{other}")).collect();
         return Err(Failure::hint(
             text,
-            "end it in .mp4, .gif, .png, .svg or .csv, in another video's ending such as .avi, .mkv or .webm, or in / \
-             for a folder of PNG files",
+            format!(
+                "end it in .mp4, .gif, .png, .svg{others} or .{last}, in another video's ending such as .avi, .mkv or \
+                 .webm, or in / for a folder of PNG files"
+            ),
         ));
     }
-    let film = Film::create(path, plan.setting, plan.style, plan.rate)?.still(plan.still);
-    Ok(File::Film(Box::new(film)))
+    Ok(Film::create(path, sheet, style, rate)?)
 }
 
 /// That a path names a single picture, which is all that `command` writes.

@@ -2,6 +2,8 @@
 
 mod args;
 mod check;
+mod clock;
+mod compare;
 mod completions;
 mod explain;
 mod failure;
@@ -10,7 +12,9 @@ mod interrupt;
 mod list;
 mod look;
 mod moment;
+mod options;
 mod out;
+mod pace;
 mod progress;
 mod report;
 mod run;
@@ -29,6 +33,7 @@ fn main() -> ExitCode {
     let mut out = Out::new();
     let result = match &arguments.command {
         Command::Run(args) => run::run(args, &mut out),
+        Command::Compare(args) => compare::compare(args, &mut out),
         Command::List(args) => list::list(args, &mut out),
         Command::Check(args) => check::check(args, &mut out),
         Command::Show(args) => show::show(args, &mut out),

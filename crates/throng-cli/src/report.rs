@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::out::Out;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 use std::time::Duration;
 use throng::Summary;
@@ -32,10 +32,6 @@ pub struct Report {
 }
 
 impl Report {
-    fn agent_steps_per_second(&self) -> f64 {
-        self.summary.agent_steps as f64 / self.stepping.as_secs_f64()
-    }
-
     fn cpu_per_simulated_second(&self) -> Option<f64> {
         self.cpu.map(|cpu| cpu.as_secs_f64() / self.summary.time).filter(|share| share.is_finite())
     }
@@ -43,24 +39,9 @@ impl Report {
     /// The summary as one JSON object. `throng run --help` describes its keys.
     pub fn json(&self) -> Value {
         let s = &self.summary;
-        // Without anybody who arrived, there is no mean.
-        let of_arrived = |value: f64| if s.arrived > 0 && value > 0.0 { number(value) } else { Value::Null };
-        json!({
-            "scene": self.scene,
-            "agents": s.agents,
-            "arrived": s.arrived,
-            "removed": s.removed,
-            "resting": s.resting,
-            "stuck": s.stuck,
-            "time": number(s.time),
-            "time_ratio": of_arrived(s.time_ratio),
-            "path_ratio": of_arrived(s.path_ratio),
-            "least_separation": number(s.least_separation),
-            "overlaps": s.overlaps,
-            "guard_share": number(s.guard_share),
-            "heading_change_deg_per_s": number(s.heading_change_deg_per_s),
-            "steps": s.steps,
-            "agent_steps_per_second": number(self.agent_steps_per_second()),
+        let mut all = Map::from_iter([("scene".to_owned(), json!(self.scene))]);
+        all.extend(figures(s, self.stepping));
+        let rest = json!({
             "expect": self.verdict,
             "sub_steps": s.sub_steps,
             "least_wall_separation": number(s.least_wall_separation),
@@ -69,7 +50,9 @@ impl Report {
             "cpu_per_simulated_second": self.cpu_per_simulated_second(),
             "interrupted": self.interrupted,
             "files": self.files.iter().map(|path| path.to_string_lossy()).collect::<Vec<_>>(),
-        })
+        });
+        all.extend(rest.as_object().cloned().unwrap_or_default());
+        Value::Object(all)
     }
 
     /// Writes the summary for people.
@@ -98,12 +81,12 @@ impl Report {
         let (bodies, walls) = (apart(s.least_separation), apart(s.least_wall_separation));
         let overlaps = s.overlaps;
         out.line(format_args!("  distance   bodies {bodies}, walls {walls} (1: they touched); {overlaps} overlaps"))?;
-        let (guard, turning) = (s.guard_share * 100.0, s.heading_change_deg_per_s.max(0.0));
+        let (guard, turning, course) = (s.guard_share * 100.0, s.heading_change_deg_per_s, s.course_change_deg_per_s);
         out.line(format_args!(
-            "  motion     the guard changed {guard:.2} % of the moves; headings turn {turning:.1} °/s"
+            "  motion     the guard changed {guard:.2} % of the moves; headings turn {turning:.1} °/s, courses {course:.1} °/s"
         ))?;
         let cpu = self.cpu_per_simulated_second().map(|c| format!(", {c:.4} CPU s a simulated s")).unwrap_or_default();
-        let rate = self.agent_steps_per_second();
+        let rate = rate(s, self.stepping);
         let wall = self.wall.as_secs_f64();
         out.line(format_args!("  computing  {wall:.2} s{cpu}; {rate:.3e} agent steps/s ({} sub-steps)", s.sub_steps))?;
         for check in &self.verdict.checks {
@@ -114,6 +97,35 @@ impl Report {
         }
         Ok(())
     }
+}
+
+/// The figures of a run whose steps took so long, under the names that `throng run --help` describes.
+pub fn figures(s: &Summary, stepping: Duration) -> Map<String, Value> {
+    // Without anybody who arrived, there is no mean.
+    let of_arrived = |value: f64| if s.arrived > 0 && value > 0.0 { number(value) } else { Value::Null };
+    let figures = json!({
+        "agents": s.agents,
+        "arrived": s.arrived,
+        "removed": s.removed,
+        "resting": s.resting,
+        "stuck": s.stuck,
+        "time": number(s.time),
+        "time_ratio": of_arrived(s.time_ratio),
+        "path_ratio": of_arrived(s.path_ratio),
+        "least_separation": number(s.least_separation),
+        "overlaps": s.overlaps,
+        "guard_share": number(s.guard_share),
+        "heading_change_deg_per_s": number(s.heading_change_deg_per_s),
+        "course_change_deg_per_s": number(s.course_change_deg_per_s),
+        "steps": s.steps,
+        "agent_steps_per_second": number(rate(s, stepping)),
+    });
+    figures.as_object().cloned().unwrap_or_default()
+}
+
+/// Moves of one agent by one sub-step, a second of computing the steps.
+fn rate(summary: &Summary, stepping: Duration) -> f64 {
+    summary.agent_steps as f64 / stepping.as_secs_f64()
 }
 
 /// A number; null for one that is infinite or none.

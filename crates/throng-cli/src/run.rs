@@ -4,14 +4,13 @@ use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::{Files, Plan};
 use crate::out::{Out, complain};
-use crate::progress::Progress;
+use crate::progress::{Progress, share};
 use crate::report::{Report, cpu_time};
 use crate::source::Loaded;
 use crate::{interrupt, moment, threads};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
-use throng_draw::Still;
-use throng_scene::{Expect, Until, Watch};
+use throng_scene::{Expect, Watch};
 
 /// Runs a scene, writes its files and its summary, and checks its `[expect]`.
 ///
@@ -19,12 +18,7 @@ use throng_scene::{Expect, Until, Watch};
 /// The scene cannot be built, a file cannot be written, the run was interrupted, or an expectation failed.
 pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
     let mut loaded = args.scene.load()?;
-    if let Some(limit) = args.limit.or(args.duration) {
-        loaded.scene.time.limit = limit;
-    }
-    if args.duration.is_some() {
-        loaded.scene.time.until = Until::Limit;
-    }
+    args.end.apply(&mut loaded.scene);
     if args.no_expect {
         loaded.scene.expect = Expect::default();
     }
@@ -32,7 +26,7 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
         loaded.notes.iter().for_each(|note| complain(&format!("note: {note}")));
     }
     interrupt::watch();
-    let report = threads::with(args.threads(), || simulate(args, &loaded))?;
+    let report = threads::with(args.threads.count(), || simulate(args, &loaded))?;
     if args.json {
         out.line(format_args!("{}", report.json()))?;
     } else if !args.quiet {
@@ -60,21 +54,20 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let begin = Instant::now();
     let Loaded { name, scene, .. } = loaded;
     let (mut world, built) = loaded.build()?;
-    let style = args.look.style(scene, built.bounds)?;
-    let title = if scene.title.is_empty() { name } else { &scene.title };
+    let style = args.film.look.style(scene, built.bounds)?;
     let plan = Plan {
-        setting: &moment::setting(&world, title),
+        setting: &moment::setting(&world, loaded.title()),
         style: &style,
-        rate: args.fps.or(scene.view.fps).unwrap_or(25.0),
-        speed_up: args.speed_up,
-        still: args.frame.map_or(Still::Last, Still::Time),
+        rate: args.film.rate(scene),
+        speed_up: args.film.speed_up,
+        still: args.film.still(),
     };
     let mut files = Files::create(&outputs(args, name), &plan)?;
     let paths = files.paths().to_vec();
 
     let step = scene.time.step;
     let mut watch = Watch::new(&scene.expect, &world);
-    let progress = Progress::new(args.quiet, scene.time.limit);
+    let progress = Progress::new(args.quiet);
     let mut stepping = Duration::ZERO;
     files.push(0.0, step, |frame| moment::capture(&world, frame))?;
     while !scene.time.over(&world) && !interrupt::asked() {
@@ -83,7 +76,10 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         stepping += start.elapsed();
         files.push(world.time(), step, |frame| moment::capture(&world, frame))?;
         watch.step(&world);
-        progress.show(&world);
+        progress.show(share(&world, scene.time.limit), || {
+            let counts = world.counts();
+            format!("{:.1} s, {}/{} arrived", world.time(), counts.arrived, counts.agents)
+        });
     }
     progress.done();
     files.finish(world.time(), |frame| moment::capture(&world, frame))?;

@@ -19,10 +19,9 @@ pub fn show(args: &ShowArgs, out: &mut Out) -> Result<(), Failure> {
     one_picture(&path, "show")?;
     let (world, built) = loaded.build()?;
     let style = Style { trails: 0.0, ..args.look.style(&loaded.scene, built.bounds)? };
-    let title = if loaded.scene.title.is_empty() { &loaded.name } else { &loaded.scene.title };
     let mut frame = Frame::default();
     moment::capture(&world, &mut frame);
-    let mut film = Film::create(&path, &moment::setting(&world, title), &style, 25.0)?;
+    let mut film = Film::create(&path, &moment::setting(&world, loaded.title()), &style, 25.0)?;
     film.push(&frame)?;
     film.finish()?;
     out.line(format_args!("wrote {}", path.display()))

@@ -38,7 +38,7 @@ pub struct SceneArgs {
 }
 
 /// A scene, what it is called, and what its importer left out.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Loaded {
     /// The stem of the names of files made from it.
     pub name: String,
@@ -53,6 +53,11 @@ pub struct Loaded {
 }
 
 impl Loaded {
+    /// The scene's title; its name where it has none.
+    pub fn title(&self) -> &str {
+        if self.scene.title.is_empty() { &self.name } else { &self.scene.title }
+    }
+
     /// Makes the world. What is wrong is said with the file's name, and with the option it comes from.
     ///
     /// # Errors

@@ -1,10 +1,11 @@
 //! From moments to a finished file: a painter and a sink in one.
 
 use crate::picture::Picture;
+use crate::sheet::SheetPainter;
 use crate::sink::{Ahead, FrameSink, Kind, sink};
-use crate::{Error, Painter, Style};
+use crate::{Error, Sheet, Style};
 use std::path::{Path, PathBuf};
-use throng_record::{Frame, Output, Setting};
+use throng_record::{Frame, Output};
 
 /// Which moment a single picture (`.png`, `.svg`) shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -35,9 +36,9 @@ pub enum Still {
 /// ```
 pub struct Film {
     path: PathBuf,
-    setting: Setting,
+    sheet: Sheet,
     style: Style,
-    painter: Option<Painter>,
+    painter: Option<SheetPainter>,
     target: Target,
     count: usize,
 }
@@ -46,27 +47,28 @@ enum Target {
     /// Every moment is painted.
     Moving(Box<dyn FrameSink>),
     /// One moment is painted.
-    Still { which: Still, kind: Kind, picture: Option<Picture>, last: Option<Frame>, output: Output },
+    Still { which: Still, kind: Kind, picture: Option<Picture>, last: Vec<Frame>, output: Output },
 }
 
 impl Film {
     /// Begins `path`, at `rate` moments a second. The view is fitted to the first moment that is pushed, unless the
-    /// style names one. Of a single picture, the last moment is shown; see [`still`](Self::still).
+    /// style names one. Of a single picture, the last moment is shown; see [`still`](Self::still). `sheet` is a
+    /// [`Sheet`] of several recordings, or the setting of one.
     ///
     /// # Errors
     /// The ending of the name is unknown, the folder is missing or cannot be written to, the rate or the size of the
     /// picture is out of its limits, or ffmpeg is needed and not there.
-    pub fn create(path: impl AsRef<Path>, setting: &Setting, style: &Style, rate: f64) -> Result<Self, Error> {
+    pub fn create(path: impl AsRef<Path>, sheet: impl Into<Sheet>, style: &Style, rate: f64) -> Result<Self, Error> {
         let path = path.as_ref().to_path_buf();
         Error::check_size(style.width, style.height)?;
         let target = match Kind::of(&path)? {
             kind @ (Kind::Png | Kind::Svg) => {
                 let output = Output::create(&path)?;
-                Target::Still { which: Still::Last, kind, picture: None, last: None, output }
+                Target::Still { which: Still::Last, kind, picture: None, last: Vec::new(), output }
             }
             _ => Target::Moving(Ahead::start(sink(&path, rate)?)),
         };
-        Ok(Self { path, setting: setting.clone(), style: style.clone(), painter: None, target, count: 0 })
+        Ok(Self { path, sheet: sheet.into(), style: style.clone(), painter: None, target, count: 0 })
     }
 
     /// Chooses the moment that a single picture shows. It does nothing to a video.
@@ -83,31 +85,41 @@ impl Film {
         self.count
     }
 
-    /// Appends a moment.
+    /// Appends a moment of the one recording.
+    ///
+    /// # Errors
+    /// Those of [`push_all`](Self::push_all).
+    pub fn push(&mut self, frame: &Frame) -> Result<(), Error> {
+        self.push_all(&[frame])
+    }
+
+    /// Appends a moment of each panel, in their order. The time of the picture is the latest of them: a recording that
+    /// has ended is given its last moment again.
     ///
     /// # Errors
     /// It cannot be written or encoded.
-    pub fn push(&mut self, frame: &Frame) -> Result<(), Error> {
+    pub fn push_all(&mut self, frames: &[&Frame]) -> Result<(), Error> {
         let painter = match &mut self.painter {
             Some(painter) => painter,
-            none => none.insert(Painter::new(&self.setting, &self.style, frame)?),
+            none => none.insert(SheetPainter::new(&self.sheet, &self.style, frames)?),
         };
         let index = self.count;
         self.count += 1;
         match &mut self.target {
-            Target::Moving(sink) => sink.push(painter.paint(frame)),
+            Target::Moving(sink) => sink.push(painter.paint(frames)),
             Target::Still { picture: Some(_), .. } => Ok(()),
             Target::Still { which, kind, picture, last, .. } => {
                 let now = match *which {
                     Still::Last => false,
                     Still::Index(wanted) => index == wanted,
-                    Still::Time(wanted) => frame.time >= wanted,
+                    Still::Time(wanted) => frames.iter().any(|frame| frame.time >= wanted),
                 };
                 if now {
-                    *picture = Some(picture_of(painter, *kind, frame));
+                    *picture = Some(picture_of(painter, *kind, frames));
                 } else {
-                    painter.follow(frame);
-                    last.get_or_insert_default().clone_from(frame);
+                    painter.follow(frames);
+                    last.resize_with(frames.len(), Frame::default);
+                    last.iter_mut().zip(frames).for_each(|(last, frame)| last.clone_from(frame));
                 }
                 Ok(())
             }
@@ -124,14 +136,14 @@ impl Film {
             Target::Moving(sink) => return sink.finish(),
             Target::Still { kind, picture, last, output, .. } => (kind, picture, last, output),
         };
-        let picture = picture.unwrap_or_else(|| picture_of(&mut painter, kind, &last.unwrap_or_default()));
+        let picture = picture.unwrap_or_else(|| picture_of(&mut painter, kind, &last.iter().collect::<Vec<_>>()));
         picture.write(output)
     }
 }
 
-fn picture_of(painter: &mut Painter, kind: Kind, frame: &Frame) -> Picture {
+fn picture_of(painter: &mut SheetPainter, kind: Kind, frames: &[&Frame]) -> Picture {
     match kind {
-        Kind::Svg => Picture::Vector(painter.svg(frame)),
-        _ => Picture::Pixels(painter.paint(frame).clone()),
+        Kind::Svg => Picture::Vector(painter.svg(frames)),
+        _ => Picture::Pixels(painter.paint(frames).clone()),
     }
 }

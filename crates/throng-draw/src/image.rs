@@ -52,6 +52,16 @@ impl Image {
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.data.copy_from_slice(&other.data);
     }
+
+    /// Copies `other` into this, its first pixel at `corner` (column, row); what does not fit is left out.
+    pub(crate) fn lay(&mut self, other: &Self, corner: (u32, u32)) {
+        let width = other.width.min(self.width.saturating_sub(corner.0)) as usize * 4;
+        let rows = self.data.chunks_exact_mut(self.width as usize * 4).skip(corner.1 as usize);
+        for (row, from) in rows.zip(other.data.chunks_exact(other.width as usize * 4)) {
+            let left = corner.0 as usize * 4;
+            row[left..left + width].copy_from_slice(&from[..width]);
+        }
+    }
 }
 
 impl Image {

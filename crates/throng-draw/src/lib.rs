@@ -1,8 +1,9 @@
 //! Pictures and video of worlds.
 //!
 //! [`Film`] turns the moments of a recording into a file of the kind its name says: MP4 or GIF, PNG or SVG, a folder of
-//! PNG files, or any other video that an installed ffmpeg writes. [`Painter`] paints single moments into memory, with
-//! the look that [`Style`] describes; [`Figure`] draws why one agent goes where it goes; [`sink`] holds the kinds of output for pictures of any origin.
+//! PNG files, or any other video that an installed ffmpeg writes; a [`Sheet`] shows several recordings side by side.
+//! [`Painter`] paints single moments into memory, with the look that [`Style`] describes; [`Figure`] draws why one
+//! agent goes where it goes; [`sink`] holds the kinds of output for pictures of any origin.
 
 mod camera;
 mod color;
@@ -18,6 +19,7 @@ mod picture;
 mod place;
 mod raster;
 mod rounded;
+mod sheet;
 pub mod sink;
 mod style;
 mod svg;
@@ -31,5 +33,7 @@ pub use figure::Figure;
 pub use film::{Film, Still};
 pub use image::Image;
 pub use painter::Painter;
+pub use place::points_to_go;
+pub use sheet::{Sheet, columns, title_height};
 pub use sink::FrameSink;
 pub use style::{ColorBy, Style, Theme};

@@ -70,7 +70,7 @@ impl Look {
         match self.by {
             ColorBy::Group => self.group(body.group as usize),
             ColorBy::Altitude => ramp(body.altitude / self.highest),
-            ColorBy::Speed { .. } => ramp(body.velocity.length() / self.fastest),
+            ColorBy::Speed { .. } => ramp(body.speed() / self.fastest),
             ColorBy::Goal => {
                 body.goal.and_then(|goal| self.goals.get(goal as usize).copied()).unwrap_or(Color::rgb(0x8a9099))
             }

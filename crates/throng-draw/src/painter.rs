@@ -139,6 +139,11 @@ impl Painter {
         &self.image
     }
 
+    /// What was painted last.
+    pub(crate) fn image(&self) -> &Image {
+        &self.image
+    }
+
     /// How trails are drawn.
     pub(crate) fn brush(&self) -> Brush {
         Brush { camera: self.camera, seconds: f64::from(self.style.trails) }

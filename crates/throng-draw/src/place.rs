@@ -105,8 +105,9 @@ fn goal_areas(setting: &Setting, style: &Style, camera: &Camera, unit: f32, mark
     }
 }
 
-fn goal_points(setting: &Setting, style: &Style, camera: &Camera, unit: f32, first: &Frame, marks: &mut Vec<Mark>) {
-    // Where somebody stands already, waiting to set off, is nobody's goal to look at.
+/// The point goals worth drawing, and how near one must come, metres. Where somebody stands already at the `first`
+/// moment, waiting to set off, is nobody's goal to look at.
+pub fn points_to_go(setting: &Setting, first: &Frame) -> impl Iterator<Item = (DVec2, f64)> {
     let mut waits = vec![false; setting.goals.len()];
     for body in &first.bodies {
         let goal = body.goal.map(|goal| goal as usize).filter(|&goal| goal < waits.len());
@@ -116,14 +117,15 @@ fn goal_points(setting: &Setting, style: &Style, camera: &Camera, unit: f32, fir
             waits[goal] |= setting.goals[goal].holds(body.position.extend(body.altitude.into()));
         }
     }
-    let mut rings: Vec<(Vec2, f32)> = setting
-        .goals
-        .iter()
-        .zip(waits)
-        .filter_map(|(goal, waits)| {
-            let tolerance = goal.tolerance().filter(|_| !waits)?;
-            Some((camera.pixel(goal.middle()), camera.length(f64::from(tolerance))))
-        })
+    setting.goals.iter().zip(waits).filter_map(|(goal, waits)| {
+        let tolerance = goal.tolerance().filter(|_| !waits)?;
+        Some((goal.middle(), f64::from(tolerance)))
+    })
+}
+
+fn goal_points(setting: &Setting, style: &Style, camera: &Camera, unit: f32, first: &Frame, marks: &mut Vec<Mark>) {
+    let mut rings: Vec<(Vec2, f32)> = points_to_go(setting, first)
+        .map(|(at, tolerance)| (camera.pixel(at), camera.length(tolerance)))
         .filter(|(center, radius)| center.is_finite() && radius.is_finite())
         .collect();
     // One ring for goals in one place.

@@ -76,14 +76,14 @@ impl Rounded {
     }
 
     /// Distance of a pixel from the rectangle, negative inside.
-    fn from_core(&self, offset: Vec2) -> f32 {
+    fn beyond(&self, offset: Vec2) -> f32 {
         let local = Vec2::new(offset.dot(self.along), self.along.perp_dot(offset));
         let beyond = local.abs() - self.core;
         beyond.max(Vec2::ZERO).length() + beyond.max_element().min(0.0)
     }
 
     fn pixel(&self, pixel: &mut [u8], offset: Vec2, r: f32) {
-        let distance = if self.core == Vec2::ZERO { offset.length() } else { self.from_core(offset) };
+        let distance = if self.core == Vec2::ZERO { offset.length() } else { self.beyond(offset) };
         let cover = (r + 0.5 - distance).clamp(0.0, 1.0);
         let mut color = self.fill;
         let rim = (distance - (r - self.rim_width) + 0.5).clamp(0.0, 1.0);

@@ -12,28 +12,26 @@ impl Painter {
     /// The moment as an SVG document, with the look of [`paint`](Self::paint).
     pub fn svg(&mut self, frame: &Frame) -> String {
         self.follow(frame);
-        let mut out = String::new();
-        self.write_svg(&mut out, frame).expect("writing to a string does not fail");
-        out
+        let size = (self.style.width, self.style.height);
+        document(size, self.base(), |out| self.write_content(out, frame, ""))
     }
 
-    fn write_svg(&self, out: &mut String, frame: &Frame) -> fmt::Result {
-        document(out, (self.style.width, self.style.height), self.base(), |out| {
-            group(out, "place", |out| write_marks(out, &self.place))?;
-            group(out, "trails", |out| self.write_trails(out, frame))?;
-            let bodies = stacked(frame);
-            if bodies.last().is_some_and(|body| body.altitude > 0.0) {
-                let shadows: Vec<Mark> = bodies.iter().filter_map(|body| self.shadow(body)).collect();
-                group(out, "shadows", |out| write_marks(out, &shadows))?;
+    /// What is inside the document; `tag` is added to the names of its parts.
+    fn write_content(&self, out: &mut String, frame: &Frame, tag: &str) -> fmt::Result {
+        group(out, "place", tag, |out| write_marks(out, &self.place))?;
+        group(out, "trails", tag, |out| self.write_trails(out, frame))?;
+        let bodies = stacked(frame);
+        if bodies.last().is_some_and(|body| body.altitude > 0.0) {
+            let shadows: Vec<Mark> = bodies.iter().filter_map(|body| self.shadow(body)).collect();
+            group(out, "shadows", tag, |out| write_marks(out, &shadows))?;
+        }
+        group(out, "agents", tag, |out| bodies.iter().try_for_each(|body| write_body(out, &self.rounded(body))))?;
+        group(out, "legend", tag, |out| {
+            write_marks(out, &self.legend)?;
+            if self.style.legend {
+                write_marks(out, &self.layout.moment(frame, &self.style, &self.typeface))?;
             }
-            group(out, "agents", |out| bodies.iter().try_for_each(|body| write_body(out, &self.rounded(body))))?;
-            group(out, "legend", |out| {
-                write_marks(out, &self.legend)?;
-                if self.style.legend {
-                    write_marks(out, &self.layout.moment(frame, &self.style, &self.typeface))?;
-                }
-                Ok(())
-            })
+            Ok(())
         })
     }
 
@@ -56,29 +54,53 @@ impl Painter {
 
 /// Marks as an SVG document.
 pub(crate) fn picture(size: (u32, u32), base: Color, marks: &[Mark]) -> String {
+    document(size, base, |out| write_marks(out, marks))
+}
+
+/// Pictures at their places on one sheet, `(x, y)` of their upper left corners.
+pub(crate) fn sheet<'a>(
+    size: (u32, u32),
+    paper: Color,
+    title: &[Mark],
+    pictures: impl Iterator<Item = (&'a Painter, &'a Frame, (u32, u32))>,
+) -> String {
+    document(size, paper, |out| {
+        write_marks(out, title)?;
+        for (k, (painter, frame, (x, y))) in pictures.enumerate() {
+            let (w, h) = (painter.style.width, painter.style.height);
+            writeln!(out, r#"<svg x="{x}" y="{y}" width="{w}" height="{h}">"#)?;
+            write_base(out, (w, h), painter.base())?;
+            painter.write_content(out, frame, &format!("-{}", k + 1))?;
+            writeln!(out, "</svg>")?;
+        }
+        Ok(())
+    })
+}
+
+fn document(size: (u32, u32), base: Color, content: impl FnOnce(&mut String) -> fmt::Result) -> String {
+    let (w, h) = size;
     let mut out = String::new();
-    document(&mut out, size, base, |out| write_marks(out, marks)).expect("writing to a string does not fail");
+    let write = |out: &mut String| {
+        writeln!(out, r#"<?xml version="1.0" encoding="UTF-8"?>"#)?;
+        writeln!(
+            out,
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" font-family="Ubuntu, 'Helvetica Neue', Arial, sans-serif" font-weight="300">"#
+        )?;
+        write_base(out, size, base)?;
+        content(out)?;
+        writeln!(out, "</svg>")
+    };
+    write(&mut out).expect("writing to a string does not fail");
     out
 }
 
-fn document(
-    out: &mut String,
-    (w, h): (u32, u32),
-    base: Color,
-    content: impl FnOnce(&mut String) -> fmt::Result,
-) -> fmt::Result {
-    writeln!(out, r#"<?xml version="1.0" encoding="UTF-8"?>"#)?;
-    writeln!(
-        out,
-        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" font-family="Ubuntu, 'Helvetica Neue', Arial, sans-serif" font-weight="300">"#
-    )?;
-    writeln!(out, r#"<rect width="{w}" height="{h}" {}/>"#, fill(base))?;
-    content(out)?;
-    writeln!(out, "</svg>")
+/// The colour under everything.
+fn write_base(out: &mut String, (w, h): (u32, u32), base: Color) -> fmt::Result {
+    writeln!(out, r#"<rect width="{w}" height="{h}" {}/>"#, fill(base))
 }
 
-fn group(out: &mut String, id: &str, content: impl FnOnce(&mut String) -> fmt::Result) -> fmt::Result {
-    writeln!(out, r#"<g id="{id}">"#)?;
+fn group(out: &mut String, id: &str, tag: &str, content: impl FnOnce(&mut String) -> fmt::Result) -> fmt::Result {
+    writeln!(out, r#"<g id="{id}{tag}">"#)?;
     content(out)?;
     writeln!(out, "</g>")
 }

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{moment, setting, style};
+use common::{moment, read_png, setting, style};
 use std::path::Path;
 use throng_draw::sink::{Kind, sink};
 use throng_draw::{Color, Error, Film, Image, Painter, Still, Style, palette};
@@ -183,14 +183,6 @@ fn a_folder_holds_a_file_a_picture_and_none_of_an_older_film() {
     let want: Vec<_> = (0..5).map(|k| format!("frame_{k:06}.png")).collect();
     assert_eq!(names, want);
     assert!(likeness(&read_png(&frames.join("frame_000003.png")), &picture(3)) > 90.0);
-}
-
-fn read_png(path: &Path) -> Vec<u8> {
-    let mut reader =
-        png::Decoder::new(std::io::BufReader::new(std::fs::File::open(path).unwrap())).read_info().unwrap();
-    let mut rgb = vec![0; reader.output_buffer_size().unwrap()];
-    reader.next_frame(&mut rgb).unwrap();
-    rgb
 }
 
 #[test]

@@ -64,6 +64,11 @@ pub struct Body {
 }
 
 impl Body {
+    /// How fast it is, in space, m/s.
+    pub fn speed(&self) -> f32 {
+        self.velocity.extend(self.climb).length()
+    }
+
     /// The shape.
     pub fn shape(&self) -> throng::Body {
         throng::Body { core: self.core, radius: self.radius }

@@ -1,12 +1,13 @@
 //! What happened in a world: its moments ([`Setting`], [`Frame`], [`Body`]) and the files that hold them.
 //!
-//! [`csv`] writes trajectories as a table. Every file is written through [`Output`], under a temporary name until it
-//! is complete.
+//! [`series`] makes figures over time of them, [`csv`] writes trajectories as a table. Every file is written through
+//! [`Output`], under a temporary name until it is complete.
 
 mod capture;
 pub mod csv;
 mod frame;
 mod output;
+pub mod series;
 
 pub use frame::{Body, Frame, Setting};
 pub use output::{Output, OutputError};

@@ -68,6 +68,11 @@ impl Error {
         self
     }
 
+    pub(crate) fn message(mut self, message: impl Into<String>) -> Self {
+        self.message = message.into();
+        self
+    }
+
     pub(crate) fn file(mut self, file: impl Into<Box<str>>) -> Self {
         self.file = Some(file.into());
         self

@@ -16,11 +16,13 @@ const SCENES: &[(&str, &str)] = scenes![
     "circle",
     "box",
     "pillars",
+    "circle-lab",
     // Meetings.
     "headon",
     "ring",
     "ring-1000",
     "crossing",
+    "overtaking",
     "gathering",
     "robots",
     // In the air.
@@ -36,6 +38,8 @@ const SCENES: &[(&str, &str)] = scenes![
     "doorway",
     "doorway-0.8",
     "doorway-0.6",
+    "doorway-two-way",
+    "narrow-corridor",
     "maze",
     "office",
 ];

@@ -40,6 +40,7 @@
 //! |---|---|
 //! | read a scene file | [`Scene::load`], or [`open`] for anything that can be a scene |
 //! | change one value, as the program's `--set` does | [`Scene::set`] |
+//! | try another local model | [`Model`], [`Scene::with_model`] |
 //! | make the world | [`Scene::build`] |
 //! | look at what would be built | [`Scene::plan`] |
 //! | check what the scene expects | [`Watch`], [`Verdict`] |

@@ -99,7 +99,7 @@ impl Watch {
         if self.expect.mean_speed.is_some() {
             let agents = world.agents();
             for row in (0..agents.len()).filter(|&row| agents.status[row] == Status::Walking) {
-                self.speed.0 += f64::from(agents.velocity[row].length());
+                self.speed.0 += f64::from(agents.speed(row));
                 self.speed.1 += 1;
             }
         }
@@ -160,9 +160,9 @@ impl Watch {
             check("arrived".into(), Figure::Count(needed), Some(Figure::Count(arrived)), arrived >= needed);
         }
         let mean_speed = self.speed.0 / self.speed.1 as f64; // NaN for nobody on the way: no bound holds
-        let velocities = &world.agents().velocity;
-        let final_speed =
-            velocities.iter().map(|v| f64::from(v.length())).sum::<f64>() / velocities.len().max(1) as f64;
+        let agents = world.agents();
+        let speeds = (0..agents.len()).map(|row| f64::from(agents.speed(row)));
+        let final_speed = speeds.sum::<f64>() / agents.len().max(1) as f64;
         let bounds = [
             ("within", expect.within, self.reached.unwrap_or(f64::INFINITY), at_most as Holds),
             ("least_separation", expect.least_separation, summary.least_separation, at_least),

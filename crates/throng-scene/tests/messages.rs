@@ -41,7 +41,7 @@ a.toml:6:16: there is no key `radus` here
 a.toml:1:1: there is no key `tiem` here
   1 | tiem = { step = 0.04 }
     | ^^^^
-  hint: did you mean `time`? the keys here are: title, description, seed, time, walkable, obstacle, group, view, expect",
+  hint: did you mean `time`? the keys here are: title, description, seed, time, walkable, obstacle, group, mover, view, expect",
     );
 }
 
@@ -409,4 +409,23 @@ fn scenes_made_in_code_get_messages_without_places() {
     let error = Scene::default().build().unwrap_err();
     assert_eq!(error.at, None);
     assert!(error.to_string().starts_with("the scene has no agents"));
+}
+
+#[test]
+fn what_is_wrong_with_a_mover_is_said_where_it_is() {
+    let scene = |mover: &str| {
+        format!("[[group]]\nplace.point = [9, 9]\n\n[[mover]]\nbody.rectangle = {{ length = 1, width = 0.1 }}\n{mover}")
+    };
+    for (mover, line, part) in [
+        ("script = []", 6, "at least 1"),
+        ("script = [{ time = 0, at = [0, 0] }]\nrepeat = true", 6, "at least 2"),
+        ("script = [{ time = 1, at = [0, 0] }, { time = 1, at = [1, 0] }]", 6, "the entry before is at 1"),
+        ("script = [{ time = 0, at = [0, 0] }]\nmax_speed = 0", 7, "more than 0"),
+        ("script = [{ time = 0, at = [9, 9] }]", 4, "overlap at the start"),
+    ] {
+        let scene: Scene = scene(mover).parse().unwrap();
+        let error = scene.build().unwrap_err();
+        let text = error.to_string();
+        assert!(text.contains(part) && text.contains(&format!(":{line}:")), "{mover}: {text}");
+    }
 }

@@ -43,10 +43,15 @@ pub struct Summary {
     pub least_wall_separation: f64,
     /// Pairs of bodies, and bodies and walls, that overlapped by more than 1e-4 of a radius, counted every sub-step.
     pub overlaps: u64,
+    /// How often people who blocked each other's ways agreed who steps aside.
+    pub standoffs: u64,
     /// Share of agent-steps in which the guard changed the motion by more than a hundredth.
     pub guard_share: f64,
     /// Mean over agents of the turning of their headings while on their way, degrees a second.
     pub heading_change_deg_per_s: f64,
+    /// Mean over agents of the turning of their direction of motion while on their way, degrees a second: trembling,
+    /// which headings smooth out. Motion below 0.1 m/s does not count.
+    pub course_change_deg_per_s: f64,
     /// Steps made.
     pub steps: u64,
     /// Sub-steps made: what steps were divided into.
@@ -62,6 +67,7 @@ pub(crate) struct Tally {
     pub agent_steps: u64,
     pub guard_changed: u64,
     pub overlaps: u64,
+    pub standoffs: u64,
     pub least_separation: f64,
     pub least_wall_separation: f64,
     /// Trips of the agents that exits removed, with their numbers.
@@ -82,6 +88,7 @@ impl Default for Tally {
             agent_steps: 0,
             guard_changed: 0,
             overlaps: 0,
+            standoffs: 0,
             least_separation: f64::INFINITY,
             least_wall_separation: f64::INFINITY,
             removed: Vec::new(),
@@ -103,19 +110,21 @@ impl Tally {
             (trip.shortest > 1e-3 && free > 0.0).then(|| (time / free, trip.walked / trip.shortest))
         };
         let (times, paths): (Vec<f64>, Vec<f64>) = trips.iter().filter_map(arrived).unzip();
-        let turns: Vec<f64> = trips
-            .iter()
-            .filter(|(_, ended)| ended.trip.on_way > 0.0)
-            .map(|(_, ended)| (ended.trip.turned / ended.trip.on_way).to_degrees())
-            .collect();
+        let a_second = |radians: fn(&Trip) -> f64| {
+            let on_way = trips.iter().map(|(_, ended)| &ended.trip).filter(|trip| trip.on_way > 0.0);
+            let all: Vec<f64> = on_way.map(|trip| (radians(trip) / trip.on_way).to_degrees()).collect();
+            mean(&all)
+        };
         summary.time_ratio = mean(&times);
         summary.path_ratio = mean(&paths);
-        summary.heading_change_deg_per_s = mean(&turns);
+        summary.heading_change_deg_per_s = a_second(|trip| trip.turned);
+        summary.course_change_deg_per_s = a_second(|trip| trip.course_turned);
         summary.arrived = trips.iter().filter(|(_, ended)| ended.trip.arrived.is_some()).count();
         summary.removed = self.removed.len();
         summary.least_separation = self.least_separation;
         summary.least_wall_separation = self.least_wall_separation;
         summary.overlaps = self.overlaps;
+        summary.standoffs = self.standoffs;
         summary.guard_share = self.guard_changed as f64 / (self.agent_steps.max(1) as f64);
         summary.sub_steps = self.sub_steps;
         summary.agent_steps = self.agent_steps;

@@ -1,6 +1,7 @@
 //! The world: what is there, and the step that moves it on.
 
 mod advance;
+mod agree;
 mod arrive;
 mod avoid;
 mod build;
@@ -11,6 +12,7 @@ mod plan;
 mod queue;
 mod schedule;
 mod snapshot;
+mod standoff;
 
 pub use explain::{Explanation, Seen};
 
@@ -24,6 +26,7 @@ use crate::summary::{Counts, Ended, Summary, Tally};
 use glam::{DVec2, Vec2, Vec3};
 use schedule::Schedule;
 use serde::{Deserialize, Serialize};
+use standoff::Standoff;
 
 /// How a step is divided into sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -73,6 +76,8 @@ pub struct World {
     tally: Tally,
     /// Agents whose goals cannot be reached, with the reasons, by number.
     stranded: Vec<(u32, Unreachable)>,
+    /// Who steps aside for whom.
+    standoffs: Vec<Standoff>,
     /// Box of the ground that ways are planned on where no walkable area bounds it. Not made anew when needed:
     /// meshes of the same ground at another time would differ.
     extent: Option<(DVec2, DVec2)>,
@@ -101,6 +106,8 @@ struct StepMemory {
     neighbours: Vec<Near>,
     most_neighbours: usize,
     ways: Vec<Way>,
+    following: Vec<queue::Following>,
+    seen: Vec<u32>,
     preferred: Vec<Vec3>,
     wishes: Vec<Vec3>,
     targets: Vec<Pose>,
@@ -286,8 +293,7 @@ impl World {
         let trips = self.walkers().map(|row| {
             (agents.number[row], Ended { trip: agents.trip[row], preferred_speed: agents.preferred_speed[row] })
         });
-        let resting =
-            self.walkers().filter(|&row| agents.velocity[row].extend(agents.climb[row]).length() < 0.05).count();
+        let resting = self.walkers().filter(|&row| agents.speed(row) < 0.05).count();
         let stuck = self
             .walkers()
             .filter(|&row| match agents.status[row] {
@@ -326,6 +332,7 @@ impl World {
                 travel.leg,
                 travel.progress.to_bits(),
                 travel.detour.to_bits(),
+                travel.turn.rank() as u32,
             ];
             // those who walk have none
             let air = [agents.altitude[row], agents.climb[row]].into_iter().filter(|&z| z != 0.0);

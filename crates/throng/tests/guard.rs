@@ -7,6 +7,7 @@ mod polygons;
 use glam::{DVec2, DVec3, Vec2};
 use polygons::apart;
 use proptest::prelude::*;
+use std::f32::consts::{PI, TAU};
 use throng::Obstacle;
 use throng::guard::{Bodies, Contacts, Guard, Pose, nearest_approach};
 use throng::perceive::Grid;
@@ -129,17 +130,17 @@ fn check(crowd: &Crowd, walls: &Walls, targets: &[Pose]) {
 type Drawn = ((f32, f32), f32, (f32, f32), (f32, f32), f32);
 
 fn mixed(spread: f32) -> impl Strategy<Value = Crowd> {
-    let extent = || prop_oneof![Just(0.0f32), 0.05f32..0.9];
+    let extent = || prop_oneof![Just(0.0f32), 0.0625f32..0.875];
     let place = (-spread..spread, -spread..spread);
     let core = (extent(), extent());
-    let body = (place, 0.03f32..0.5, core, (0.0f32..2.0, 0.0f32..std::f32::consts::TAU), -3.1f32..3.1);
+    let body = (place, 0.03125f32..0.5, core, (0.0f32..2.0, 0.0f32..6.25), -3.125f32..3.125);
     (prop::collection::vec(body, 2..25), prop_oneof![Just(1.0f32), Just(0.05)]).prop_map(|(bodies, haste)| {
         let mut crowd = Crowd::default();
         for ((x, y), radius, (length, width), (way, angle), heading) in bodies as Vec<Drawn> {
             let at = Vec2::new(x, y);
             let position = at + Vec2::from_angle(angle) * way * haste;
-            let turned = heading + (angle - 3.14) * haste;
-            let target = Pose { position, altitude: 0.0, heading: (turned + 3.14).rem_euclid(6.28) - 3.14 };
+            let turned = heading + (angle - PI) * haste;
+            let target = Pose { position, altitude: 0.0, heading: (turned + PI).rem_euclid(TAU) - PI };
             crowd.add((at, heading), (Vec2::new(length, width), radius), 2.0, target);
         }
         crowd
@@ -147,7 +148,7 @@ fn mixed(spread: f32) -> impl Strategy<Value = Crowd> {
 }
 
 fn crowd(spread: f32) -> impl Strategy<Value = Crowd> {
-    let body = (-spread..spread, -spread..spread, 0.05f32..0.8, 0.0f32..3.0, 0.0f32..std::f32::consts::TAU);
+    let body = (-spread..spread, -spread..spread, 0.05f32..0.8, 0.0f32..3.0, 0.0f32..TAU);
     prop::collection::vec(body, 2..40).prop_map(|bodies| {
         let mut crowd = Crowd::default();
         for (x, y, radius, length, angle) in bodies {

@@ -228,6 +228,8 @@ const CASES: &[Case] = &[
         code: 2,
     },
     Case { what: "One output twice", files: &[], command: "throng run circle -o a.csv -o a.csv", code: 2 },
+    Case { what: "A model that does not exist", files: &[], command: "throng compare circle -m orcs", code: 2 },
+    Case { what: "Seeds that are none", files: &[], command: "throng compare circle --seeds 5..1", code: 2 },
     Case { what: "A full disk", files: &[], command: "ln -s /dev/full a.csv; throng run headon -q -o a.csv", code: 2 },
     Case {
         what: "A limit on the size of files",

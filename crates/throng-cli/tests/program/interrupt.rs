@@ -1,32 +1,59 @@
 //! Ctrl-C ends a run cleanly.
 
 use crate::shared::{folder, names};
+use serde_json::Value;
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-#[test]
-fn an_interrupted_run_finishes_its_files() {
-    let folder = folder();
+/// Interrupts the program with these arguments when it has begun; what it says then.
+fn interrupted(folder: &Path, arguments: &str, begun: impl Fn() -> bool) -> Value {
     let child = Command::new(env!("CARGO_BIN_EXE_throng"))
-        .current_dir(folder.path())
-        .args(["run", "circle", "-o", "a.mp4", "-o", "a.csv", "--json", "--duration", "100000", "--size", "160x120"])
+        .current_dir(folder)
+        .args(arguments.split_whitespace())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    // Files grow under other names until they are complete.
     let begin = Instant::now();
-    let grown = |entry: std::fs::DirEntry| entry.metadata().is_ok_and(|m| m.len() > 50_000);
-    while !std::fs::read_dir(folder.path()).unwrap().flatten().any(grown) {
+    while !begun() {
         assert!(begin.elapsed() < Duration::from_secs(20), "the run does not begin");
         std::thread::sleep(Duration::from_millis(10));
     }
     assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130), "{output:?}");
-    assert_eq!(names(folder.path()), ["a.csv", "a.mp4"]);
+    serde_json::from_slice(&output.stdout).unwrap()
+}
 
-    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+#[test]
+fn an_interrupted_comparison_finishes_its_files() {
+    let folder = folder();
+    let files = "-o a/ -o a.mp4 -o a.html -o a.csv --size 320x240";
+    let arguments = format!("compare circle -m vo,orca --seeds 1..3 {files} --json --duration 100000");
+    let all = interrupted(folder.path(), &arguments, || folder.path().join("a/frame_000009.png").exists());
+    assert_eq!(names(folder.path()), ["a", "a.csv", "a.html", "a.mp4"]);
+    assert_eq!(all["interrupted"], true);
+    for model in all["models"].as_array().unwrap() {
+        let runs = model["runs"].as_array().unwrap();
+        assert_eq!((runs.len(), &runs[0]["seed"], &runs[0]["interrupted"]), (1, &Value::from(1), &Value::from(true)));
+    }
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    assert_eq!(read("a.csv").lines().count(), 3);
+    assert!(
+        read("a.html").contains("Interrupted: figures are those up to there.") && read("a.html").ends_with("</html>\n")
+    );
+}
+
+#[test]
+fn an_interrupted_run_finishes_its_files() {
+    let folder = folder();
+    let files = "-o a.mp4 -o a.csv --size 160x120";
+    // files grow under other names until they are complete
+    let grown = |entry: std::fs::DirEntry| entry.metadata().is_ok_and(|m| m.len() > 50_000);
+    let begun = || std::fs::read_dir(folder.path()).unwrap().flatten().any(grown);
+    let report = interrupted(folder.path(), &format!("run circle {files} --json --duration 100000"), begun);
+    assert_eq!(names(folder.path()), ["a.csv", "a.mp4"]);
     assert_eq!(report["interrupted"], true);
     let steps = report["steps"].as_u64().unwrap();
     let table = std::fs::read_to_string(folder.path().join("a.csv")).unwrap();

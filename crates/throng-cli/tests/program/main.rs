@@ -1,6 +1,7 @@
 //! Tests of the program `throng`, as a user runs it.
 
 mod commands;
+mod compare;
 #[cfg(target_os = "linux")]
 mod errors;
 mod explain;

@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::path::Path;
 
 /// The keys of `--json` in their order: they are documented and stay.
-const KEYS: [&str; 23] = [
+const KEYS: [&str; 24] = [
     "scene",
     "agents",
     "arrived",
@@ -19,6 +19,7 @@ const KEYS: [&str; 23] = [
     "overlaps",
     "guard_share",
     "heading_change_deg_per_s",
+    "course_change_deg_per_s",
     "steps",
     "agent_steps_per_second",
     "expect",

@@ -1,6 +1,7 @@
 //! A small recording that the tests share: two groups walk past each other on open ground.
 
 use glam::{DVec2, Vec2};
+use std::path::Path;
 use throng::{Goal, Obstacle, Status};
 use throng_draw::{Style, WorldBox};
 use throng_record::{Body, Frame, Setting};
@@ -41,4 +42,14 @@ pub fn moment(k: usize) -> Frame {
     let bodies =
         vec![body(0, 0, DVec2::new(-5.0 + time, 1.0), Vec2::X), body(1, 1, DVec2::new(5.0 - time, -1.0), Vec2::NEG_X)];
     Frame { time, bodies, arrived: 0, total: 2 }
+}
+
+/// The bytes of a picture, three a pixel.
+#[allow(dead_code)] // not every test reads pictures
+pub fn read_png(path: &Path) -> Vec<u8> {
+    let mut reader =
+        png::Decoder::new(std::io::BufReader::new(std::fs::File::open(path).unwrap())).read_info().unwrap();
+    let mut rgb = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut rgb).unwrap();
+    rgb
 }

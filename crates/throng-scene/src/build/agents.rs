@@ -73,7 +73,8 @@ pub(super) fn shared(group: &Group, name: String) -> throng::Group {
         neighbours: neighbours as usize,
         keep_right: group.keep_right.to_radians() as f32,
         detour: group.detour,
-        guard: group.guard,
+        resolve: group.resolve,
+        guard: group.is_guarded(),
         ..throng::Group::default()
     }
 }

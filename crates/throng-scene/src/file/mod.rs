@@ -9,4 +9,5 @@ mod set;
 pub use document::Origin;
 pub(crate) use path::{Path, Problem};
 pub(crate) use read::{missing, read_text};
-pub(crate) use serde_message::nearest;
+pub(crate) use serde_message::{explain, keys_of, nearest, unknown_key};
+pub(crate) use set::quoted;

@@ -50,7 +50,7 @@ impl Scene {
 }
 
 /// The text as a TOML value: as it is, or else in quotes.
-fn quoted(value: &str) -> String {
+pub(crate) fn quoted(value: &str) -> String {
     if DeValue::parse(value).is_ok() { value.to_owned() } else { toml::Value::String(value.to_owned()).to_string() }
 }
 

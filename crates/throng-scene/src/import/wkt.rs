@@ -102,7 +102,8 @@ fn reachable(areas: &[Area], exit: &Rectangle) -> Result<(), Error> {
         holes: area.holes.iter().map(|hole| points(hole)).collect(),
     };
     let ground: Vec<_> = areas.iter().map(ground).collect();
-    let radius = f64::from(throng::Agent::default().radius);
+    let usual = throng::Agent::default().radius;
+    let radius = f64::from(usual);
     if has_room(&Solid::new(&ground, &[], radius), &rectangle(exit), radius) {
         return Ok(());
     }
@@ -112,7 +113,7 @@ fn reachable(areas: &[Area], exit: &Rectangle) -> Result<(), Error> {
     Err(Error::new(
         Kind::GoalInWall,
         format!(
-            "the exit, {width} by {height} m round ({x}, {y}), has no room for a body of radius {radius} m on the \
+            "the exit, {width} by {height} m round ({x}, {y}), has no room for a body of radius {usual} m on the \
              ground, which lies between {low} and {high}"
         ),
     )

@@ -64,12 +64,16 @@ pub struct Group {
     /// Whether an agent whom others block steps aside for a moment.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
     pub detour: bool,
+    /// Whether agents that cannot pass each other agree who steps aside.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub resolve: bool,
     /// How they avoid others.
     #[serde(default)]
     pub avoid: Avoid,
-    /// Whether the guard keeps them from overlapping others and walls. Two of groups without it may overlap.
-    #[serde(default = "yes", skip_serializing_if = "is_yes")]
-    pub guard: bool,
+    /// Whether the guard keeps them from overlapping others and walls. Two of groups without it may overlap. Without this
+    /// key, it does, but for `avoid.rvo_lab`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub guard: Option<bool>,
     /// Colour in pictures. Without it, the next of the palette.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub colour: Option<Colour>,
@@ -96,8 +100,9 @@ impl Default for Group {
             avoids: None,
             keep_right: default_keep_right(),
             detour: true,
+            resolve: true,
             avoid: Avoid::default(),
-            guard: true,
+            guard: None,
             colour: None,
         }
     }
@@ -142,6 +147,11 @@ pub(super) fn is_yes(yes: &bool) -> bool {
 }
 
 impl Group {
+    /// Whether the guard keeps them from overlapping: as the key says, else as the model's description does.
+    pub fn is_guarded(&self) -> bool {
+        self.guard.unwrap_or(!matches!(self.avoid, Avoid::RvoLab(_)))
+    }
+
     /// The name of the group at this position of a scene: its own, or `group-1` for the first.
     pub(crate) fn name_at(name: &str, position: usize) -> String {
         if name.is_empty() { format!("group-{}", position + 1) } else { name.to_owned() }

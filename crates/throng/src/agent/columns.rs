@@ -85,6 +85,8 @@ pub struct Trip {
     pub walked: f64,
     /// Radians its heading has turned, either way.
     pub turned: f64,
+    /// Radians the direction of its motion has turned, either way: unlike the heading it is not smoothed.
+    pub course_turned: f64,
     /// Seconds it has been on its way.
     pub on_way: f64,
     /// Metres of the shortest way of the legs begun so far.
@@ -100,6 +102,11 @@ impl Columns {
     /// Whether there are no agents.
     pub fn is_empty(&self) -> bool {
         self.position.is_empty()
+    }
+
+    /// How fast an agent is, in space.
+    pub fn speed(&self, row: usize) -> f32 {
+        self.velocity[row].extend(self.climb[row]).length()
     }
 
     pub(crate) fn push(&mut self, agent: &Agent, origin: DVec2, slot: u32, number: u32, heading: f32, now: f64) {

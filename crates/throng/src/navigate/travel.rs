@@ -22,6 +22,29 @@ const DETOUR_ANGLE: (f32, f32) = (std::f32::consts::FRAC_PI_6, 4.0 * std::f32::c
 /// Range of the time a detour is held, seconds.
 const DETOUR_TIME: (f32, f32) = (0.5, 1.5);
 
+/// Whose turn it is where people block each other's ways.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub enum Turn {
+    /// Nobody has agreed on anything.
+    #[default]
+    Free,
+    /// Its own: others step aside.
+    First,
+    /// Somebody else's: it goes to where it waits.
+    Aside(Route),
+}
+
+impl Turn {
+    /// Who goes first is above who steps aside.
+    pub(crate) fn rank(&self) -> i32 {
+        match self {
+            Self::Free => 0,
+            Self::First => 1,
+            Self::Aside(_) => -1,
+        }
+    }
+}
+
 /// How an agent's journey goes.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Travel {
@@ -35,6 +58,12 @@ pub struct Travel {
     pub blocked: f32,
     /// Seconds without progress, detours included.
     pub without_progress: f32,
+    /// Metres of way that were still ahead when it last got on by a radius.
+    pub mark: Option<f32>,
+    /// Radii that it could have walked since then.
+    pub stalled: f32,
+    /// Whose turn it is.
+    pub turn: Turn,
     /// Angle of the detour it makes, radians to the right; negative to the left.
     pub detour: f32,
     /// Seconds it still makes it.
@@ -69,6 +98,29 @@ impl Travel {
     /// The parts of the speed along the ground and upwards: both are to come to an end together.
     pub(crate) fn slope(&self) -> Vec2 {
         if self.rise == 0.0 { Vec2::X } else { Vec2::new(self.remaining, self.rise).normalize_or(Vec2::Y) }
+    }
+
+    /// Takes a turn, or gives it up: patience begins anew.
+    pub(crate) fn take(&mut self, turn: Turn) {
+        (self.blocked, self.without_progress, self.detour, self.detour_left) = (0.0, 0.0, 0.0, 0.0);
+        (self.mark, self.stalled) = (None, 0.0);
+        self.turn = turn;
+    }
+
+    /// Whatever its turn was, it is free. Who was aside needs another way.
+    pub(crate) fn give_up_turn(&mut self) {
+        if self.turn != Turn::Free {
+            self.route = if self.turn == Turn::First { self.route.take() } else { None };
+            self.take(Turn::Free);
+        }
+    }
+
+    /// Notes whether the agent gets on: `step` is in radii that it walks when nothing hinders it.
+    pub(crate) fn stall(&mut self, radius: f32, step: f32) {
+        match self.mark {
+            Some(mark) if self.distance() > mark - radius => self.stalled += step,
+            _ => (self.mark, self.stalled) = (Some(self.distance()), 0.0),
+        }
     }
 
     /// Notes how far the agent got in the last step, and tells by what angle to the right its preferred direction

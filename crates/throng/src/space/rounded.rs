@@ -100,7 +100,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn core() -> impl Strategy<Value = Core> {
-        let extent = prop_oneof![Just(0.0f32), 0.05f32..1.5];
+        let extent = prop_oneof![Just(0.0f32), 0.0625f32..1.5];
         let extents = (extent.clone(), extent).prop_map(|(x, y)| Vec2::new(x, y));
         (-2.0..2.0, -2.0..2.0, -4.0f32..4.0, extents)
             .prop_map(|(x, y, heading, half)| Core::new(DVec2::new(x, y), heading, half))

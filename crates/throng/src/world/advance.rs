@@ -5,7 +5,7 @@ use crate::agent::Status;
 use crate::guard::{Bodies, Pose};
 use crate::motion::{faces, turn, wrap};
 use crate::space::Core;
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 impl World {
     /// 4. What is certain: nobody overlaps.
@@ -71,6 +71,7 @@ impl World {
             let target = self.step.targets[row];
             let velocity = velocity(from, target.place(), self.step.wishes[row], seconds);
             (agents.position[row], agents.altitude[row]) = (target.position, target.altitude);
+            let velocity_before = agents.velocity[row];
             (agents.velocity[row], agents.climb[row]) = (velocity.truncate(), velocity.z);
             let before = agents.heading[row];
             let heading = if agents.is_disc(row) {
@@ -86,6 +87,7 @@ impl World {
                 let trip = &mut agents.trip[row];
                 let turned = f64::from((heading - before).abs());
                 trip.turned += turned.min(std::f64::consts::TAU - turned);
+                trip.course_turned += f64::from(angle_between(velocity_before, agents.velocity[row]));
                 trip.on_way += f64::from(seconds);
                 trip.walked += f64::from((target.place() - from).length());
             }
@@ -138,6 +140,14 @@ impl World {
             }
         }
     }
+}
+
+/// Below this speed, m/s, a velocity has no direction that could be seen.
+const SEEN: f32 = 0.1;
+
+/// The angle between two velocities, radians, if both can be seen.
+fn angle_between(a: Vec2, b: Vec2) -> f32 {
+    if a.length() < SEEN || b.length() < SEEN { 0.0 } else { libm::atan2f(a.perp_dot(b), a.dot(b)).abs() }
 }
 
 /// The velocity of a motion. What was certified as it was wished is the wish: the motion may be far below what

@@ -9,7 +9,8 @@ use crate::random::{Dice, Purpose, unit};
 use crate::space::{Core, Disc, Edge, NearWalls};
 use glam::{DVec2, Vec2, Vec3};
 
-/// How much of the avoiding, beyond its half, falls on who has more way to go to the same goal, and on who rests.
+/// How much of the avoiding, beyond its half, falls on who has more way to go to the same goal, and on who rests or
+/// steps aside.
 const YIELD_TO_FIRST: f32 = 0.15;
 const YIELD_AT_REST: f32 = 0.3;
 /// How much of the change of velocity that somebody with the right of way would like is granted in advance, over
@@ -181,7 +182,9 @@ impl World {
         let agents = &self.agents;
         let (mine, theirs) = (&self.step.ways[row], &self.step.ways[other]);
         let walks = |row: usize| agents.status[row] == Status::Walking;
+        let turn = |row: usize| agents.travel[row].turn.rank();
         match (walks(row), walks(other), mine.goal == theirs.goal) {
+            (true, true, _) if turn(row) * turn(other) < 0 => YIELD_AT_REST * turn(other) as f32,
             (true, true, true) => {
                 let lead = mine.remaining - theirs.remaining;
                 YIELD_TO_FIRST * (lead / (agents.radius[row] + agents.radius[other])).clamp(-1.0, 1.0)

@@ -35,6 +35,7 @@ impl World {
             schedule: Schedule::default(),
             tally: Tally::default(),
             stranded: Vec::new(),
+            standoffs: Vec::new(),
             extent: None,
             walls: Walls::default(),
             meshes: Meshes::default(),
@@ -340,6 +341,7 @@ impl World {
             }
         }
         self.stranded.clear();
+        self.end_standoffs();
     }
 }
 

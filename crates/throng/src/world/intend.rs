@@ -2,7 +2,7 @@
 
 use super::{Way, World};
 use crate::agent::Status;
-use crate::navigate::{Goal, Keyframe, Travel, turned_right};
+use crate::navigate::{Goal, Keyframe, Travel, Turn, turned_right};
 use crate::parallel;
 use glam::{Vec2, Vec3};
 
@@ -14,6 +14,8 @@ impl World {
     pub(super) fn intend(&mut self, seconds: f32, now: f64) {
         self.plan();
         self.show_ways();
+        self.follow_others();
+        self.resolve(seconds);
         self.step.preferred.clear();
         self.step.preferred.resize(self.agents.len(), Vec3::ZERO);
         let mut travels = std::mem::take(&mut self.agents.travel);
@@ -47,8 +49,9 @@ impl World {
         ways.clear();
         ways.extend(self.agents.travel.iter().enumerate().map(|(row, travel)| Way {
             goal: self.goal_of(row),
-            direction: match self.agents.status[row] {
-                Status::Walking => self.towards(row, travel).normalize_or_zero(),
+            direction: match (self.agents.status[row], &travel.turn) {
+                (Status::Walking, Turn::Aside(_)) if travel.remaining < self.agents.radius[row] => Vec2::ZERO,
+                (Status::Walking, _) => self.towards(row, travel).normalize_or_zero(),
                 _ => Vec2::ZERO,
             },
             remaining: travel.distance(),
@@ -75,17 +78,22 @@ impl World {
         let onwards = agents.velocity[row].dot(direction) * slope.x + agents.climb[row] * slope.y;
         let made = if speed > 0.0 { onwards / speed } else { 1.0 };
         let dice = self.dice(row);
-        let detour =
-            if group.detour { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
+        travel.stall(agents.radius[row], seconds * speed / agents.radius[row]);
+        let detours = group.detour && travel.turn == Turn::Free;
+        let detour = if detours { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
         // coming to a point: as slow as stopping there takes, half of the acceleration left to turn with, and never
         // past it
-        let arriving = if goal.corners().is_none() && self.is_last(row, travel.leg) {
+        let stops = match (&travel.turn, goal) {
+            (Turn::Aside(_), _) => true,
+            (_, goal) => goal.corners().is_none() && self.is_last(row, travel.leg),
+        };
+        let arriving = if stops {
             (agents.max_acceleration[row] * remaining).sqrt().min(remaining / seconds)
         } else {
             f32::INFINITY
         };
         let bias = if distance > 2.0 * agents.radius[row] { group.keep_right } else { 0.0 };
-        let following = if detour == 0.0 { self.following_speed(row, direction) } else { f32::INFINITY };
+        let following = if detour == 0.0 { self.step.following[row].speed } else { f32::INFINITY };
         let speed = speed.min(arriving).min(following);
         (turned_right(direction, bias + detour) * (speed * slope.x)).extend(speed * slope.y)
     }

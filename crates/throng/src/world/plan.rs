@@ -3,7 +3,7 @@
 use super::World;
 use super::build::direction;
 use crate::agent::{AgentId, Status};
-use crate::navigate::{Goal, Heading, Meshes, Route, Search, Travel, Unreachable};
+use crate::navigate::{Goal, Heading, Meshes, Route, Search, Travel, Turn, Unreachable};
 use crate::parallel;
 use glam::{DVec2, DVec3};
 
@@ -71,7 +71,10 @@ impl World {
     /// Lets an agent look where it is on its way; a way that no longer holds is given up.
     fn follow(&self, row: usize, travel: &mut Travel) {
         let at = self.world_position(row);
-        let Some(route) = &mut travel.route else { return };
+        let route = match (&mut travel.turn, &mut travel.route) {
+            (Turn::Aside(route), _) | (_, Some(route)) => route,
+            _ => return,
+        };
         let heading = match self.meshes.mesh(self.agents.body(row).girth()) {
             Some(mesh) => route.advance(mesh, at),
             None => route.end().map_or(Heading::Lost, Heading::End),
@@ -80,10 +83,17 @@ impl World {
             Heading::Corner(p) | Heading::End(p) => {
                 travel.aim = p;
                 travel.remaining = route.remaining(at) as f32;
-                let altitude = self.stop(row, travel.leg).and_then(|stop| self.goals[stop.goal.index()].altitude());
+                let stop = self.stop(row, travel.leg).filter(|_| !matches!(travel.turn, Turn::Aside(_)));
+                let altitude = stop.and_then(|stop| self.goals[stop.goal.index()].altitude());
                 travel.rise = altitude.map_or(0.0, |altitude| (altitude - self.world_place(row).z) as f32);
             }
-            Heading::Lost => travel.route = None,
+            Heading::Lost => {
+                travel.route = None;
+                // whoever goes first goes on doing so
+                if travel.turn != Turn::First {
+                    travel.give_up_turn();
+                }
+            }
         }
     }
 

@@ -3,37 +3,91 @@
 use super::World;
 use crate::agent::Status;
 use crate::avoid::MARGIN;
+use crate::parallel;
 use glam::Vec2;
 
 /// Cosine of the angle within which two go the same way; beyond its negative they go opposite ways.
 const SAME_WAY: f32 = 0.3;
 /// Part of the sum of radii that who is followed may be aside.
 const FOLLOW_WIDTH: f32 = 0.8;
+/// Part of its preferred speed at which somebody counts as unhindered: it is not followed but overtaken.
+const UNHINDERED: f32 = 0.9;
 /// Seconds in which who follows closes up.
 const FOLLOW_TIME: f32 = 0.05;
 /// Cosine of the angle within which somebody is ahead: on the way to the same goal, and to another.
 const AHEAD: f32 = 0.3;
 const RIGHT_AHEAD: f32 = 0.7;
 
+/// How fast an agent may follow those ahead.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Following {
+    pub speed: f32,
+    /// The slowest of them, if the agent has closed up to it.
+    closed_up: Option<u32>,
+}
+
+impl Following {
+    const NOBODY: Self = Self { speed: f32::INFINITY, closed_up: None };
+}
+
+/// In a ring where everybody follows the next nobody is first: there nobody follows. `seen` is memory.
+fn free_rings(following: &mut [Following], seen: &mut Vec<u32>) {
+    seen.clear();
+    seen.resize(following.len(), u32::MAX);
+    for start in 0..following.len() {
+        let mut at = start;
+        while seen[at] == u32::MAX {
+            seen[at] = start as u32;
+            match following[at].closed_up {
+                Some(next) => at = next as usize,
+                None => break,
+            }
+        }
+        // back where this walk has been: a ring begins here
+        while seen[at] == start as u32
+            && let Some(next) = following[at].closed_up
+        {
+            following[at] = Following::NOBODY;
+            at = next as usize;
+        }
+    }
+}
+
 impl World {
-    /// The speed at which an agent follows those right ahead who go the same way: theirs, once it has closed up. Who
-    /// queues does not push, nor mill about. In counterflow nobody queues: there one squeezes by.
-    pub(super) fn following_speed(&self, row: usize, direction: Vec2) -> f32 {
+    /// Notes whom everybody follows, and how fast.
+    pub(super) fn follow_others(&mut self) {
+        let mut following = std::mem::take(&mut self.step.following);
+        following.clear();
+        following.resize(self.agents.len(), Following::NOBODY);
+        let world = &*self;
+        parallel::rows(&mut following, 1, || (), |(), row, out| out[0] = world.following(row));
+        free_rings(&mut following, &mut self.step.seen);
+        self.step.following = following;
+    }
+
+    /// How an agent follows those right ahead who go the same way: at their speed, once it has closed up. Who queues
+    /// does not push, nor mill about. In counterflow nobody queues: there one squeezes by.
+    fn following(&self, row: usize) -> Following {
         let agents = &self.agents;
+        let direction = self.step.ways[row].direction;
         let others = || self.level_neighbours(row);
         if others().any(|other| self.step.ways[other].direction.dot(direction) < -SAME_WAY) {
-            return f32::INFINITY;
+            return Following::NOBODY;
         }
-        let speeds = others().filter_map(|other| {
+        let all = others().filter_map(|other| {
             let radii = agents.radius[row] + agents.radius[other];
             let offset = agents.offset(row, other);
             let aside = offset.perp_dot(direction).abs();
-            (aside < FOLLOW_WIDTH * radii && self.leads(other, offset, direction)).then(|| {
-                let gap = (offset.length() - radii * (1.0 + MARGIN)).max(0.0);
-                agents.velocity[other].dot(direction).max(0.0) + gap / FOLLOW_TIME
+            (aside < FOLLOW_WIDTH * radii
+                && agents.travel[other].progress < UNHINDERED
+                && self.leads(other, offset, direction))
+            .then(|| {
+                let closing = (offset.length() - radii * (1.0 + MARGIN)).max(0.0) / FOLLOW_TIME;
+                let speed = agents.velocity[other].dot(direction).max(0.0) + closing;
+                Following { speed, closed_up: (closing < agents.preferred_speed[row]).then_some(other as u32) }
             })
         });
-        speeds.fold(f32::INFINITY, f32::min)
+        all.fold(Following::NOBODY, |slowest, next| if next.speed < slowest.speed { next } else { slowest })
     }
 
     /// Whether somebody close ahead is on the way to the same goal, or goes the same way. Of two with the same goal at
@@ -139,7 +193,7 @@ mod tests {
             let offset = world.agents.position[1] - world.agents.position[0];
             let ahead = [world.leads(1, offset, directions[0]), world.leads(0, -offset, directions[1])];
             prop_assert!(ahead != [true, true], "each leads the other");
-            let follows = [0, 1].map(|row| world.following_speed(row, directions[row]).is_finite());
+            let follows = [0, 1].map(|row| world.following(row).speed.is_finite());
             prop_assert!(follows != [true, true], "each follows the other");
             prop_assert!((0..2).all(|row| !follows[row] || ahead[row]), "who follows is led");
             let queues = [0, 1].map(|row| world.queues(row, directions[row]));
@@ -154,22 +208,38 @@ mod tests {
     #[test]
     fn who_is_behind_follows_at_the_speed_of_who_is_ahead() {
         let (world, [east, _]) = crowd([walker(0.0, 0), walker(0.4 * (1.0 + MARGIN), 0)]);
-        assert!((world.following_speed(0, east) - 0.3).abs() < 1e-5, "closed up");
-        assert_eq!(world.following_speed(1, east), f32::INFINITY, "nobody is ahead");
+        assert!((world.following(0).speed - 0.3).abs() < 1e-5, "closed up");
+        assert_eq!(world.following(1).speed, f32::INFINITY, "nobody is ahead");
         assert!(world.queues(0, east) && !world.queues(1, east));
         let (world, _) = crowd([walker(0.0, 0), walker(0.5, 0)]);
-        assert!(world.following_speed(0, east) > 1.3, "a gap is closed");
+        assert!(world.following(0).speed > 1.3, "a gap is closed");
     }
 
     #[test]
     fn nobody_follows_in_counterflow() {
         let two = [walker(0.0, 0), walker(0.42, 0)];
-        let (world, [east, _]) = crowd(two);
-        assert!(world.following_speed(0, east) < 1.3);
+        let (world, _) = crowd(two);
+        assert!(world.following(0).speed < 1.3);
         for (direction, follows) in [(12, false), (9, false), (6, true), (3, true)] {
-            let (world, [east, ..]) = crowd([two[0], two[1], walker(1.5, direction)]);
-            let speed = world.following_speed(0, east);
+            let (world, _) = crowd([two[0], two[1], walker(1.5, direction)]);
+            let speed = world.following(0).speed;
             assert_eq!(speed.is_finite(), follows, "somebody comes at {} degrees", direction * 15);
+        }
+    }
+
+    #[test]
+    fn in_a_ring_nobody_follows_and_who_joins_it_does() {
+        // 0, 1 and 2 follow round; 3 and 4 queue behind; 5 leads 6; 7 is alone
+        let next = [Some(1), Some(2), Some(0), Some(4), Some(2), None, Some(5), None];
+        for rotation in 0..8u32 {
+            let turned = |row: u32| (row + rotation) % 8;
+            let mut all = [Following::NOBODY; 8];
+            for (row, closed_up) in (0..).zip(next) {
+                all[turned(row) as usize] = Following { speed: 0.1, closed_up: closed_up.map(turned) };
+            }
+            free_rings(&mut all, &mut Vec::new());
+            let speeds = [0, 1, 2, 3, 4, 6].map(|row| all[turned(row) as usize].speed);
+            assert_eq!(speeds, [f32::INFINITY, f32::INFINITY, f32::INFINITY, 0.1, 0.1, 0.1]);
         }
     }
 }

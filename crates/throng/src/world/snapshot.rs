@@ -1,6 +1,6 @@
 //! Save, load, continue.
 
-use super::{Settings, Slots, World, schedule::Schedule};
+use super::{Settings, Slots, World, schedule::Schedule, standoff::Standoff};
 use crate::Error;
 use crate::agent::Columns;
 use crate::navigate::{Goal, Journey, Script, Unreachable};
@@ -27,6 +27,7 @@ struct State {
     schedule: Schedule,
     tally: Tally,
     stranded: Vec<(u32, Unreachable)>,
+    standoffs: Vec<Standoff>,
     extent: Option<(DVec2, DVec2)>,
 }
 
@@ -47,6 +48,7 @@ impl World {
             schedule: self.schedule.clone(),
             tally: self.tally.clone(),
             stranded: self.stranded.clone(),
+            standoffs: self.standoffs.clone(),
             extent: self.extent,
         };
         // writing to memory cannot fail, and all types are serialisable
@@ -79,6 +81,7 @@ impl World {
         self.schedule = state.schedule;
         self.tally = state.tally;
         self.stranded = state.stranded;
+        self.standoffs = state.standoffs;
         self.extent = state.extent;
         self.prepare_all_meshes();
         Ok(())

@@ -15,6 +15,7 @@ mod limits;
 mod manners;
 mod mistakes;
 mod movers;
+mod narrow;
 mod obstacles;
 mod oracle;
 mod overlap;

@@ -1,0 +1,154 @@
+//! The command line of `throng compare`.
+
+use crate::failure::Failure;
+use crate::options::{EndArgs, FilmArgs, ThreadArgs};
+use crate::source::SceneArgs;
+use clap::Args;
+use std::path::PathBuf;
+use throng_scene::Model;
+
+/// More seeds than this are a slip of the pen.
+const MOST_SEEDS: usize = 10_000;
+
+/// The examples, for `-h`.
+pub const COMPARE_SHORT: &str = "\
+Examples:
+  throng compare circle
+  throng compare circle --models vo,rvo,hrvo,orca --seeds 1..5 -o circle.html
+  throng compare doorway --models orca,orca:time_horizon=4 -o doorway.mp4
+
+`throng compare --help` describes the outputs and the keys of --json.";
+
+/// Outputs, keys and examples, for `--help`.
+pub const COMPARE: &str = "\
+Outputs, by the ending of the name:
+  .html             one page without network: the table, figures over time, a player of all models on one
+                    clock, and the moments in which velocities swing most. page.html#t=12.5 opens at 12.5 s
+  .mp4 .gif .avi    video, the models side by side; also .webm and other kinds that ffmpeg writes
+  .png, .svg        one picture of the same: the last moment, or that of --frame
+  NAME/             a folder of PNG files, one a picture
+  .csv              every run: a line a model and seed
+  .md               the table
+
+Pictures, video and page show the first seed. Every run has one thread of its own, so that speeds compare; several
+run at a time. Files get their names when they are complete. Ctrl-C ends the runs and completes the files.
+
+Keys of --json (one object on standard output):
+  scene, seeds     name of the scene; the seeds, in order
+  models           [{ model, median: { .. }, least: { .. }, most: { .. }, runs: [{ seed, .. }] }], the figures under
+                   the keys of `throng run --json`, and
+                     us_per_agent_step  microseconds of processor time for a move of one agent by one sub-step
+                     interrupted        whether the run was interrupted
+  wall_seconds     seconds it all took
+  interrupted      whether it was interrupted: figures are those up to there, runs not begun are left out
+  files            the files written
+
+The [expect] of the scene is not checked: models are compared because they differ.
+
+Exit codes: 0 done; 2 an error; 130 interrupted.
+
+Examples:
+  throng compare circle
+      the velocity obstacle family, a table
+  throng compare circle --seeds 1..5 -o circle.html -o circle.mp4
+  throng compare doorway --models orca,orca:time_horizon=4,orca:time_horizon=1:neighbours=5
+      one model with several settings
+  throng compare station.wkt --exit 10,0,2,4 --people 500 --models rvo,orca -o station.csv";
+
+/// What `throng compare` is told.
+#[derive(Args, Debug)]
+pub struct CompareArgs {
+    /// Which scene.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+
+    /// The local models, with commas between them
+    ///
+    /// The names are those of `avoid.NAME` in scene files (`-` is `_`). Values of a model's keys come after colons:
+    /// orca:time_horizon=4:neighbours=20. A model takes the place of every group's own, whose `neighbours` and
+    /// `neighbour_distance` it keeps; a group that has the model already keeps all its values.
+    #[arg(short, long, value_name = "MODEL,..", value_delimiter = ',', default_value = "vo,rvo,hrvo,orca")]
+    pub models: Vec<String>,
+
+    /// The seeds, such as 1..5 (1 to 5) or 1,3,7 [default: the scene's]
+    #[arg(long, value_name = "SEEDS", conflicts_with = "seed")]
+    pub seeds: Option<String>,
+
+    /// A file to write, its kind by its ending; can be given several times
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Vec<PathBuf>,
+
+    /// When runs end.
+    #[command(flatten)]
+    pub end: EndArgs,
+
+    /// Shows every run in the table, not only medians and ranges
+    #[arg(long)]
+    pub all: bool,
+
+    /// How many threads.
+    #[command(flatten)]
+    pub threads: ThreadArgs,
+
+    /// Shows no progress bar and no table
+    #[arg(short, long)]
+    pub quiet: bool,
+
+    /// Writes the figures as one JSON object to standard output
+    #[arg(long)]
+    pub json: bool,
+
+    /// Which moments pictures show, and how they look; --size is that of all panels together.
+    #[command(flatten)]
+    pub film: FilmArgs,
+}
+
+impl CompareArgs {
+    /// The models, in order.
+    ///
+    /// # Errors
+    /// There is no such model, it has no such key, or it comes twice.
+    pub fn models(&self) -> Result<Vec<Model>, Failure> {
+        let mut models: Vec<Model> = Vec::new();
+        for text in &self.models {
+            let model: Model = text.parse().map_err(|mut error: throng_scene::Error| {
+                error.file = Some(format!("--models {}", text.trim()).into());
+                error
+            })?;
+            if models.iter().any(|other| other.label() == model.label()) {
+                return Err(Failure::hint(format!("--models: {model} is given twice"), "leave one of the two out"));
+            }
+            models.push(model);
+        }
+        Ok(models)
+    }
+
+    /// The seeds, in order; `default` where none are given.
+    ///
+    /// # Errors
+    /// They are no whole numbers, too many, or one comes twice.
+    pub fn seeds(&self, default: u64) -> Result<Vec<u64>, Failure> {
+        let Some(text) = &self.seeds else { return Ok(vec![default]) };
+        let wrong = |what: String| Failure::hint(format!("--seeds {text}: {what}"), "write 1..5, or 1,3,7");
+        let number = |text: &str| text.trim().parse::<u64>().ok().filter(|seed| i64::try_from(*seed).is_ok());
+        let mut seeds = Vec::new();
+        for part in text.split(',') {
+            let (from, to) = part.split_once("..").unwrap_or((part, part));
+            let to = to.strip_prefix('=').unwrap_or(to);
+            let (Some(from), Some(to)) = (number(from), number(to)) else {
+                return Err(wrong(format!("`{part}` is no seed, a whole number that is not negative")));
+            };
+            if from > to {
+                return Err(wrong(format!("{from} is more than {to}")));
+            }
+            if to - from >= (MOST_SEEDS - seeds.len()) as u64 {
+                return Err(wrong(format!("these are more than {MOST_SEEDS} seeds")));
+            }
+            seeds.extend(from..=to);
+        }
+        match seeds.iter().enumerate().find(|(k, seed)| seeds[..*k].contains(seed)) {
+            Some((_, twice)) => Err(wrong(format!("{twice} is given twice"))),
+            None => Ok(seeds),
+        }
+    }
+}

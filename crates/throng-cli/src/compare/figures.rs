@@ -1,0 +1,148 @@
+//! The figures of all runs, and their medians and ranges over the seeds.
+
+use super::race::{Outcome, Plan};
+use serde_json::{Map, Value, json};
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// A figure of the table.
+pub struct Figure {
+    /// Its key in JSON and CSV.
+    pub key: &'static str,
+    /// Its name over a column.
+    pub head: &'static str,
+    /// Decimals shown.
+    pub digits: usize,
+    /// What it is multiplied by where it is shown.
+    pub scale: f64,
+    /// What it is out of: the key of another figure, shown behind it.
+    pub of: Option<&'static str>,
+    /// What it says, for who points at it.
+    pub meaning: &'static str,
+}
+
+const fn figure(key: &'static str, head: &'static str, digits: usize, meaning: &'static str) -> Figure {
+    Figure { key, head, digits, scale: 1.0, of: None, meaning }
+}
+
+/// The figures of the table, in order.
+pub const FIGURES: [Figure; 11] = [
+    Figure { of: Some("agents"), ..figure("arrived", "arrived", 0, "agents at the end of their journeys, of all") },
+    figure("stuck", "stuck", 0, "agents that cannot arrive, or made no progress for 10 s"),
+    figure("time", "time s", 2, "seconds simulated: until everybody has arrived, or to the limit"),
+    figure("time_ratio", "time ratio", 3, "of the arrived: time over that of the shortest way, mean"),
+    figure("path_ratio", "path ratio", 3, "of the arrived: way over the shortest way, mean"),
+    figure(
+        "least_separation",
+        "separation",
+        3,
+        "least distance of two centres over the sum of their radii; 1: they touched",
+    ),
+    figure("overlaps", "overlaps", 0, "overlaps of bodies with bodies and walls, counted every sub-step"),
+    Figure {
+        scale: 100.0,
+        ..figure("guard_share", "guard %", 2, "share of the moves that the guard changed by more than 1 %")
+    },
+    figure("heading_change_deg_per_s", "turning °/s", 1, "turning of the headings of those on their way, mean"),
+    figure(
+        "course_change_deg_per_s",
+        "course °/s",
+        1,
+        "turning of their directions of motion, which headings smooth out: trembling",
+    ),
+    figure("us_per_agent_step", "µs/step", 2, "microseconds of processor time for a move of one agent by one sub-step"),
+];
+
+/// A figure over the seeds. All three are not numbers where no run has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// The middle value; the mean of the two in the middle of an even number.
+    pub median: f64,
+    /// The least.
+    pub least: f64,
+    /// The greatest.
+    pub most: f64,
+}
+
+impl Spread {
+    fn of(mut values: Vec<f64>) -> Self {
+        values.sort_by(f64::total_cmp);
+        let n = values.len();
+        let (Some(&least), Some(&most)) = (values.first(), values.last()) else {
+            return Self { median: f64::NAN, least: f64::NAN, most: f64::NAN };
+        };
+        Self { median: 0.5 * (values[(n - 1) / 2] + values[n / 2]), least, most }
+    }
+}
+
+/// What came of all runs.
+pub struct Results {
+    /// The name of the scene.
+    pub scene: String,
+    /// The seeds.
+    pub seeds: Vec<u64>,
+    /// The models' labels, in order, and their runs, by seed.
+    pub models: Vec<(String, Vec<Outcome>)>,
+    /// Whether it was interrupted.
+    pub interrupted: bool,
+}
+
+impl Results {
+    /// Sorts the runs by model.
+    pub fn new(plan: &Plan, runs: Vec<Outcome>, interrupted: bool) -> Self {
+        let mut models: Vec<_> = plan.models.iter().map(|model| (model.label().to_owned(), Vec::new())).collect();
+        for run in runs {
+            models[run.model].1.push(run);
+        }
+        Self { scene: plan.loaded.name.clone(), seeds: plan.seeds.clone(), models, interrupted }
+    }
+
+    /// Everything as one JSON object. `throng compare --help` describes its keys.
+    pub fn json(&self, files: &[PathBuf], wall: Duration) -> Value {
+        let models = self.models.iter().map(|(model, runs)| {
+            let over = |pick: fn(&Spread) -> f64| {
+                let keys = runs.iter().flat_map(|run| run.figures.keys()).filter(|key| *key != "interrupted");
+                let figures = keys.map(|key| (key.clone(), json!(pick(&spread(runs, key)))));
+                Value::Object(figures.collect())
+            };
+            let runs = runs.iter().map(|run| {
+                let mut all = Map::from_iter([("seed".to_owned(), json!(run.seed))]);
+                all.extend(run.figures.clone());
+                Value::Object(all)
+            });
+            json!({
+                "model": model,
+                "median": over(|spread| spread.median),
+                "least": over(|spread| spread.least),
+                "most": over(|spread| spread.most),
+                "runs": runs.collect::<Vec<_>>(),
+            })
+        });
+        json!({
+            "scene": self.scene,
+            "seeds": self.seeds,
+            "models": models.collect::<Vec<_>>(),
+            "wall_seconds": wall.as_secs_f64(),
+            "interrupted": self.interrupted,
+            "files": files.iter().map(|path| path.to_string_lossy()).collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// A figure over some runs.
+pub fn spread(runs: &[Outcome], key: &str) -> Spread {
+    Spread::of(runs.iter().filter_map(|run| run.figures[key].as_f64()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_is_in_the_middle() {
+        let spread = |values: &[f64]| Spread::of(values.to_vec());
+        assert_eq!(spread(&[3.0, 1.0, 2.0]), Spread { median: 2.0, least: 1.0, most: 3.0 });
+        assert_eq!(spread(&[4.0, 1.0, 2.0, 9.0]).median, 3.0);
+        assert!(spread(&[]).median.is_nan());
+    }
+}

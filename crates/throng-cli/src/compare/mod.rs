@@ -1,0 +1,79 @@
+//! `throng compare`: a scene with several local models, side by side.
+
+mod args;
+mod figures;
+mod html;
+mod outputs;
+mod race;
+mod sheet;
+mod table;
+
+pub use args::{COMPARE, COMPARE_SHORT, CompareArgs};
+
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::out::{Out, complain};
+use crate::progress::Progress;
+use crate::source::Loaded;
+use crate::threads::Workers;
+use figures::Results;
+use outputs::Outputs;
+use race::{Plan, Race};
+use std::time::Instant;
+
+/// Runs a scene with every model and seed, writes the files and the table.
+///
+/// # Errors
+/// A model or a seed is none, the scene cannot be built, a file cannot be written, or it was interrupted.
+pub fn compare(args: &CompareArgs, out: &mut Out) -> Result<(), Failure> {
+    let begin = Instant::now();
+    let mut loaded = args.scene.load()?;
+    args.end.apply(&mut loaded.scene);
+    let seeds = args.seeds(loaded.scene.seed)?;
+    loaded.scene.seed = seeds[0];
+    let plan = Plan { loaded, models: args.models()?, seeds };
+    if !args.quiet {
+        plan.loaded.notes.iter().for_each(|note| complain(&format!("note: {note}")));
+    }
+    interrupt::watch();
+    let workers = Workers::new(args.threads.count(), plan.models.len() * plan.seeds.len())?;
+    let mut race = Race::start(&plan, &workers, Progress::new(args.quiet))?;
+    let mut outputs = Outputs::create(args, &plan, race.leaders())?;
+    if outputs.watch() {
+        outputs.push(race.leaders())?;
+        while race.step() {
+            outputs.push(race.leaders())?;
+        }
+        outputs.end(race.leaders())?;
+    }
+    let results = Results::new(&plan, race.finish()?, interrupt::asked());
+    let files = outputs.finish(&plan, &results, args.all)?;
+    if args.json {
+        out.line(format_args!("{}", results.json(&files, begin.elapsed())))?;
+    } else if !args.quiet {
+        out.text(table::text(&plan, &results, args.all).as_bytes())?;
+        for file in &files {
+            out.line(format_args!("wrote {}", file.display()))?;
+        }
+    }
+    out.flush()?;
+    if results.interrupted {
+        if !args.quiet {
+            complain("interrupted; the figures and the files are complete up to there");
+        }
+        return Err(Failure::Interrupted);
+    }
+    Ok(())
+}
+
+/// The scene with one of the models and one of the seeds.
+fn variant(plan: &Plan, model: usize, seed: u64) -> Result<Loaded, Failure> {
+    let model = &plan.models[model];
+    let mut loaded = plan.loaded.clone();
+    loaded.scene = loaded.scene.with_model(model).map_err(|mut error| {
+        error.file = Some(format!("--models {model}").into());
+        error
+    })?;
+    loaded.scene.seed = seed;
+    Ok(loaded)
+}

@@ -1,0 +1,187 @@
+//! All models with all seeds: those of the first seed on one clock where somebody watches, everything else as threads
+//! are free.
+
+use super::variant;
+use crate::clock::thread_time;
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::moment;
+use crate::progress::{Progress, share};
+use crate::report::figures;
+use crate::source::Loaded;
+use crate::threads::Workers;
+use serde_json::{Map, Value, json};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+use throng::World;
+use throng_record::Frame;
+use throng_record::series::Series;
+use throng_scene::{Built, Model, Time};
+
+/// What is compared.
+pub struct Plan {
+    /// The scene; its seed is the first.
+    pub loaded: Loaded,
+    /// The models.
+    pub models: Vec<Model>,
+    /// The seeds, at least one.
+    pub seeds: Vec<u64>,
+}
+
+/// One model with one seed.
+pub struct Run {
+    /// Which of the plan's models.
+    pub model: usize,
+    /// The seed.
+    pub seed: u64,
+    /// The world as it is now.
+    pub world: World,
+    /// What was built.
+    pub built: Built,
+    /// The moment it is at, where somebody watches.
+    pub frame: Frame,
+    /// Its figures over time, where somebody watches.
+    pub series: Series,
+    time: Time,
+    stepping: Duration,
+}
+
+/// What came of a run.
+pub struct Outcome {
+    /// Which of the plan's models.
+    pub model: usize,
+    /// The seed.
+    pub seed: u64,
+    /// Its figures by name: those of `throng run --json`, and some more.
+    pub figures: Map<String, Value>,
+    /// Its figures over time, where somebody watched.
+    pub series: Series,
+}
+
+impl Run {
+    fn build(plan: &Plan, model: usize, seed: u64) -> Result<Self, Failure> {
+        let loaded = variant(plan, model, seed)?;
+        let (world, built) = loaded.build().map_err(|failure| match failure {
+            Failure::Error(text) => Failure::Error(format!("{} with seed {seed}: {text}", plan.models[model])),
+            other => other,
+        })?;
+        let time = loaded.scene.time;
+        let (frame, series) = (Frame::default(), Series::default());
+        Ok(Self { model, seed, world, built, frame, series, time, stepping: Duration::ZERO })
+    }
+
+    /// Whether it has come to its end.
+    pub fn over(&self) -> bool {
+        self.time.over(&self.world)
+    }
+
+    fn step(&mut self) {
+        let begin = thread_time();
+        self.world.step();
+        self.stepping += thread_time().saturating_sub(begin);
+    }
+
+    /// Lets it be seen as it is now.
+    fn show(&mut self) {
+        moment::capture(&self.world, &mut self.frame);
+        self.series.push(&self.frame);
+    }
+
+    fn outcome(self) -> Outcome {
+        let mut figures = figures(&self.world.summary(), self.stepping);
+        let rate = figures["agent_steps_per_second"].as_f64();
+        figures.insert("us_per_agent_step".into(), json!(rate.map(|rate| 1e6 / rate)));
+        figures.insert("interrupted".into(), json!(!self.over()));
+        Outcome { model: self.model, seed: self.seed, figures, series: self.series }
+    }
+}
+
+/// All runs on their way.
+pub struct Race<'a> {
+    plan: &'a Plan,
+    workers: &'a Workers,
+    leaders: Vec<Run>,
+    progress: Progress,
+    /// How much of each run is done, in millionths; the leaders first.
+    done: Vec<AtomicU64>,
+}
+
+const WHOLE: f64 = 1e6;
+
+impl<'a> Race<'a> {
+    /// Builds the worlds of the first seed.
+    ///
+    /// # Errors
+    /// One cannot be built.
+    pub fn start(plan: &'a Plan, workers: &'a Workers, progress: Progress) -> Result<Self, Failure> {
+        let models = (0..plan.models.len()).collect();
+        let leaders: Result<Vec<Run>, Failure> =
+            workers.map(models, |model| Run::build(plan, model, plan.seeds[0])).into_iter().collect();
+        let mut leaders = leaders?;
+        leaders.iter_mut().for_each(Run::show);
+        let done = (0..plan.models.len() * plan.seeds.len()).map(|_| AtomicU64::new(0)).collect();
+        Ok(Self { plan, workers, leaders, progress, done })
+    }
+
+    /// The runs of the first seed, in the order of the models.
+    pub fn leaders(&self) -> &[Run] {
+        &self.leaders
+    }
+
+    /// Moves the leaders that are not over on by a step; whether any did.
+    pub fn step(&mut self) -> bool {
+        let running: Vec<&mut Run> = self.leaders.iter_mut().filter(|run| !run.over()).collect();
+        if running.is_empty() || interrupt::asked() {
+            return false;
+        }
+        let done = &self.done;
+        self.workers.map(running, |run| {
+            run.step();
+            run.show();
+            note(&done[run.model], run);
+        });
+        self.show();
+        true
+    }
+
+    /// Runs everything to its end: the leaders, where they are not, and the other seeds.
+    ///
+    /// # Errors
+    /// A world cannot be built.
+    pub fn finish(mut self) -> Result<Vec<Outcome>, Failure> {
+        let models = self.leaders.len();
+        let leaders = std::mem::take(&mut self.leaders).into_iter().map(Some);
+        let others = (models..self.done.len()).map(|_| None);
+        let tasks = leaders.chain(others).enumerate().collect();
+        let race = &self;
+        let work = |(k, run): (usize, Option<Run>)| {
+            let mut run = match run {
+                Some(run) => run,
+                None if interrupt::asked() => return Ok(None),
+                None => Run::build(race.plan, k % models, race.plan.seeds[k / models])?,
+            };
+            while !run.over() && !interrupt::asked() {
+                run.step();
+                note(&race.done[k], &run);
+                race.show();
+            }
+            Ok(Some(run.outcome()))
+        };
+        let outcomes: Result<Vec<Option<Outcome>>, Failure> = self.workers.map(tasks, work).into_iter().collect();
+        self.progress.done();
+        Ok(outcomes?.into_iter().flatten().collect())
+    }
+
+    fn show(&self) {
+        let parts = self.done.iter().map(|part| part.load(Ordering::Relaxed));
+        let (sum, whole) =
+            parts.fold((0, 0), |(sum, whole), part| (sum + part, whole + usize::from(part >= WHOLE as u64)));
+        let count = self.done.len();
+        self.progress.show(sum as f64 / WHOLE / count as f64, || format!("{whole} of {count} runs"));
+    }
+}
+
+fn note(part: &AtomicU64, run: &Run) {
+    let share = if run.over() { 1.0 } else { 0.999 * share(&run.world, run.time.limit) };
+    part.store((share * WHOLE) as u64, Ordering::Relaxed);
+}

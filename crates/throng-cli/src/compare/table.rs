@@ -1,0 +1,140 @@
+//! The figures as a table: for the terminal, for Markdown and as CSV.
+
+use super::figures::{FIGURES, Figure, Results, Spread, spread};
+use super::race::{Outcome, Plan};
+use std::fmt::Write;
+
+/// A row: a name and a cell for each of [`FIGURES`].
+pub struct Row {
+    /// The model; with a seed where the row is one run.
+    pub name: String,
+    /// The values.
+    pub cells: Vec<Cell>,
+    /// Whether it is one run of a model above.
+    pub single: bool,
+}
+
+/// A cell.
+pub struct Cell {
+    /// The value, or the median.
+    pub value: String,
+    /// From the least to the greatest, where they differ.
+    pub range: Option<String>,
+}
+
+/// The rows: the medians of each model, and every run where `all` says so.
+pub fn rows(results: &Results, all: bool) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (name, runs) in &results.models {
+        rows.push(Row { name: name.clone(), cells: cells(runs), single: false });
+        let each = if all && results.seeds.len() > 1 { &runs[..] } else { &[] };
+        rows.extend(each.iter().map(|run| Row {
+            name: format!("seed {}", run.seed),
+            cells: cells(std::slice::from_ref(run)),
+            single: true,
+        }));
+    }
+    rows
+}
+
+fn cells(runs: &[Outcome]) -> Vec<Cell> {
+    let cell = |figure: &Figure| {
+        let Spread { median, least, most } = spread(runs, figure.key);
+        let mut value = written(median, figure);
+        if let Some(of) = figure.of {
+            let _ = write!(value, "/{}", written(spread(runs, of).median, figure));
+        }
+        let (least, most) = (written(least, figure), written(most, figure));
+        Cell { value, range: (least != most).then(|| format!("{least}–{most}")) }
+    };
+    FIGURES.iter().map(cell).collect()
+}
+
+fn written(value: f64, figure: &Figure) -> String {
+    let value = value * figure.scale;
+    // the median of counts can lie between two
+    let digits = if figure.digits == 0 && value.fract() != 0.0 { 1 } else { figure.digits };
+    if value.is_finite() { format!("{value:.digits$}") } else { "–".into() }
+}
+
+/// What is in the table, in words.
+pub fn caption(plan: &Plan, results: &Results) -> String {
+    let seeds: Vec<String> = results.seeds.iter().map(u64::to_string).collect();
+    let consecutive = results.seeds.windows(2).all(|pair| pair[1] == pair[0] + 1);
+    let seeds = match &seeds[..] {
+        [one] => format!("seed {one}"),
+        [first, .., last] if consecutive => format!("seeds {first} to {last}, medians"),
+        all => format!("seeds {}, medians", all.join(", ")),
+    };
+    format!("{seeds}, step {} s", plan.loaded.scene.time.step)
+}
+
+/// The table for the terminal; ranges stand under the medians.
+pub fn text(plan: &Plan, results: &Results, all: bool) -> String {
+    let mut lines: Vec<Vec<String>> =
+        vec![std::iter::once("").chain(FIGURES.iter().map(|f| f.head)).map(String::from).collect()];
+    for row in rows(results, all) {
+        let name = if row.single { format!("  {}", row.name) } else { row.name };
+        let ranges: Vec<String> = row.cells.iter().map(|cell| cell.range.clone().unwrap_or_default()).collect();
+        lines.push(std::iter::once(name).chain(row.cells.into_iter().map(|cell| cell.value)).collect());
+        if !all && ranges.iter().any(|range| !range.is_empty()) {
+            lines.push(std::iter::once(String::new()).chain(ranges).collect());
+        }
+    }
+    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..=FIGURES.len()).map(width).collect();
+    let mut out = format!("{}: {}\n", results.scene, caption(plan, results));
+    for line in &lines {
+        let mut text = format!("  {:<1$}", line[0], widths[0]);
+        for (cell, width) in line.iter().zip(&widths).skip(1) {
+            let _ = write!(text, "  {cell:>width$}");
+        }
+        out.push_str(text.trim_end());
+        out.push('\n');
+    }
+    out
+}
+
+/// The table in Markdown; ranges stand behind the medians.
+pub fn markdown(plan: &Plan, results: &Results, all: bool) -> String {
+    let plain = |text: &str| text.replace('\\', "\\\\").replace('|', "\\|").replace('<', "&lt;");
+    let mut out = format!("{}: {}\n\n| model |", plain(plan.loaded.title()), caption(plan, results));
+    FIGURES.iter().for_each(|figure| out.push_str(&format!(" {} |", figure.head)));
+    out.push_str("\n|---|");
+    FIGURES.iter().for_each(|_| out.push_str("---:|"));
+    for row in rows(results, all) {
+        let name = plain(&row.name);
+        out.push_str(&if row.single { format!("\n| {name} |") } else { format!("\n| **{name}** |") });
+        for Cell { value, range } in row.cells {
+            let range = range.map(|range| format!(" ({range})")).unwrap_or_default();
+            out.push_str(&format!(" {value}{range} |"));
+        }
+    }
+    out.push('\n');
+    out
+}
+
+/// Every run: a line a model and seed, under the names of the figures.
+pub fn csv(results: &Results) -> String {
+    let quoted = |text: &str| match text.contains(['"', ',', '\n']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text.to_owned(),
+    };
+    let runs: Vec<(&str, &Outcome)> =
+        results.models.iter().flat_map(|(name, runs)| runs.iter().map(move |run| (name.as_str(), run))).collect();
+    let mut out = String::from("model,seed");
+    if let Some((_, run)) = runs.first() {
+        run.figures.keys().for_each(|key| out.push_str(&format!(",{key}")));
+    }
+    out.push('\n');
+    for (name, run) in runs {
+        let _ = write!(out, "{},{}", quoted(name), run.seed);
+        for value in run.figures.values() {
+            // what is not known is empty
+            let value = if value.is_null() { String::new() } else { value.to_string() };
+            out.push_str(&format!(",{}", quoted(&value)));
+        }
+        out.push('\n');
+    }
+    out
+}

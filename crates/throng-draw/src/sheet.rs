@@ -1,0 +1,157 @@
+//! Several recordings side by side in one picture, on one clock; one recording is a sheet of one panel.
+
+use crate::mark::{Anchor, Mark};
+use crate::text::Type;
+use crate::{Color, Error, Image, Painter, Style, raster};
+use glam::Vec2;
+use throng_record::{Frame, Setting};
+
+/// What a sheet shows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sheet {
+    /// A title over all panels; empty for none.
+    pub title: String,
+    /// The place and the title of each panel, row by row.
+    pub panels: Vec<Setting>,
+    /// How many panels stand side by side, at least 1; see [`columns`].
+    pub columns: usize,
+}
+
+impl From<&Setting> for Sheet {
+    /// One recording fills the picture.
+    fn from(setting: &Setting) -> Self {
+        Self { title: String::new(), panels: vec![setting.clone()], columns: 1 }
+    }
+}
+
+/// How many of `count` panels, each `panel` times as wide as high, stand side by side so that they are as large as can
+/// be in a picture `picture` times as wide as high; of arrangements with panels of one size, the one with the fewest
+/// empty places.
+///
+/// ```
+/// let side_by_side: Vec<usize> = (1..=9).map(|count| throng_draw::columns(count, 4.0 / 3.0, 2.0)).collect();
+/// assert_eq!(side_by_side, [1, 2, 3, 2, 3, 3, 4, 4, 3]);
+/// assert_eq!(throng_draw::columns(3, 4.0, 2.0), 1);
+/// ```
+pub fn columns(count: usize, panel: f64, picture: f64) -> usize {
+    let size = |columns: usize| {
+        let rows = count.div_ceil(columns);
+        ((picture / (columns as f64 * panel)).min(1.0 / rows as f64), rows * columns - count)
+    };
+    let better = |best: usize, next: usize| {
+        let ((a, empty), (b, fewer)) = (size(best), size(next));
+        let larger = b > a * (1.0 + 1e-6);
+        if larger || (b >= a * (1.0 - 1e-6) && fewer < empty) { next } else { best }
+    };
+    (1..=count).reduce(better).unwrap_or(1)
+}
+
+/// The height of the title, pixels, of a sheet this wide.
+pub fn title_height(width: u32) -> u32 {
+    (34.0 * unit(width)) as u32 / 2 * 2
+}
+
+/// Everything about the title scales with this.
+fn unit(width: u32) -> f32 {
+    (width as f32 / 1280.0).clamp(0.6, 4.0)
+}
+
+/// Pixels between panels.
+const GAP: u32 = 2;
+
+/// Paints the moments of all panels of a sheet.
+#[derive(Debug)]
+pub(crate) struct SheetPainter {
+    size: (u32, u32),
+    panels: Vec<Panel>,
+    paper: Color,
+    title: Vec<Mark>,
+    /// Whether one panel is all of the picture.
+    whole: bool,
+    /// Every panel at its place.
+    image: Image,
+}
+
+#[derive(Debug)]
+struct Panel {
+    painter: Painter,
+    /// Column and row of its first pixel.
+    corner: (u32, u32),
+}
+
+impl SheetPainter {
+    /// A painter for recordings that begin with `firsts`. The style's width and height are those of the sheet.
+    pub(crate) fn new(sheet: &Sheet, style: &Style, firsts: &[&Frame]) -> Result<Self, Error> {
+        let (width, height) = (style.width, style.height);
+        let strip = if sheet.title.is_empty() { 0 } else { title_height(width) };
+        let columns = sheet.columns.clamp(1, sheet.panels.len().max(1)) as u32;
+        let rows = (sheet.panels.len() as u32).div_ceil(columns).max(1);
+        let share = |all: u32, parts: u32| all.saturating_sub(GAP * (parts - 1)) / parts;
+        let (w, h) = (share(width, columns), share(height.saturating_sub(strip), rows));
+        let cell = Style { width: w, height: h, ..style.clone() };
+        let mut panels = Vec::new();
+        for (k, (setting, first)) in (0u32..).zip(sheet.panels.iter().zip(firsts)) {
+            let corner = ((k % columns) * (w + GAP), strip + (k / columns) * (h + GAP));
+            panels.push(Panel { painter: Painter::new(setting, &cell, first)?, corner });
+        }
+        let (paper, size) = (style.theme.outside, 17.0 * unit(width));
+        let at = Vec2::new(14.0 * unit(width), strip as f32 * 0.5 + 0.36 * size);
+        let text = |text: String| Mark::Text { text, at, anchor: Anchor::Start, size, color: style.theme.text };
+        let mut typeface = Type::new();
+        let room = width as f32 - 2.0 * at.x;
+        let title: Vec<Mark> = (strip > 0).then(|| text(typeface.clip(&sheet.title, size, room))).into_iter().collect();
+        let whole = title.is_empty() && panels.len() == 1;
+        let mut image = if whole { Image::new(0, 0, paper) } else { Image::new(width, height, paper) };
+        raster::draw(&mut image, &mut typeface, &title);
+        Ok(Self { size: (width, height), panels, paper, title, whole, image })
+    }
+
+    /// Remembers where everybody is without painting.
+    pub(crate) fn follow(&mut self, frames: &[&Frame]) {
+        self.panels.iter_mut().zip(frames).for_each(|(panel, frame)| panel.painter.follow(frame));
+    }
+
+    /// Paints a moment of each panel.
+    pub(crate) fn paint(&mut self, frames: &[&Frame]) -> &Image {
+        for (Panel { painter, corner }, frame) in self.panels.iter_mut().zip(frames) {
+            let picture = painter.paint(frame);
+            if !self.whole {
+                self.image.lay(picture, *corner);
+            }
+        }
+        match self.panels.first() {
+            Some(panel) if self.whole => panel.painter.image(),
+            _ => &self.image,
+        }
+    }
+
+    /// A moment of each panel as an SVG document.
+    pub(crate) fn svg(&mut self, frames: &[&Frame]) -> String {
+        self.follow(frames);
+        if let ([panel], [frame], true) = (&mut self.panels[..], frames, self.whole) {
+            return panel.painter.svg(frame);
+        }
+        let panels = self.panels.iter().zip(frames).map(|(panel, frame)| (&panel.painter, *frame, panel.corner));
+        crate::svg::sheet(self.size, self.paper, &self.title, panels)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panels_lie_side_by_side_and_do_not_touch() {
+        let panels: Vec<Setting> = (0..5).map(|k| Setting { title: format!("{k}"), ..Setting::default() }).collect();
+        let sheet = Sheet { title: "All".into(), panels, columns: 3 };
+        let style = Style { width: 400, height: 301, ..Style::default() };
+        let nobody = Frame::default();
+        let painter = SheetPainter::new(&sheet, &style, &[&nobody; 5]).unwrap();
+        let (w, h) = ((400 - 4) / 3, (301 - title_height(400) - 2) / 2);
+        let corners: Vec<_> = painter.panels.iter().map(|panel| panel.corner).collect();
+        let top = title_height(400);
+        let next = top + h + 2;
+        assert_eq!(corners, [(0, top), (w + 2, top), (2 * w + 4, top), (0, next), (w + 2, next)]);
+        assert_eq!((painter.image.width(), painter.image.height()), (400, 301));
+    }
+}

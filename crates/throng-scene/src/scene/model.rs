@@ -1,0 +1,176 @@
+//! A local model by its name, to try a scene with: `rvo`, `orca:time_horizon=4`.
+
+use super::{Avoid, Scene};
+use crate::error::{Error, Kind};
+use crate::file::{explain, keys_of, quoted, unknown_key};
+use serde::Deserialize;
+use std::fmt;
+use std::str::FromStr;
+use toml::{Table, Value};
+
+/// What a model keeps of the one it takes the place of, where it has these keys: whom an agent sees.
+const KEPT: [&str; 2] = ["neighbours", "neighbour_distance"];
+
+/// A local model for all of a scene: a name as in `avoid.NAME` (`-` is `_`), and values of its keys after colons.
+///
+/// ```
+/// use throng_scene::{Avoid, Model, gallery};
+///
+/// let model: Model = "rvo:weight=0.5:time_horizon=4".parse()?;
+/// let scene = gallery::scene("circle")?.with_model(&model)?;
+/// let Avoid::Rvo(rvo) = scene.groups[0].avoid else { panic!() };
+/// assert_eq!((rvo.weight, rvo.time_horizon, rvo.neighbours), (0.5, 4.0, 10));
+/// # Ok::<(), throng_scene::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Model {
+    label: String,
+    name: String,
+    values: Table,
+}
+
+impl Model {
+    /// The names of all models, as scene files write them.
+    pub fn names() -> Vec<String> {
+        keys_of::<Avoid>()
+    }
+
+    /// What was written.
+    pub fn label(&self) -> &str {
+        &self.label
+    }
+
+    /// This model in the place of another: where that is the same one, its values stay but for those written here.
+    fn instead_of(&self, other: &Avoid) -> Result<Avoid, Error> {
+        let read = |values: Table| {
+            let table = Table::from_iter([(self.name.clone(), Value::Table(values))]);
+            Avoid::deserialize(table).map_err(|error| explain(error.message()).file(self.label.as_str()))
+        };
+        let mut values = match table_of(other).remove(&self.name) {
+            Some(Value::Table(values)) => values,
+            _ => {
+                let (neighbours, distance) = other.sight();
+                let mut values = values_of(&read(Table::new())?);
+                let kept = [Value::Integer(neighbours.into()), Value::Float(distance)];
+                for (key, value) in KEPT.into_iter().zip(kept) {
+                    if let Some(place) = values.get_mut(key) {
+                        *place = value;
+                    }
+                }
+                values
+            }
+        };
+        values.extend(self.values.clone());
+        read(values)
+    }
+}
+
+/// A model as the table of a scene file.
+fn table_of(avoid: &Avoid) -> Table {
+    Table::try_from(avoid).unwrap_or_default()
+}
+
+/// The keys of a model, and its values.
+fn values_of(avoid: &Avoid) -> Table {
+    match table_of(avoid).into_iter().next() {
+        Some((_, Value::Table(values))) => values,
+        _ => Table::new(),
+    }
+}
+
+impl Scene {
+    /// The scene with this model in every group. Of the groups' own models, `neighbours` and `neighbour_distance` are
+    /// kept where the new one has those keys; a group that has this model already keeps all its values.
+    ///
+    /// # Errors
+    /// The model has no such key, or a value is not of its type. Limits are checked when the scene is built.
+    pub fn with_model(&self, model: &Model) -> Result<Self, Error> {
+        let mut scene = self.clone();
+        for group in &mut scene.groups {
+            group.avoid = model.instead_of(&group.avoid)?;
+        }
+        Ok(scene)
+    }
+}
+
+impl fmt::Display for Model {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.label)
+    }
+}
+
+impl FromStr for Model {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self, Error> {
+        let label = text.trim();
+        let mut parts = label.split(':').map(str::trim);
+        let (written, names) = (parts.next().unwrap_or_default(), Self::names());
+        let name = written.replace('-', "_");
+        if !names.contains(&name) {
+            return Err(unknown_key(written, &names).message(format!("there is no model `{written}`")));
+        }
+        let mut values = Table::new();
+        for part in parts {
+            let value = part.split_once('=').and_then(|(key, value)| {
+                let value = format!("value = {}", quoted(value.trim())).parse::<Table>().ok()?.remove("value")?;
+                (!key.trim().is_empty()).then(|| (key.trim().replace('-', "_"), value))
+            });
+            let Some((key, value)) = value else {
+                return Err(Error::new(Kind::Syntax, format!("`{part}` is not a value of the model `{name}`"))
+                    .file(label)
+                    .hint("write the model, then its values after colons: orca:time_horizon=4:neighbours=20"));
+            };
+            values.insert(key, value);
+        }
+        let model = Self { label: label.to_owned(), name, values };
+        model.instead_of(&Avoid::default())?;
+        Ok(model)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gallery;
+
+    fn avoid(scene: &str, model: &str) -> Avoid {
+        let scene: Scene = scene.parse().unwrap();
+        scene.with_model(&model.parse().unwrap()).unwrap().groups.remove(0).avoid
+    }
+
+    const ONE: &str = "[[group]]\nplace.point = [0.0, 0.0]\navoid.orca = { time_horizon = 3.0, neighbours = 20 }\n";
+
+    #[test]
+    fn every_model_can_stand_in_for_every_other_and_sees_the_same() {
+        assert!(Model::names().len() >= 5, "{:?}", Model::names());
+        for name in Model::names() {
+            let other = avoid(ONE, &name);
+            assert!(table_of(&other).contains_key(&name));
+            if let Some(neighbours) = values_of(&other).get("neighbours") {
+                assert_eq!(neighbours.as_integer(), Some(20), "{name}");
+            }
+            let scene = gallery::scene("headon").unwrap().with_model(&name.replace('_', "-").parse().unwrap()).unwrap();
+            scene.build().unwrap();
+        }
+    }
+
+    #[test]
+    fn the_same_model_keeps_its_values_but_for_those_written() {
+        let scene: Scene = ONE.parse().unwrap();
+        assert_eq!(scene.with_model(&"orca".parse().unwrap()).unwrap(), scene);
+        let Avoid::Orca(orca) = avoid(ONE, "orca:time_horizon=4") else { panic!() };
+        assert_eq!((orca.time_horizon, orca.neighbours), (4.0, 20));
+    }
+
+    #[test]
+    fn mistakes_are_told_with_their_mend() {
+        let told = |text: &str| text.parse::<Model>().unwrap_err().to_string();
+        assert!(told("orcs").contains("there is no model `orcs`"), "{}", told("orcs"));
+        assert!(told("orcs").contains("did you mean `orca`?") && told("orcs").contains("hrvo, "), "{}", told("orcs"));
+        assert!(told("orca:horizon=2").contains("did you mean `time_horizon`?"), "{}", told("orca:horizon=2"));
+        assert!(told("orca:time_horizon").contains("after colons"));
+        assert!(told("orca:time_horizon=long").contains("the text \"long\""), "{}", told("orca:time_horizon=long"));
+        assert!(told("orca:time_horizon=true").contains("a number"), "{}", told("orca:time_horizon=true"));
+    }
+}

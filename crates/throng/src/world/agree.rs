@@ -1,0 +1,299 @@
+//! Agreeing who goes first: of two sides, the one for which the others have less way to retreat.
+
+use super::World;
+use crate::agent::Status;
+use crate::navigate::{Path, Refuge, Turn};
+use crate::space::{Disc, nearest_on_segment};
+use glam::DVec2;
+use std::cmp::Ordering;
+
+/// People who agree at most. Where more are in each other's way it is a crowd.
+const MOST: usize = 10;
+/// Radii within which people agree, each with the next.
+const REACH: f32 = 15.0;
+/// Radii of its way that an agent looks ahead.
+const AHEAD: f64 = 50.0;
+/// Radii up to which those at rest are noted.
+const AROUND: f32 = 80.0;
+/// How far who waits keeps from the others' ways, in sums of radii.
+const CLEAR: f64 = 1.15;
+
+/// How much room two need side by side, over their widths, and into how many parts it is divided to be measured.
+const NARROW: f64 = 1.05;
+const PARTS: f64 = 8.0;
+/// Cosine of the angle within which two go the same way.
+const SAME_WAY: f64 = 0.3;
+
+/// Who goes first, with the way left when it is past the others; who steps aside, with the way to where it waits.
+pub(super) struct Agreement {
+    pub first: Vec<(usize, f32)>,
+    pub aside: Vec<(usize, Path)>,
+}
+
+/// A way, and the radius of who goes it.
+type Lane = (Vec<DVec2>, f64);
+
+impl World {
+    /// Whether each of two stands in the other's way, and goes another way.
+    pub(super) fn opposed(&self, row: usize, other: usize) -> bool {
+        let touch = f64::from(self.agents.radius[row]) + f64::from(self.agents.radius[other]);
+        let (mine, theirs) = (self.lane(row).0, self.lane(other).0);
+        // where it is past the other it goes another way than the other
+        let blocks = |way: &[DVec2], by: &[DVec2]| {
+            let (distance, along) = nearest(way, by[0]);
+            let next = |way: &[DVec2], from: f64| (at(way, from + 2.0 * touch) - at(way, from)).normalize_or_zero();
+            distance < touch && next(way, along).dot(next(by, 0.0)) < SAME_WAY
+        };
+        self.goal_of(row) != self.goal_of(other) && blocks(&mine, &theirs) && blocks(&theirs, &mine)
+    }
+
+    /// Whether, on its way from one agent to the other, there is no room for the two side by side.
+    pub(super) fn is_narrow(&self, row: usize, other: usize) -> bool {
+        let Some(mesh) = self.meshes.mesh(self.agents.body(row).girth()) else { return false };
+        let (lane, radius) = self.lane(row);
+        let need = 2.0 * f64::from(self.agents.radius[other]) * NARROW;
+        let mut left = self.world_position(other).distance(lane[0]);
+        for leg in lane.windows(2) {
+            let length = leg[0].distance(leg[1]);
+            let across = (leg[1] - leg[0]).perp() / length.max(1e-9);
+            let parts = (length.min(left) / radius).ceil() as usize;
+            for part in 0..=parts {
+                let at = mesh.nearest(leg[0].lerp(leg[1], (part as f64 * radius / length).min(1.0)));
+                let seen = |k: f64| mesh.visible(at, at + across * (need * k / PARTS));
+                let free = |side: f64| (1..PARTS as usize).take_while(|&k| seen(side * k as f64)).count();
+                if !seen(PARTS) && !seen(-PARTS) && free(1.0) + free(-1.0) < PARTS as usize {
+                    return true;
+                }
+            }
+            left -= length;
+            if left <= 0.0 {
+                break;
+            }
+        }
+        false
+    }
+
+    /// What two who are stuck agree on, together with those round them; `None` if nobody can step aside.
+    pub(super) fn agree(&self, row: usize, other: usize) -> Option<Agreement> {
+        let agents = &self.agents;
+        let (one, two) = match (self.proposal(row, other), self.proposal(other, row)) {
+            (Some(one), Some(two)) => (one, two),
+            (one, two) => return one.or(two),
+        };
+        let priority = |side: &Agreement| {
+            side.first.iter().map(|&(row, _)| agents.priority[row]).fold(f32::NEG_INFINITY, f32::max)
+        };
+        let cost = |side: &Agreement| side.aside.iter().map(|(_, path)| path.length).sum::<f64>();
+        let saved = cost(&two) - cost(&one);
+        // the retreats of equals differ by rounding
+        let saved = if saved.abs() > f64::from(agents.radius[row]) { saved } else { 0.0 };
+        let order = priority(&two)
+            .total_cmp(&priority(&one))
+            .then(0.0_f64.partial_cmp(&saved).unwrap_or(Ordering::Equal))
+            .then(agents.travel[row].remaining.total_cmp(&agents.travel[other].remaining))
+            .then(agents.number[row].cmp(&agents.number[other]));
+        Some(if order.is_lt() { one } else { two })
+    }
+
+    /// How it would be if `leader` and those on its side went first.
+    fn proposal(&self, leader: usize, other: usize) -> Option<Agreement> {
+        let (first, mut aside) = self.sides(leader, other)?;
+        let mut ground = Ground::new(self, &first, &[]);
+        self.nearest_first(&mut aside, &first);
+        let aside: Option<Vec<_>> = aside.iter().map(|&row| Some((row, ground.retreat(row)?))).collect();
+        let aside = aside?;
+        let first = first.iter().map(|&row| (row, ground.past(row, &aside))).collect();
+        Some(Agreement { first, aside })
+    }
+
+    /// Who comes towards those who go `first`, and the way to where it waits; `aside` are those who stepped aside.
+    pub(super) fn newcomers(&self, first: &[usize], aside: &[usize]) -> Vec<(usize, Path)> {
+        let mut near = self.near(first);
+        near.retain(|&row| first.iter().any(|&other| self.opposed(row, other)));
+        if near.is_empty() {
+            return Vec::new();
+        }
+        let mut ground = Ground::new(self, first, aside);
+        near.iter().filter_map(|&row| Some((row, ground.retreat(row)?))).collect()
+    }
+
+    /// The two sides: who is in the way of the first steps aside, who is in the way of the others goes first.
+    fn sides(&self, leader: usize, other: usize) -> Option<(Vec<usize>, Vec<usize>)> {
+        let (mut first, mut aside) = (vec![leader], vec![other]);
+        loop {
+            let mut members = first.clone();
+            members.extend(&aside);
+            let mut near = self.near(&members);
+            near.retain(|row| !members.contains(row));
+            let blocks = |side: &[usize], row: usize| side.iter().any(|&other| self.opposed(row, other));
+            let next = near.into_iter().find_map(|row| {
+                let steps_aside = blocks(&first, row);
+                (steps_aside || blocks(&aside, row)).then_some((row, steps_aside))
+            });
+            match next {
+                None => return Some((first, aside)),
+                Some(_) if members.len() == MOST => return None,
+                Some((row, true)) => aside.push(row),
+                Some((row, false)) => first.push(row),
+            }
+        }
+    }
+
+    /// Those who could agree with any of `rows`, nearest first.
+    fn near(&self, rows: &[usize]) -> Vec<usize> {
+        let mut near = Vec::new();
+        for &row in rows {
+            let reach = REACH * self.agents.radius[row];
+            self.step.grid.within(self.agents.position[row], reach, |found| near.push(found.row as usize));
+        }
+        near.sort_unstable();
+        near.dedup();
+        near.retain(|&row| self.may_resolve(row));
+        self.nearest_first(&mut near, rows);
+        near
+    }
+
+    /// Sorts by the distance to the nearest of `others`, ties by number.
+    fn nearest_first(&self, rows: &mut [usize], others: &[usize]) {
+        let agents = &self.agents;
+        let distance = |row: usize| {
+            let all = others.iter().map(|&other| agents.position[row].distance(agents.position[other]));
+            all.fold(f32::INFINITY, f32::min)
+        };
+        rows.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)).then(agents.number[a].cmp(&agents.number[b])));
+    }
+
+    /// The way of an agent, as far as it looks ahead.
+    fn lane(&self, row: usize) -> Lane {
+        let radius = f64::from(self.agents.radius[row]);
+        let travel = &self.agents.travel[row];
+        let route = match &travel.turn {
+            Turn::Aside(route) => Some(route),
+            _ => travel.route.as_ref(),
+        };
+        let mut points = vec![self.world_position(row)];
+        let mut left = AHEAD * radius;
+        for corner in route.into_iter().flat_map(|route| route.corners()) {
+            let last = points[points.len() - 1];
+            let length = last.distance(corner);
+            points.push(if length > left { last.lerp(corner, left / length) } else { corner });
+            left -= length;
+            if left <= 0.0 {
+                break;
+            }
+        }
+        (points, radius)
+    }
+}
+
+/// What those who step aside keep clear of.
+struct Ground<'a> {
+    world: &'a World,
+    middle: DVec2,
+    /// One for each size of body.
+    refuges: Vec<Refuge<'a>>,
+    lanes: Vec<Lane>,
+    /// Bodies that do not move, those who go first among them: nobody gets past them.
+    bodies: Vec<(DVec2, f64)>,
+    /// Where those who go first will stay.
+    ends: Vec<(DVec2, f64)>,
+}
+
+impl<'a> Ground<'a> {
+    fn new(world: &'a World, first: &[usize], aside: &[usize]) -> Self {
+        let agents = &world.agents;
+        let radius = |row: usize| f64::from(agents.radius[row]);
+        let mut bodies: Vec<_> = first.iter().map(|&row| (world.world_position(row), radius(row))).collect();
+        let around = AROUND * agents.radius[first[0]];
+        world.step.grid.within(agents.position[first[0]], around, |near| {
+            let row = near.row as usize;
+            let rests = agents.status[row] != Status::Walking || matches!(agents.travel[row].turn, Turn::Aside(_));
+            if rests && agents.avoids(first[0], row) && !agents.passes_clear(first[0], row) && !aside.contains(&row) {
+                bodies.push((world.world_position(row), radius(row)));
+            }
+        });
+        let stays = |&&row: &&usize| {
+            let point = world.goal_of(row).is_some_and(|goal| world.goals[goal.index()].corners().is_none());
+            point && world.is_last(row, agents.travel[row].leg)
+        };
+        let end = |row: usize| agents.travel[row].route.as_ref().and_then(|route| route.end());
+        let ends = first.iter().filter(stays).filter_map(|&row| Some((end(row)?, radius(row)))).collect();
+        let lanes = first.iter().chain(aside).map(|&row| world.lane(row)).collect();
+        let middle = world.world_position(first[0]);
+        Self { world, middle, refuges: Vec::new(), lanes, bodies, ends }
+    }
+
+    /// The way to where somebody waits, from where it can go on when the others have passed.
+    fn retreat(&mut self, row: usize) -> Option<Path> {
+        let (world, radius) = (self.world, f64::from(self.world.agents.radius[row]));
+        let mesh = world.meshes.mesh(world.agents.body(row).girth())?;
+        let known = self.refuges.iter().position(|refuge| std::ptr::eq(refuge.mesh(), mesh));
+        let at = known.unwrap_or_else(|| {
+            self.refuges.push(Refuge::new(mesh, self.middle));
+            self.refuges.len() - 1
+        });
+        let refuge = &mut self.refuges[at];
+        let discs = |bodies: &[(DVec2, f64)]| -> Vec<Disc> {
+            bodies.iter().map(|&(center, size)| Disc { center, radius: size + radius }).collect()
+        };
+        let blocked = discs(&self.bodies);
+        let path = refuge.nearest(world.world_position(row), &blocked, |p| {
+            self.lanes.iter().all(|(lane, size)| apart(lane, p) >= CLEAR * (size + radius))
+                && blocked.iter().all(|disc| p.distance(disc.center) >= disc.radius)
+        })?;
+        let (lane, _) = world.lane(row);
+        let (spot, end) = (*path.corners.last()?, *lane.last()?);
+        if !self.ends.is_empty() {
+            let near = 2.0 * radius;
+            refuge.nearest(spot, &discs(&self.ends), |p| p.distance(end) <= near)?;
+        }
+        self.lanes.push((std::iter::once(path.start).chain(path.corners.iter().copied()).collect(), radius));
+        Some(path)
+    }
+
+    /// Metres of way that somebody has left when it is past those aside, and out of the way they go back.
+    fn past(&self, row: usize, aside: &[(usize, Path)]) -> f32 {
+        let world = self.world;
+        let (lane, radius) = world.lane(row);
+        let retreats = &self.lanes[self.lanes.len() - aside.len()..];
+        let step = 0.5 * radius;
+        let last = retreats.iter().map(|(retreat, size)| {
+            let passed = nearest(&lane, retreat[retreat.len() - 1]).1;
+            let near = |&k: &usize| apart(retreat, at(&lane, step * k as f64)) < radius + size;
+            let clear = (0..=(AHEAD * radius / step) as usize).rev().find(near);
+            clear.map_or(passed, |k| passed.max(step * k as f64))
+        });
+        let last = last.fold(0.0, f64::max);
+        world.agents.travel[row].remaining - last as f32
+    }
+}
+
+/// Distance from a way to a point.
+fn apart(way: &[DVec2], p: DVec2) -> f64 {
+    nearest(way, p).0
+}
+
+/// Distance from a way to a point, and how far along the way that is.
+fn nearest(way: &[DVec2], p: DVec2) -> (f64, f64) {
+    let (mut best, mut walked) = ((way[0].distance(p), 0.0), 0.0);
+    for leg in way.windows(2) {
+        let nearest = nearest_on_segment(leg[0], leg[1], p);
+        if nearest.distance(p) < best.0 {
+            best = (nearest.distance(p), walked + nearest.distance(leg[0]));
+        }
+        walked += leg[0].distance(leg[1]);
+    }
+    best
+}
+
+/// The point so far along a way; its end if it is not that long.
+fn at(way: &[DVec2], mut along: f64) -> DVec2 {
+    for leg in way.windows(2) {
+        let length = leg[0].distance(leg[1]);
+        if along < length {
+            return leg[0].lerp(leg[1], along / length);
+        }
+        along -= length;
+    }
+    way[way.len() - 1]
+}

@@ -1,0 +1,164 @@
+//! Standoffs: where people block each other's ways and cannot pass, some step aside and let the others by.
+//!
+//! After the locally confined planning of Dergachev and Yakovlev (CASE 2021; MODELS 1.10), with ways in place of plans
+//! in time: two who get no nearer to their goals and stand in each other's way agree, together with those round them,
+//! which side goes first. The others go to the nearest place out of its way, wait there, and go on when it has passed.
+
+use super::World;
+use super::agree::Agreement;
+use crate::agent::{AgentId, Status};
+use crate::navigate::{Route, Turn};
+use serde::{Deserialize, Serialize};
+
+/// Radii that somebody who gets on by less than one could have walked: from here on it looks round, and again each time
+/// they have doubled. At 1.3 m/s and 0.2 m these are 0.3 s.
+const LOOKS: f32 = 2.0;
+/// The same for who is stuck where two could pass: 2.5 s.
+const STUCK: f32 = 16.0;
+/// Sums of radii within which two block each other, and within which they do where two cannot pass.
+const CLOSE: f32 = 1.6;
+const CLOSE_IF_NARROW: f32 = 8.0;
+/// How much longer than it should take everybody waits, and seconds beyond that.
+const PATIENCE: f32 = 2.0;
+const GRACE: f32 = 5.0;
+/// Seconds between looks at who comes.
+const LOOK: f32 = 0.5;
+
+/// Some who go first, and some who step aside for them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Standoff {
+    first: Vec<First>,
+    aside: Vec<AgentId>,
+    /// Seconds after which nobody waits any longer.
+    left: f32,
+}
+
+/// Who goes first: the leg it is on, and metres of its way left when it is past everybody.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+struct First {
+    agent: AgentId,
+    leg: u32,
+    past: f32,
+}
+
+impl World {
+    /// Ends standoffs that are over, and lets those who are stuck agree on new ones.
+    pub(super) fn resolve(&mut self, seconds: f32) {
+        let mut standoffs = std::mem::take(&mut self.standoffs);
+        standoffs.retain_mut(|standoff| self.go_on(standoff, seconds));
+        self.standoffs = standoffs;
+        for row in self.stuck(seconds) {
+            if let Some(agreement) = self.partner(row).and_then(|other| self.agree(row, other)) {
+                self.begin(agreement);
+            }
+        }
+    }
+
+    /// Those who are stuck and look round in this sub-step, by number.
+    fn stuck(&self, seconds: f32) -> Vec<usize> {
+        let agents = &self.agents;
+        let looks = |&row: &usize| {
+            let stalled = agents.travel[row].stalled;
+            let before = stalled - seconds * agents.preferred_speed[row] / agents.radius[row];
+            stalled >= LOOKS && libm::log2f(stalled).floor() > libm::log2f(before.max(0.5 * LOOKS)).floor()
+        };
+        let mut rows: Vec<usize> = (0..agents.len()).filter(looks).collect();
+        rows.sort_by_key(|&row| agents.number[row]);
+        rows
+    }
+
+    /// Whether an agent can still agree with others: on the ground, since over and under there is another way out.
+    pub(super) fn may_resolve(&self, row: usize) -> bool {
+        let agents = &self.agents;
+        agents.status[row] == Status::Walking
+            && agents.travel[row].turn == Turn::Free
+            && agents.altitude[row] == 0.0
+            && agents.script[row].is_none()
+            && self.groups[agents.group[row].index()].resolve
+    }
+
+    /// The nearest in whose way an agent is, and who is in its way, if both are stuck.
+    fn partner(&self, row: usize) -> Option<usize> {
+        let agents = &self.agents;
+        // who joined one that began in this sub-step has found its partner
+        if !self.may_resolve(row) {
+            return None;
+        }
+        let nearest = self.neighbours(row).iter().map(|near| near.row as usize).find(|&other| {
+            agents.travel[other].stalled >= 0.5 * LOOKS && self.may_resolve(other) && self.opposed(row, other)
+        });
+        nearest.filter(|&other| {
+            let close =
+                agents.position[row].distance(agents.position[other]) / (agents.radius[row] + agents.radius[other]);
+            let stuck = agents.travel[row].stalled >= STUCK && agents.travel[other].stalled >= 0.5 * STUCK;
+            stuck && close < CLOSE || close < CLOSE_IF_NARROW && self.is_narrow(row, other)
+        })
+    }
+
+    fn begin(&mut self, agreement: Agreement) {
+        let agents = &self.agents;
+        let way = agreement.first.iter().map(|&(row, past)| agents.travel[row].remaining - past).fold(0.0, f32::max);
+        let retreat = agreement.aside.iter().map(|(_, path)| path.length as f32).fold(0.0, f32::max);
+        let slowest = agreement.first.iter().map(|&(row, _)| agents.preferred_speed[row]).fold(f32::INFINITY, f32::min);
+        let first = |&(row, past): &(usize, f32)| First { agent: self.id(row), leg: self.agents.travel[row].leg, past };
+        let standoff = Standoff {
+            first: agreement.first.iter().map(first).collect(),
+            aside: agreement.aside.iter().map(|&(row, _)| self.id(row)).collect(),
+            left: PATIENCE * (way + retreat) / slowest + GRACE,
+        };
+        for (row, _) in agreement.first {
+            self.agents.travel[row].take(Turn::First);
+        }
+        for (row, path) in agreement.aside {
+            self.agents.travel[row].take(Turn::Aside(Route::new(&path)));
+        }
+        self.tally.standoffs += 1;
+        self.standoffs.push(standoff);
+    }
+
+    /// Whether a standoff goes on: somebody is not yet past those who stepped aside.
+    fn go_on(&mut self, standoff: &mut Standoff, seconds: f32) -> bool {
+        let before = standoff.left;
+        standoff.left -= seconds;
+        standoff.first.retain(|first| {
+            let Some(row) = self.row(first.agent) else { return false };
+            let walks = self.agents.status[row] == Status::Walking;
+            let travel = &mut self.agents.travel[row];
+            let mine = travel.turn == Turn::First && travel.leg == first.leg;
+            let passes = mine && walks && travel.remaining > first.past && standoff.left > 0.0;
+            if mine && !passes {
+                travel.take(Turn::Free);
+            }
+            passes
+        });
+        if standoff.first.is_empty() {
+            for row in self.rows_of(&standoff.aside) {
+                self.agents.travel[row].give_up_turn();
+            }
+        } else if (before / LOOK).floor() > (standoff.left / LOOK).floor() {
+            self.join(standoff);
+        }
+        !standoff.first.is_empty()
+    }
+
+    /// Who comes towards those who go first steps aside too.
+    fn join(&mut self, standoff: &mut Standoff) {
+        let first: Vec<AgentId> = standoff.first.iter().map(|first| first.agent).collect();
+        for (row, path) in self.newcomers(&self.rows_of(&first), &self.rows_of(&standoff.aside)) {
+            standoff.aside.push(self.id(row));
+            self.agents.travel[row].take(Turn::Aside(Route::new(&path)));
+        }
+    }
+
+    fn rows_of(&self, ids: &[AgentId]) -> Vec<usize> {
+        ids.iter().filter_map(|&id| self.row(id)).collect()
+    }
+
+    /// Ends all standoffs.
+    pub(super) fn end_standoffs(&mut self) {
+        self.standoffs.clear();
+        for travel in &mut self.agents.travel {
+            travel.give_up_turn();
+        }
+    }
+}
