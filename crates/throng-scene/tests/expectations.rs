@@ -59,7 +59,12 @@ fn the_longest_scene_shows_what_it_expects() {
 #[test]
 fn every_scene_says_what_the_project_promises() {
     for name in gallery::names() {
-        let expect = gallery::scene(name).unwrap().expect;
+        let scene = gallery::scene(name).unwrap();
+        // the labs' own algorithm promises nothing
+        if scene.groups.iter().any(|group| !group.is_guarded()) {
+            continue;
+        }
+        let expect = scene.expect;
         assert_eq!(expect.arrived, Some(Arrived::All), "{name}");
         for least in [expect.least_separation, expect.least_wall_separation] {
             assert!(least >= Some(0.9999), "{name}");

@@ -35,7 +35,9 @@ pub(crate) fn followable(error: f32, heading: f32, max_speed: f32, max_turn_rate
 /// The part of a chosen speed at which a body drives while it turns by `angle` into the chosen direction: the least
 /// error at the end of the turn.
 fn part(angle: f32) -> f32 {
-    if angle.abs() < 1e-3 { 1.0 } else { 0.5 * angle * libm::sinf(angle) / (1.0 - libm::cosf(angle)) }
+    // angle * sin(angle) / (2 - 2 cos(angle)), without the cancellation
+    let (sin, cos) = libm::sincosf(0.5 * angle);
+    if sin == 0.0 { 1.0 } else { 0.5 * angle * cos / sin }
 }
 
 /// The velocity of the next `step` seconds with which a body of this heading follows the velocity it chose: forwards,

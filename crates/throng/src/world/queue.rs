@@ -10,8 +10,10 @@ use glam::Vec2;
 const SAME_WAY: f32 = 0.3;
 /// Part of the sum of radii that who is followed may be aside.
 const FOLLOW_WIDTH: f32 = 0.8;
-/// Part of its preferred speed at which somebody counts as unhindered: it is not followed but overtaken.
+/// Who walks unhindered, at this part of its preferred speed, and would like to be slower than this part of another's, is
+/// overtaken.
 const UNHINDERED: f32 = 0.9;
+const SLOWER: f32 = 0.8;
 /// Seconds in which who follows closes up.
 const FOLLOW_TIME: f32 = 0.05;
 /// Cosine of the angle within which somebody is ahead: on the way to the same goal, and to another.
@@ -78,10 +80,9 @@ impl World {
             let radii = agents.radius[row] + agents.radius[other];
             let offset = agents.offset(row, other);
             let aside = offset.perp_dot(direction).abs();
-            (aside < FOLLOW_WIDTH * radii
-                && agents.travel[other].progress < UNHINDERED
-                && self.leads(other, offset, direction))
-            .then(|| {
+            let overtaken = agents.travel[other].progress >= UNHINDERED
+                && agents.preferred_speed[other] < SLOWER * agents.preferred_speed[row];
+            (!overtaken && aside < FOLLOW_WIDTH * radii && self.leads(other, offset, direction)).then(|| {
                 let closing = (offset.length() - radii * (1.0 + MARGIN)).max(0.0) / FOLLOW_TIME;
                 let speed = agents.velocity[other].dot(direction).max(0.0) + closing;
                 Following { speed, closed_up: (closing < agents.preferred_speed[row]).then_some(other as u32) }
