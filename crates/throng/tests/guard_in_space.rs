@@ -20,14 +20,10 @@ struct One {
     push: Vec3,
 }
 
-fn one(spread: f32, walls: bool) -> impl Strategy<Value = One> {
+fn one(spread: f32, oblong: bool) -> impl Strategy<Value = One> {
     let place = (-spread..spread, -spread..spread, prop_oneof![Just(0.0f32), 0.0..spread]);
     let push = (-1.0f32..1.0, -1.0f32..1.0, prop_oneof![Just(0.0f32), -1.0f32..1.0]);
-    let half = if walls {
-        prop_oneof![3 => Just(0.0f32), 1 => 0.05f32..0.5]
-    } else {
-        prop_oneof![3 => Just(0.0f32), 0 => 0.0f32..0.5]
-    };
+    let half = prop_oneof![3 => Just(0.0f32), u32::from(oblong) => 0.05f32..0.5];
     (place, 0.05f32..0.6, half, push).prop_map(|(place, radius, half, push)| One {
         place: place.into(),
         radius,
@@ -92,9 +88,9 @@ fn run(all: &mut [One], walls: &Walls, reach: f32) -> Result<(), TestCaseError> 
                 let (from, to) = (all[row].place.as_dvec3(), targets[row].place().as_dvec3());
                 from.lerp(to, f64::from(i) / f64::from(TIMES))
             };
-            for b in 0..a {
-                let radii = f64::from(one.radius) + f64::from(all[b].radius);
-                let gap = |i: u32| apart((one, at(a, i)), (&all[b], at(b, i)));
+            for (b, other) in all.iter().enumerate().take(a) {
+                let radii = f64::from(one.radius) + f64::from(other.radius);
+                let gap = |i: u32| apart((one, at(a, i)), (other, at(b, i)));
                 let needed = radii.min(gap(0)) - 1.1 * SLACK * radii;
                 let least = (0..=TIMES).map(gap).fold(f64::INFINITY, f64::min);
                 prop_assert!(least >= needed, "{} and {} in step {}: {} of {}", a, b, step, least, radii);

@@ -58,11 +58,6 @@ fn everybody_changes_places_across_a_sphere() {
             let mut closest = f64::INFINITY;
             run(&mut world, 60.0, |world| closest = closest.min(least(world)));
             let summary = world.summary();
-            println!(
-                "{count} step {step:.3}: {:.1} s, least {closest:.4}, guard {:.4}",
-                world.time(),
-                summary.guard_share
-            );
             assert!(world.finished(), "{count} with {step}: {summary:?}");
             assert!(closest > 1.0 - 1e-4, "{count} with {step}: {closest}");
             assert!((summary.least_separation.min(9.0) - closest.min(9.0)).abs() < 0.5, "{summary:?} {closest}");
