@@ -179,7 +179,7 @@ impl World {
     /// Whether somebody flies, or will: has an altitude, enters with one, or has a goal in the air.
     pub fn in_space(&self) -> bool {
         let goals = self.goals.iter().any(|goal| goal.altitude().is_some());
-        goals || self.schedule.anybody_flies() || self.agents.altitude.iter().any(|&altitude| altitude != 0.0)
+        goals || self.schedule.anybody_flies() || self.agents.anybody_flies()
     }
 
     /// The agents' state, as columns; positions are relative to [`Settings::origin`].

@@ -86,8 +86,10 @@ impl Columns {
     }
 
     /// How much higher another is: 0 where one of the two is no disc, since those stand upright without end.
+    #[inline]
     pub fn above(&self, row: usize, other: usize) -> f32 {
-        if self.is_disc(row) && self.is_disc(other) { self.altitude[other] - self.altitude[row] } else { 0.0 }
+        let above = self.altitude[other] - self.altitude[row];
+        if above == 0.0 || self.is_disc(row) && self.is_disc(other) { above } else { 0.0 }
     }
 
     /// [`offset`](Self::offset) and [`above`](Self::above) together: bodies touch when it is as long as the sum of their

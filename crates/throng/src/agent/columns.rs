@@ -104,6 +104,11 @@ impl Columns {
         self.position.is_empty()
     }
 
+    /// Whether anybody is off the ground.
+    pub fn anybody_flies(&self) -> bool {
+        self.altitude.iter().any(|&altitude| altitude != 0.0)
+    }
+
     /// How fast an agent is, in space.
     pub fn speed(&self, row: usize) -> f32 {
         self.velocity[row].extend(self.climb[row]).length()

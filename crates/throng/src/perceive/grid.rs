@@ -243,7 +243,8 @@ impl Grid {
             let worst = if found.len() == k { found[k - 1] } else { limit };
             let counts =
                 |near: &Near| near.before(&worst) || near.distance_squared == limit.distance_squared && found.len() < k;
-            if counts(&near) && accept(&mut near) && counts(&near) {
+            let in_plane = near.distance_squared;
+            if counts(&near) && accept(&mut near) && (near.distance_squared == in_plane || counts(&near)) {
                 if found.len() == k {
                     found.pop();
                 }

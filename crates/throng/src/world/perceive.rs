@@ -31,11 +31,11 @@ impl World {
         let agents = &self.agents;
         let widest = (0..agents.len()).map(|row| agents.body(row).bound()).fold(0.0, f32::max) * 2.0;
         self.step.grid.rebuild(&agents.position, &agents.number, widest.max(0.1) * 2.0);
-        let grid = &self.step.grid;
+        let (grid, anybody_flies) = (&self.step.grid, agents.anybody_flies());
         (0..agents.len()).any(|row| {
             let mut near = 0;
             grid.within(agents.position[row], widest * 2.0, |other| {
-                let above = agents.above(row, other.row as usize);
+                let above = if anybody_flies { agents.above(row, other.row as usize) } else { 0.0 };
                 near += u32::from(other.distance_squared + above * above <= 4.0 * widest * widest);
             });
             near > 1
@@ -51,7 +51,7 @@ impl World {
         step.most_neighbours = groups.iter().map(|group| group.neighbours).max().unwrap_or(1);
         step.neighbours.resize(agents.len() * step.most_neighbours, Near::default());
         let (grid, long) = (&step.grid, &step.long);
-        let anybody_flies = agents.altitude.iter().any(|&altitude| altitude != 0.0);
+        let anybody_flies = agents.anybody_flies();
         parallel::rows(&mut step.neighbours, step.most_neighbours, Vec::new, |found, row, places| {
             let group = &groups[agents.group[row].index()];
             let flat = !group.model.looks_in_space();

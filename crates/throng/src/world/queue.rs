@@ -112,10 +112,11 @@ impl World {
         })
     }
 
-    /// Neighbours who are not far above or below: nobody queues behind those.
+    /// Neighbours who are not far above or below, whom only models of space see: nobody queues behind those.
     fn level_neighbours(&self, row: usize) -> impl Iterator<Item = usize> {
         let others = self.neighbours(row).iter().map(|near| near.row as usize);
-        others.filter(move |&other| !self.agents.passes_clear(row, other))
+        let in_space = self.model(row).looks_in_space();
+        others.filter(move |&other| !in_space || !self.agents.passes_clear(row, other))
     }
 
     /// Whether the one at `offset` goes ahead of who wants to go in `direction`: the same way, and away. Of two, at
