@@ -54,7 +54,7 @@ fn an_unknown_choice_is_named_with_the_others() {
 a.toml:6:7: `circle` is not one of the choices here
   6 | place.circle = { radius = 7.0 }
     |       ^^^^^^
-  hint: the choices here are: point, points, line, ring, grid, disc, rectangle, polygon, walkable",
+  hint: the choices here are: point, points, line, ring, sphere, grid, disc, rectangle, polygon, walkable",
     );
 }
 
@@ -193,7 +193,7 @@ fn those_who_fly_stay_above_the_ground() {
         &count("place.sphere = { center = [0, 0, 3], radius = 4 }"),
         Kind::OutOfRange,
         r"
-a.toml:6:48: group `walkers`: place.sphere.radius is 4, but must be more than 0 and at most 3
+a.toml:6:47: group `walkers`: place.sphere.radius is 4, but must be more than 0 and at most 3
   6 | place.sphere = { center = [0, 0, 3], radius = 4 }
     |                                               ^
   hint: all of the sphere must be above the ground: put its center higher, or make it smaller",
