@@ -68,8 +68,9 @@ impl Avo {
 
 /// Moments at which the obstacle is looked at.
 const MOMENTS: usize = 24;
+const LANES: usize = 8;
 /// Directions in which the way out is sought, before it is refined.
-const DIRECTIONS: usize = 32;
+const DIRECTIONS: usize = 16;
 
 /// The half-plane of new velocities that one neighbour leaves to an agent of the given velocity, both of which come to
 /// their new velocities with this delay, seconds.
@@ -80,19 +81,28 @@ pub fn line(velocity: Vec2, other: &Neighbour, horizon: f32, delay: f32, step: f
         return orca::line(velocity, other, horizon, step);
     }
     let relative = velocity - other.velocity;
-    let discs: [(Vec2, f32); MOMENTS] = std::array::from_fn(|i| {
+    // columns: several moments are looked at at a time
+    let (mut x, mut y, mut radius) = ([0.0; MOMENTS], [0.0; MOMENTS], [0.0; MOMENTS]);
+    for i in 0..MOMENTS {
         // closer together where discs change fast
         let part = (i + 1) as f32 / MOMENTS as f32;
         let time = horizon * part * part;
         let lag = delay * (libm::expf(-time / delay) - 1.0);
         // faster than ten thousand times the distance in a second nobody is, and nothing is precise
         let reach = (time + lag).max(1e-4);
-        ((offset + relative * lag) / reach, radii / reach)
-    });
+        let center = (offset + relative * lag) / reach;
+        (x[i], y[i], radius[i]) = (center.x, center.y, radii / reach);
+    }
     // how far it is out of all discs in a direction
     let out = |normal: Vec2| {
-        let farthest = discs.iter().map(|(center, radius)| center.dot(normal) + radius);
-        farthest.fold(f32::NEG_INFINITY, f32::max) - relative.dot(normal)
+        let reach: [f32; MOMENTS] = std::array::from_fn(|i| x[i] * normal.x + y[i] * normal.y + radius[i]);
+        let mut farthest = [f32::NEG_INFINITY; LANES];
+        for reach in reach.chunks_exact(LANES) {
+            for (most, &reach) in farthest.iter_mut().zip(reach) {
+                *most = if reach > *most { reach } else { *most };
+            }
+        }
+        farthest.into_iter().fold(f32::NEG_INFINITY, f32::max) - relative.dot(normal)
     };
     let direction = |angle: f32| {
         let (sin, cos) = libm::sincosf(angle);
@@ -109,7 +119,7 @@ pub fn line(velocity: Vec2, other: &Neighbour, horizon: f32, delay: f32, step: f
     }
     // the least lies between the neighbours of the best: narrow it down
     let mut width = around;
-    for _ in 0..12 {
+    for _ in 0..10 {
         width *= 0.5;
         for angle in [best.0 - width, best.0 + width] {
             let change = out(direction(angle));

@@ -57,7 +57,7 @@ const LEAST_SHARE: f32 = 0.1;
 
 impl LocalModel for Rvo {
     fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
-        self.choose(view, |_, _| ())
+        self.choose(view, None)
     }
 
     fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
@@ -69,7 +69,9 @@ impl LocalModel for Rvo {
             }
         });
         let mut reasons: Vec<Reason> = cones.collect();
-        self.choose(view, |velocity, cost| reasons.push(Reason::Candidate { velocity, cost }));
+        let mut candidates = Vec::new();
+        self.choose(view, Some(&mut candidates));
+        reasons.extend(candidates);
         reasons
     }
 
@@ -97,19 +99,22 @@ impl Rvo {
         (other.share + self.responsibility - 0.5).clamp(LEAST_SHARE, 1.0)
     }
 
-    /// The velocity of least penalty; `tried` hears of all that were tried.
-    fn choose(&self, view: &View<'_>, mut tried: impl FnMut(Vec2, f32)) -> Vec2 {
+    /// The velocity of least penalty; notes all that were tried, if asked to.
+    fn choose(&self, view: &View<'_>, mut tried: Option<&mut Vec<Reason>>) -> Vec2 {
         let reach = view.max_acceleration * view.step;
         let reachable = |v: Vec2| {
             let v = if self.kinodynamic { view.velocity + (v - view.velocity).clamp_length_max(reach) } else { v };
             v.clamp_length_max(view.max_speed)
         };
         let overlaps = view.neighbours.iter().any(|n| is_overlap(view, n));
-        sampling::cheapest(self.search, view, |wish| {
-            let v = reachable(wish);
-            let cost = if overlaps { self.leaving(view, v) } else { self.penalty(view, v) };
-            tried(v, cost);
-            (v, cost)
+        sampling::cheapest(self.search, view, |wish, best| {
+            let velocity = reachable(wish);
+            let enough = if tried.is_some() { f32::INFINITY } else { best };
+            let cost = if overlaps { self.leaving(view, velocity) } else { self.penalty(view, velocity, enough) };
+            if let Some(tried) = &mut tried {
+                tried.push(Reason::Candidate { velocity, cost });
+            }
+            (velocity, cost)
         })
     }
 
@@ -118,16 +123,25 @@ impl Rvo {
         v / share + view.velocity * (1.0 - 1.0 / share) - other.velocity
     }
 
-    fn penalty(&self, view: &View<'_>, v: Vec2) -> f32 {
-        let times = view.neighbours.iter().map(|n| n.time_to_collision(self.judged(view, n, v)));
-        let time = times.fold(f32::INFINITY, f32::min);
-        let walls = view.time_to_walls(v, view.radius);
+    /// What a velocity costs; if that is not less than `enough`, no less than it.
+    fn penalty(&self, view: &View<'_>, v: Vec2, enough: f32) -> f32 {
+        let distance = v.distance(view.preferred);
+        if distance >= enough {
+            return distance;
+        }
+        let penalty = |time: f32, horizon: f32| if time < horizon { self.weight / time.max(1e-3) } else { 0.0 };
         let wall_horizon = self.time_horizon_obstacles.unwrap_or_else(|| {
             // a wall that is reached later than the body stands is no wall yet
             view.step.max(v.length() / view.max_acceleration)
         });
-        let penalty = |time: f32, horizon: f32| if time < horizon { self.weight / time.max(1e-3) } else { 0.0 };
-        v.distance(view.preferred) + penalty(time, self.time_horizon).max(penalty(walls, wall_horizon))
+        let mut most = penalty(view.time_to_walls(v, view.radius), wall_horizon);
+        for other in view.neighbours {
+            if distance + most >= enough {
+                break;
+            }
+            most = most.max(penalty(other.time_to_collision(self.judged(view, other, v)), self.time_horizon));
+        }
+        distance + most
     }
 
     /// What a velocity costs one who overlaps others: only those count, and how soon it is out (the authors' library).

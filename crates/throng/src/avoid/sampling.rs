@@ -37,11 +37,12 @@ impl Search {
     }
 }
 
-/// The cheapest velocity that the search finds. `cost` tells of a wish the velocity that is possible, and its cost.
-pub(super) fn cheapest(search: Search, view: &View<'_>, mut cost: impl FnMut(Vec2) -> (Vec2, f32)) -> Vec2 {
+/// The cheapest velocity that the search finds. `cost` tells of a wish the velocity that is possible, and its cost; one
+/// that would not be less than the best so far, which it is given, need not be exact.
+pub(super) fn cheapest(search: Search, view: &View<'_>, mut cost: impl FnMut(Vec2, f32) -> (Vec2, f32)) -> Vec2 {
     let mut best = (view.preferred, f32::INFINITY);
     let mut candidate = |v: Vec2| {
-        let (v, cost) = cost(v);
+        let (v, cost) = cost(v, best.1);
         if cost < best.1 {
             best = (v, cost);
         }
