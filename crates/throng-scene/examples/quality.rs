@@ -11,7 +11,7 @@ use throng_scene::{Error, Model, Scene, gallery};
 const MODELS: &str = "orca,avo,hrvo,clearpath,rvo,vo,none,rvo-lab";
 const STEPS: [f64; 3] = [1.0 / 60.0, 1.0 / 25.0, 0.1];
 /// Seconds after which a run ends.
-const LIMIT: f64 = 300.0;
+const LIMIT: f64 = 200.0;
 
 /// Name, scene of the gallery, and what is changed in it.
 type Case = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
@@ -83,8 +83,22 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         while let Some(&(case, step, model)) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) {
             let made = run(cases[case], STEPS[step], &models[model]);
             let mut runs = runs.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+            let (number, all) = (runs.len() + 1, jobs.len());
+            if let Ok(s) = &made {
+                let (name, step, model) = (cases[case].0, STEPS[step], models[model].label());
+                eprintln!(
+                    "{number} of {all}: {name}; {step:.3} s; {model}; {} of {}; {:.2} times, {:.0} s; {:.4}; {:.2} %; {:.1}; {:.0}",
+                    s.arrived,
+                    s.agents,
+                    s.time_ratio,
+                    s.time,
+                    s.least_separation,
+                    s.guard_share * 100.0,
+                    s.heading_change_deg_per_s,
+                    s.course_change_deg_per_s,
+                );
+            }
             runs.push(made.map(|summary| Run { case, step, model, summary }));
-            eprint!("\r{} of {} runs", runs.len(), jobs.len());
         }
     };
     std::thread::scope(|scope| {
@@ -92,7 +106,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             scope.spawn(work);
         });
     });
-    eprintln!();
     let runs = runs.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
     let runs = runs.into_iter().collect::<Result<Vec<Run>, Error>>()?;
 
