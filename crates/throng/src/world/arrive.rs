@@ -129,18 +129,19 @@ impl World {
     }
 
     /// Arrival by contact (MODELS 1.9): near enough to a point that others have taken, and touching one of them. Who
-    /// gets no nearer for a while is content with less: crowds gather in uneven discs.
+    /// gets no nearer for a while is content with less: crowds gather in uneven discs, and some models keep off others.
     fn arrives_by_contact(&self, row: usize, goal: crate::GoalId, distance: f64, arrived: u32) -> bool {
         let agents = &self.agents;
         let radius = f64::from(agents.radius[row]);
         let enough = 1.25 * radius * f64::from(arrived + 1).sqrt() + 2.0 * radius;
-        let content = 1.0 + f64::from(agents.travel[row].without_progress / CONTENT_TIME);
-        if arrived == 0 || distance > enough * content {
+        let patience = agents.travel[row].without_progress / CONTENT_TIME;
+        if arrived == 0 || distance > enough * f64::from(1.0 + patience) {
             return false;
         }
-        self.step.contacts.of(row).iter().any(|&other| {
-            let other = other as usize;
-            let touch = (agents.radius[row] + agents.radius[other]) * 1.1;
+        let near = (1.1 + 0.1 * patience).min(1.5);
+        self.neighbours(row).iter().any(|other| {
+            let other = other.row as usize;
+            let touch = (agents.radius[row] + agents.radius[other]) * near;
             agents.status[other] == Status::Arrived
                 && self.goal_of(other) == Some(goal)
                 && agents.offset_in_space(row, other).length() <= touch

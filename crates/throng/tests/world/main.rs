@@ -14,6 +14,7 @@ mod journeys;
 mod limits;
 mod manners;
 mod mistakes;
+mod models;
 mod movers;
 mod narrow;
 mod obstacles;
