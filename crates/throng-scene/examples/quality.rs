@@ -1,6 +1,6 @@
 //! How good every local model is, over scenes and time steps: prints the Markdown tables of docs/quality.md.
-//! `cargo run --release -p throng-scene --example quality [-- [--models orca,rvo] NAME...]`: the scenes whose names
-//! contain one of these, or all.
+//! `cargo run --release -p throng-scene --example quality [-- [--models orca,rvo] NAME...]`: the scenes of these names,
+//! as in the first column of the tables, or all.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 use std::sync::Mutex;
@@ -71,7 +71,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let given = names.iter().position(|name| name == "--models").map(|at| names.drain(at..at + 2).nth(1));
     let models = given.flatten().unwrap_or_else(|| MODELS.to_owned());
     let models = models.split(',').map(str::parse).collect::<Result<Vec<Model>, Error>>()?;
-    let chosen = |case: &Case| names.is_empty() || names.iter().any(|name| case.0.contains(name.as_str()));
+    let chosen = |case: &Case| names.is_empty() || names.iter().any(|name| case.0 == name);
     let cases: Vec<&Case> = CASES.iter().filter(|case| chosen(case)).collect();
 
     // the longest first, so that no thread waits for the last
