@@ -40,7 +40,7 @@ const CASES: [Case; 17] = [
     ("crossing at 90°", "crossing", &[]),
     ("overtaking", "overtaking", &[]),
     ("moving vehicle", "vehicle", &[]),
-    ("gathering of 200", "gathering", &[]),
+    ("gathering of 200", "gathering", &[("time.limit", "60")]),
 ];
 
 /// Which case, model and step, and what came of it.
