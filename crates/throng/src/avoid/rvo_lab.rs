@@ -28,17 +28,17 @@ const WALL_RANGE: f32 = 5.0;
 pub struct RvoLab;
 
 impl LocalModel for RvoLab {
-    fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
-        choose(view, |_, _| ())
+    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+        choose(view, &mut workspace.forbidden, |_, _| ())
     }
 
-    fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
+    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
         let neighbours = view.neighbours.iter().enumerate();
         let mut reasons: Vec<Reason> = neighbours
             .map(|(index, other)| Reason::Forbids(Cause::Neighbour(index), cone(view, other)))
             .chain(discs(view).enumerate().map(|(index, disc)| Reason::Forbids(Cause::Disc(index), cone(view, &disc))))
             .collect();
-        choose(view, |velocity, cost| reasons.push(Reason::Candidate { velocity, cost }));
+        choose(view, &mut workspace.forbidden, |velocity, cost| reasons.push(Reason::Candidate { velocity, cost }));
         reasons
     }
 
@@ -73,9 +73,9 @@ fn cone(view: &View<'_>, other: &Neighbour) -> Forbidden {
     Forbidden::Cone { apex, right: axis.rotate(Vec2::new(cosine, -sine)), left: axis.rotate(Vec2::new(cosine, sine)) }
 }
 
-fn choose(view: &View<'_>, mut tried: impl FnMut(Vec2, f32)) -> Vec2 {
-    let cones = view.neighbours.iter().copied().chain(discs(view)).map(|other| cone(view, &other));
-    let cones: Vec<Forbidden> = cones.collect();
+fn choose(view: &View<'_>, cones: &mut Vec<Forbidden>, mut tried: impl FnMut(Vec2, f32)) -> Vec2 {
+    cones.clear();
+    cones.extend(view.neighbours.iter().copied().chain(discs(view)).map(|other| cone(view, &other)));
     let is_free = |v: Vec2| {
         let walls = || view.edges.iter().map(|e| time_to_segment(e.start, e.end, v * 2.0 - view.velocity, view.radius));
         cones.iter().all(|cone| cone.depth(v) <= 0.0) && walls().all(f32::is_infinite)
