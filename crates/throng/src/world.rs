@@ -16,7 +16,7 @@ mod standoff;
 
 pub use explain::{Explanation, Seen};
 
-use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
+use crate::agent::{AgentId, Column, Columns, GoalId, Group, GroupId, JourneyId, Status};
 use crate::guard::Pose;
 use crate::guard::{Contacts, Guard};
 use crate::navigate::{Goal, Journey, Meshes, Script, Unreachable};
@@ -111,8 +111,8 @@ struct StepMemory {
     preferred: Vec<Vec3>,
     wishes: Vec<Vec3>,
     targets: Vec<Pose>,
-    reach: Vec<f32>,
-    guarded: Vec<bool>,
+    reach: Column<f32>,
+    guarded: Column<bool>,
     contacts: Contacts,
     guard: Guard,
     arrivals: Vec<u32>,
@@ -253,7 +253,7 @@ impl World {
         grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
         let agents = &self.agents;
         let bound = |row: usize| agents.body(row).bound();
-        let largest = (0..agents.len()).map(bound).fold(0.0, f32::max);
+        let largest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max);
         let mut pairs = Vec::new();
         for row in 0..agents.len() {
             grid.within(agents.position[row], bound(row) + largest, |near| {

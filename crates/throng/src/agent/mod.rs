@@ -4,11 +4,13 @@
 //! facts live as [columns](Columns). [`Group`] holds what many agents share: the local model and its reach.
 
 mod body;
+mod column;
 mod columns;
 mod group;
 mod id;
 
 pub use body::Body;
+pub use column::{Column, Value};
 pub use columns::{Columns, Trip};
 pub use group::Group;
 pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId, ScriptId};

@@ -187,6 +187,12 @@ impl World {
         }
     }
 
+    /// Makes room for so many more agents: who knows how many there will be saves the memory that growing wastes.
+    pub fn reserve(&mut self, agents: usize) {
+        self.agents.reserve(agents);
+        self.slots.rows.reserve(agents);
+    }
+
     /// Adds an agent. It may overlap others: then the pair is parted smoothly, and
     /// [`overlapping`](Self::overlapping) tells of it.
     ///
