@@ -91,8 +91,10 @@ pub struct World {
 /// Which row each id names.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 struct Slots {
-    /// Generation of each slot, and the row of the agent that has it.
-    rows: Vec<(u32, Option<u32>)>,
+    /// The row of the agent that has a slot; `u32::MAX`: nobody has it.
+    rows: Vec<u32>,
+    /// How many had it before.
+    generations: Column<u32>,
     free: Vec<u32>,
     next_number: u32,
 }
@@ -195,13 +197,13 @@ impl World {
     /// The agent in a row of [`agents`](Self::agents).
     pub fn id(&self, row: usize) -> AgentId {
         let slot = self.agents.slot[row];
-        AgentId { slot, generation: self.slots.rows[slot as usize].0 }
+        AgentId { slot, generation: self.slots.generations[slot as usize] }
     }
 
     /// The row of an agent in [`agents`](Self::agents); `None` if it has been removed.
     pub fn row(&self, id: AgentId) -> Option<usize> {
-        let &(generation, row) = self.slots.rows.get(id.slot as usize)?;
-        row.filter(|_| generation == id.generation).map(|row| row as usize)
+        let &row = self.slots.rows.get(id.slot as usize)?;
+        (row != u32::MAX && self.slots.generations[id.slot as usize] == id.generation).then_some(row as usize)
     }
 
     /// A group.
@@ -281,7 +283,7 @@ impl World {
         Counts {
             agents: present + self.schedule.len() + removed,
             // whoever an exit removed had arrived at it
-            arrived: removed + self.walkers().filter(|&row| self.agents.trip[row].arrived.is_some()).count(),
+            arrived: removed + self.walkers().filter(|&row| self.agents.arrived[row].is_finite()).count(),
             removed,
             present,
         }
@@ -291,7 +293,7 @@ impl World {
     pub fn summary(&self) -> Summary {
         let agents = &self.agents;
         let trips = self.walkers().map(|row| {
-            (agents.number[row], Ended { trip: agents.trip[row], preferred_speed: agents.preferred_speed[row] })
+            (agents.number[row], Ended { trip: agents.trip(row), preferred_speed: agents.preferred_speed[row] })
         });
         let resting = self.walkers().filter(|&row| agents.speed(row) < 0.05).count();
         let stuck = self

@@ -94,6 +94,11 @@ impl<T: Value> Column<T> {
         (0..self.len).map(|row| self[row])
     }
 
+    /// The values that occur, to change: one of all rows at once, or one a row.
+    pub fn values_mut(&mut self) -> &mut [T] {
+        &mut self.values
+    }
+
     /// Becomes what `f` makes of the values of another, in the memory it has. It must make the same of the same.
     pub fn map_from<U: Value>(&mut self, other: &Column<U>, f: impl FnMut(U) -> T) {
         self.values.clear();
@@ -230,6 +235,7 @@ mod tests {
     enum Change {
         Push(f32),
         Set(usize, f32),
+        SetAll(f32),
         Remove(usize),
         Reserve(usize),
         SaveAndLoad,
@@ -244,6 +250,7 @@ mod tests {
         prop_oneof![
             4 => value().prop_map(Change::Push),
             4 => (any::<usize>(), value()).prop_map(|(row, value)| Change::Set(row, value)),
+            1 => value().prop_map(Change::SetAll),
             2 => any::<usize>().prop_map(Change::Remove),
             1 => (0usize..9).prop_map(Change::Reserve),
             1 => Just(Change::SaveAndLoad),
@@ -270,6 +277,10 @@ mod tests {
                         let row = row % plain.len();
                         column.set(row, value);
                         plain[row] = value;
+                    }
+                    Change::SetAll(value) => {
+                        column.values_mut().fill(value);
+                        plain.fill(value);
                     }
                     Change::Remove(row) if !plain.is_empty() => {
                         let row = row % plain.len();

@@ -80,27 +80,20 @@ columns! {
     status: Vec<Status>,
     /// How its journey goes.
     travel: Vec<Travel>,
-    /// What it has done so far.
-    trip: Vec<Trip>,
-}
-
-/// What one agent has done so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Trip {
     /// Time it entered, seconds.
-    pub entered: f64,
-    /// Time it first came to the end of its journey.
-    pub arrived: Option<f64>,
-    /// Metres walked or flown.
-    pub walked: f64,
-    /// Radians its heading has turned, either way.
-    pub turned: f64,
-    /// Radians the direction of its motion has turned, either way: unlike the heading it is not smoothed.
-    pub course_turned: f64,
+    entered: Column<f64>,
+    /// Time it first came to the end of its journey; infinite before.
+    arrived: Column<f64>,
     /// Seconds it has been on its way.
-    pub on_way: f64,
+    on_way: Column<f64>,
+    /// Metres walked or flown.
+    walked: Vec<f64>,
+    /// Radians its heading has turned, either way.
+    turned: Vec<f64>,
+    /// Radians the direction of its motion has turned, either way.
+    course_turned: Vec<f64>,
     /// Metres of the shortest way of the legs begun so far.
-    pub shortest: f64,
+    shortest: Vec<f64>,
 }
 
 impl Columns {
@@ -153,7 +146,13 @@ impl Columns {
         self.script.push(agent.script);
         self.status.push(Status::Walking);
         self.travel.push(Travel::default());
-        self.trip.push(Trip { entered: now, ..Trip::default() });
+        self.entered.push(now);
+        self.arrived.push(f64::INFINITY);
+        self.on_way.push(0.0);
+        self.walked.push(0.0);
+        self.turned.push(0.0);
+        self.course_turned.push(0.0);
+        self.shortest.push(0.0);
     }
 
     /// Whether `row` avoids `other`.

@@ -8,12 +8,14 @@ mod column;
 mod columns;
 mod group;
 mod id;
+mod trip;
 
 pub use body::Body;
 pub use column::{Column, Value};
-pub use columns::{Columns, Trip};
+pub use columns::Columns;
 pub use group::Group;
 pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId, ScriptId};
+pub use trip::Trip;
 
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};

@@ -84,14 +84,13 @@ impl World {
             };
             agents.heading[row] = heading;
             if agents.status[row] == Status::Walking {
-                let trip = &mut agents.trip[row];
                 let turned = f64::from((heading - before).abs());
-                trip.turned += turned.min(std::f64::consts::TAU - turned);
-                trip.course_turned += f64::from(angle_between(velocity_before, agents.velocity[row]));
-                trip.on_way += f64::from(seconds);
-                trip.walked += f64::from((target.place() - from).length());
+                agents.turned[row] += turned.min(std::f64::consts::TAU - turned);
+                agents.course_turned[row] += f64::from(angle_between(velocity_before, agents.velocity[row]));
+                agents.walked[row] += f64::from((target.place() - from).length());
             }
         }
+        agents.pass(seconds);
         self.measure();
         self.arrive(seconds, now);
     }
