@@ -300,7 +300,7 @@ impl World {
             .walkers()
             .filter(|&row| match agents.status[row] {
                 Status::Stranded => true,
-                Status::Walking => agents.travel[row].without_progress > 10.0,
+                Status::Walking => agents.travel[row].without_progress() > 10.0,
                 Status::Waiting | Status::Arrived => false,
             })
             .count();
@@ -333,7 +333,7 @@ impl World {
                 agents.status[row] as u32,
                 travel.leg,
                 travel.progress.to_bits(),
-                travel.detour.to_bits(),
+                travel.turned().to_bits(),
                 travel.turn.rank() as u32,
             ];
             // those who walk have none

@@ -4,6 +4,7 @@ use super::World;
 use crate::agent::{JourneyId, Status};
 use crate::navigate::{Goal, nearest_on_ring};
 use crate::summary::Ended;
+use glam::DVec2;
 
 /// Seconds without progress after which twice the distance to a point that others have taken is near enough.
 const CONTENT_TIME: f32 = 3.0;
@@ -13,6 +14,11 @@ const GAP_TOLERANCE: f64 = 0.05;
 impl World {
     pub(super) fn stop(&self, row: usize, leg: u32) -> Option<crate::Stop> {
         self.journeys[self.agents.journey[row].index()].stops.get(leg as usize).copied()
+    }
+
+    /// The middle of the goal of a leg.
+    pub(super) fn goal_middle(&self, row: usize, leg: u32) -> Option<DVec2> {
+        self.stop(row, leg).map(|stop| self.goals[stop.goal.index()].middle())
     }
 
     pub(super) fn is_last(&self, row: usize, leg: u32) -> bool {
@@ -45,7 +51,8 @@ impl World {
         for (row, status) in next.into_iter().enumerate() {
             let before = self.agents.status[row];
             if before == Status::Waiting {
-                self.agents.travel[row].wait -= seconds;
+                let travel = &mut self.agents.travel[row];
+                travel.set_wait(travel.wait() - seconds);
             }
             if status == Status::Arrived && before == Status::Walking {
                 self.agents.travel[row].at_point = self.is_at_point(row);
@@ -60,7 +67,7 @@ impl World {
                         gone.push(row);
                         Status::Arrived
                     } else if wait > 0.0 {
-                        self.agents.travel[row].wait = wait;
+                        self.agents.travel[row].set_wait(wait);
                         Status::Waiting
                     } else {
                         self.next_leg(row)
@@ -101,7 +108,7 @@ impl World {
     fn next_status(&self, row: usize, seconds: f32, arrived: &[u32]) -> Status {
         let agents = &self.agents;
         match agents.status[row] {
-            Status::Waiting if agents.travel[row].wait <= seconds => Status::Walking,
+            Status::Waiting if agents.travel[row].wait() <= seconds => Status::Walking,
             Status::Walking => {
                 let Some(stop) = self.stop(row, agents.travel[row].leg) else { return Status::Arrived };
                 let (place, goal) = (self.world_place(row), &self.goals[stop.goal.index()]);
@@ -110,7 +117,7 @@ impl World {
                         self.arrives_by_contact(row, stop.goal, offset.length(), arrived[stop.goal.index()])
                     }
                     (None, Some(corners)) => {
-                        let (at, gap) = (place.truncate(), f64::from(agents.travel[row].gap));
+                        let (at, gap) = (place.truncate(), f64::from(agents.travel[row].gap()));
                         gap > 0.0 && nearest_on_ring(corners, at).distance(at) <= gap + GAP_TOLERANCE
                     }
                     (None, None) => false,
@@ -133,7 +140,7 @@ impl World {
         let agents = &self.agents;
         let radius = f64::from(agents.radius[row]);
         let enough = 1.25 * radius * f64::from(arrived + 1).sqrt() + 2.0 * radius;
-        let patience = agents.travel[row].without_progress / CONTENT_TIME;
+        let patience = agents.travel[row].without_progress() / CONTENT_TIME;
         if arrived == 0 || distance > enough * f64::from(1.0 + patience) {
             return false;
         }

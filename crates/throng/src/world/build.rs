@@ -339,8 +339,8 @@ impl World {
         self.meshes = Meshes::default();
         self.extent = None;
         for travel in &mut self.agents.travel {
-            travel.route = None;
-            travel.gap = 0.0;
+            travel.lose_way();
+            travel.set_gap(0.0);
         }
         // who could not get there may now
         for status in &mut self.agents.status {

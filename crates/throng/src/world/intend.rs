@@ -49,8 +49,8 @@ impl World {
         ways.clear();
         ways.extend(self.agents.travel.iter().enumerate().map(|(row, travel)| Way {
             goal: self.goal_of(row),
-            direction: match (self.agents.status[row], &travel.turn) {
-                (Status::Walking, Turn::Aside(_)) if travel.remaining < self.agents.radius[row] => Vec2::ZERO,
+            direction: match (self.agents.status[row], travel.turn) {
+                (Status::Walking, Turn::Aside) if travel.remaining < self.agents.radius[row] => Vec2::ZERO,
                 (Status::Walking, _) => self.towards(row, travel).normalize_or_zero(),
                 _ => Vec2::ZERO,
             },
@@ -83,8 +83,8 @@ impl World {
         let detour = if detours { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
         // coming to a point: as slow as stopping there takes, half of the acceleration left to turn with, and never
         // past it
-        let stops = match (&travel.turn, goal) {
-            (Turn::Aside(_), _) => true,
+        let stops = match (travel.turn, goal) {
+            (Turn::Aside, _) => true,
             (_, goal) => goal.corners().is_none() && self.is_last(row, travel.leg),
         };
         let arriving = if stops {
@@ -100,7 +100,8 @@ impl World {
 
     /// From an agent to what it heads for.
     pub(super) fn towards(&self, row: usize, travel: &Travel) -> Vec2 {
-        (travel.aim - self.world_position(row)).as_vec2()
+        let aim = travel.aim().or_else(|| self.goal_middle(row, travel.leg)).unwrap_or_default();
+        (aim - self.world_position(row)).as_vec2()
     }
 
     /// What an agent would like that has arrived: to rest, or to come gently back to its point if it was pushed away

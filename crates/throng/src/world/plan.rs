@@ -3,7 +3,7 @@
 use super::World;
 use super::build::direction;
 use crate::agent::{AgentId, Status};
-use crate::navigate::{Goal, Heading, Meshes, Route, Search, Travel, Turn, Unreachable};
+use crate::navigate::{Goal, Heading, Meshes, Path, Route, Search, Travel, Turn, Unreachable};
 use crate::parallel;
 use glam::{DVec2, DVec3};
 
@@ -14,7 +14,7 @@ impl World {
         let world = &*self;
         parallel::rows(&mut travels, 1, || (), |(), row, travel| world.follow(row, &mut travel[0]));
         let mut lost: Vec<Planned> = (0..travels.len())
-            .filter(|&row| self.agents.status[row] == Status::Walking && travels[row].route.is_none())
+            .filter(|&row| self.agents.status[row] == Status::Walking && !travels[row].has_way())
             .map(|row| Planned { row, leg: travels[row].leg, outcome: None })
             .collect();
         if !lost.is_empty() {
@@ -27,12 +27,12 @@ impl World {
                 match outcome {
                     Some(Ok((route, length, gap))) => {
                         let travel = &mut travels[row];
-                        travel.route = Some(route);
-                        travel.gap = gap;
+                        travel.set_way(route);
+                        travel.set_gap(gap);
                         self.follow(row, travel);
                         if !travel.measured {
                             travel.measured = true;
-                            self.agents.shortest[row] += DVec2::new(length, travel.rise.into()).length();
+                            self.agents.shortest[row] += DVec2::new(length, travel.rise().into()).length();
                         }
                     }
                     Some(Err(why)) => {
@@ -62,7 +62,9 @@ impl World {
         for way in ways {
             let Some(Ok((route, ..))) = way.outcome else { continue };
             let at = self.world_position(way.row);
-            if let Some(heading) = route.corners().find_map(|corner| direction(corner - at)) {
+            let straight = self.goal_middle(way.row, way.leg).filter(|_| route.is_none());
+            let mut corners = route.iter().flat_map(Route::corners).chain(straight);
+            if let Some(heading) = corners.find_map(|corner| direction(corner - at)) {
                 self.agents.heading[way.row] = heading;
             }
         }
@@ -71,38 +73,42 @@ impl World {
     /// Lets an agent look where it is on its way; a way that no longer holds is given up.
     fn follow(&self, row: usize, travel: &mut Travel) {
         let at = self.world_position(row);
-        let route = match (&mut travel.turn, &mut travel.route) {
-            (Turn::Aside(route), _) | (_, Some(route)) => route,
-            _ => return,
-        };
-        let heading = match self.meshes.mesh(self.agents.body(row).girth()) {
-            Some(mesh) => route.advance(mesh, at),
-            None => route.end().map_or(Heading::Lost, Heading::End),
-        };
-        match heading {
-            Heading::Corner(p) | Heading::End(p) => {
-                travel.aim = p;
-                travel.remaining = route.remaining(at) as f32;
-                let stop = self.stop(row, travel.leg).filter(|_| !matches!(travel.turn, Turn::Aside(_)));
-                let altitude = stop.and_then(|stop| self.goals[stop.goal.index()].altitude());
-                travel.rise = altitude.map_or(0.0, |altitude| (altitude - self.world_place(row).z) as f32);
-            }
-            Heading::Lost => {
-                travel.route = None;
+        let goal = self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]);
+        if travel.is_straight() {
+            travel.remaining = goal.map_or(0.0, |goal| goal.middle().distance(at) as f32);
+        } else if let Some(route) = travel.route_mut() {
+            let heading = match self.meshes.mesh(self.agents.body(row).girth()) {
+                Some(mesh) => route.advance(mesh, at),
+                None => route.end().map_or(Heading::Lost, Heading::End),
+            };
+            let remaining = route.remaining(at) as f32;
+            let (Heading::Corner(aim) | Heading::End(aim)) = heading else {
+                travel.lose_way();
                 // whoever goes first goes on doing so
                 if travel.turn != Turn::First {
                     travel.give_up_turn();
                 }
-            }
+                return;
+            };
+            travel.set_aim(aim);
+            travel.remaining = remaining;
+        } else {
+            return;
         }
+        let altitude = goal.filter(|_| travel.turn != Turn::Aside).and_then(Goal::altitude);
+        travel.set_rise(altitude.map_or(0.0, |altitude| (altitude - self.world_place(row).z) as f32));
     }
 
     fn plan_one(&self, search: &mut Search, planned: &mut Planned) {
         let Some(stop) = self.stop(planned.row, planned.leg) else { return };
         let goal = &self.goals[stop.goal.index()];
         let from = self.world_position(planned.row);
-        let path = self.meshes.path(search, self.agents.body(planned.row).girth(), from, stop.goal, goal);
-        planned.outcome = Some(path.map(|(path, gap)| (Route::new(&path), path.length, gap as f32)));
+        let girth = self.agents.body(planned.row).girth();
+        let path = self.meshes.path(search, girth, from, stop.goal, goal);
+        // in the open nothing is in the way of a point
+        let straight = goal.corners().is_none() && self.meshes.mesh(girth).is_none();
+        let route = |path: &Path| (!straight).then(|| Route::new(path));
+        planned.outcome = Some(path.map(|(path, gap)| (route(&path), path.length, gap as f32)));
     }
 
     /// Makes the meshes that the `lost` need, on ground that holds them and their goals.
@@ -113,7 +119,7 @@ impl World {
         let holds = |(low, high): (DVec2, DVec2), p: DVec2| p.cmpge(low).all() && p.cmple(high).all();
         let on_ground = |p: DVec2| self.extent.is_some_and(|extent| holds(extent, p));
         let held = lost.iter().all(|planned| {
-            let goal = self.stop(planned.row, planned.leg).map(|stop| self.goals[stop.goal.index()].middle());
+            let goal = self.goal_middle(planned.row, planned.leg);
             on_ground(self.world_position(planned.row)) && goal.is_none_or(on_ground)
         });
         if held {
@@ -128,8 +134,7 @@ impl World {
 
     /// Makes the meshes of everybody who has a way, or needs one.
     pub(super) fn prepare_all_meshes(&mut self) {
-        let needs =
-            |&row: &usize| self.agents.status[row] == Status::Walking || self.agents.travel[row].route.is_some();
+        let needs = |&row: &usize| self.agents.status[row] == Status::Walking || self.agents.travel[row].has_way();
         let rows: Vec<usize> = (0..self.agents.len()).filter(needs).collect();
         self.prepare_meshes_of(&rows);
     }
@@ -164,9 +169,9 @@ impl World {
     }
 }
 
-/// A way to plan, and what came of it: the route, its length, and how near counts as there.
+/// A way to plan, and what came of it: the route unless it is straight, its length, and how near counts as there.
 struct Planned {
     row: usize,
     leg: u32,
-    outcome: Option<Result<(Route, f64, f32), Unreachable>>,
+    outcome: Option<Result<(Option<Route>, f64, f32), Unreachable>>,
 }

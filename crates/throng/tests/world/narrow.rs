@@ -228,7 +228,7 @@ fn a_standoff_is_saved_and_knows_no_order() {
         place.world
     };
     let (mut original, mut other) = (build(0), build(3));
-    let aside = |world: &World| world.agents().travel.iter().any(|travel| matches!(travel.turn, Turn::Aside(_)));
+    let aside = |world: &World| world.agents().travel.iter().any(|travel| travel.turn == Turn::Aside);
     let mut loaded = None;
     for step in 0..600 {
         original.step();
