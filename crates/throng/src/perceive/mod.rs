@@ -1,5 +1,9 @@
-//! Who is near.
+//! Who is near: neighbour search. A grid over the agents answers for all of them.
 
+mod block;
 mod grid;
+mod nearest;
+mod tile;
 
-pub use grid::{Grid, Near};
+pub use grid::Grid;
+pub use nearest::Near;
