@@ -20,7 +20,7 @@ use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
 use crate::guard::Pose;
 use crate::guard::{Contacts, Guard};
 use crate::navigate::{Goal, Journey, Meshes, Script, Unreachable};
-use crate::perceive::{Grid, Near};
+use crate::perceive::{Grid, Instructions};
 use crate::space::{Place, Walls};
 use crate::summary::{Counts, Ended, Summary, Tally};
 use glam::{DVec2, Vec2, Vec3};
@@ -86,6 +86,7 @@ pub struct World {
     walls: Walls,
     meshes: Meshes,
     step: StepMemory,
+    instructions: Instructions,
 }
 
 /// Which row each id names.
@@ -102,9 +103,7 @@ struct Slots {
 struct StepMemory {
     grid: Grid,
     long: perceive::Long,
-    /// Neighbours of each row: `most_neighbours` places a row, filled from the front.
-    neighbours: Vec<Near>,
-    most_neighbours: usize,
+    near: perceive::Neighbours,
     ways: Vec<Way>,
     following: Vec<queue::Following>,
     seen: Vec<u32>,
@@ -180,6 +179,11 @@ impl World {
     pub fn in_space(&self) -> bool {
         let goals = self.goals.iter().any(|goal| goal.altitude().is_some());
         goals || self.schedule.anybody_flies() || self.agents.anybody_flies()
+    }
+
+    /// Chooses the instructions that steps are made with: all give the same bits.
+    pub fn use_instructions(&mut self, instructions: Instructions) {
+        self.instructions = instructions;
     }
 
     /// The agents' state, as columns; positions are relative to [`Settings::origin`].

@@ -141,6 +141,16 @@ impl Columns {
         self.trip.push(Trip { entered: now, ..Trip::default() });
     }
 
+    /// Whether everybody avoids everybody else.
+    pub(crate) fn all_avoid(&self) -> bool {
+        let (all, layers) = self
+            .avoids
+            .iter()
+            .zip(&self.layers)
+            .fold((u32::MAX, u32::MAX), |(a, l), (&avoids, &layers)| (a & avoids, l & layers));
+        all & layers != 0
+    }
+
     /// Whether `row` avoids `other`.
     pub(crate) fn avoids(&self, row: usize, other: usize) -> bool {
         self.avoids[row] & self.layers[other] != 0

@@ -35,7 +35,8 @@ impl Block {
 
     fn round(points: &Points<'_>, start: u32, end: u32) -> Self {
         let range = start as usize..end as usize;
-        let bounds = |all: &[f32]| all.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(l, h), &p| (l.min(p), h.max(p)));
+        let bounds =
+            |all: &[f32]| all.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(l, h), &p| (l.min(p), h.max(p)));
         let ((left, right), (bottom, top)) = (bounds(&points.x[range.clone()]), bounds(&points.y[range.clone()]));
         let least_number = points.numbers[range].iter().copied().min().unwrap_or(0);
         Self { low: Vec2::new(left, bottom), high: Vec2::new(right, top), least_number, start, end, halves: 0 }

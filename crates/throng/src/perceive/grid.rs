@@ -5,6 +5,8 @@ use super::nearest::Near;
 use super::tile::LANES;
 use glam::Vec2;
 
+/// Height of cells over the mean distance of points, at most.
+const HEIGHT: f32 = 3.0;
 /// Width of cells over their height.
 const WIDTH: f32 = 0.25;
 
@@ -57,8 +59,9 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Sorts the points into cells about `cell` high (metres; more if the points lie so far apart that there would be
-    /// many more cells than points). `numbers` break ties and must all differ.
+    /// Sorts the points into cells, at most `cell` high (metres; more if the points lie so far apart that there would be
+    /// many more cells than points) and not much higher than the points are apart. `numbers` break ties and must all
+    /// differ.
     ///
     /// # Panics
     /// If the slices differ in length. Points must be finite.
@@ -75,7 +78,9 @@ impl Grid {
         let size = high - low;
         self.extent = low.abs().max(high.abs()).max_element();
         let most = (points.len() * 2 + 64) as f32;
-        let mut height = cell.max(1e-6).max(size.max_element() / 1e6);
+        let count = points.len() as f32;
+        let spacing = (size.x * size.y / count).sqrt().max(size.max_element() / count);
+        let mut height = cell.min(HEIGHT * spacing).max(1e-6).max(size.max_element() / 1e6);
         while (size.x / (WIDTH * height) + 1.0) * (size.y / height + 1.0) > most {
             height *= 1.25;
         }

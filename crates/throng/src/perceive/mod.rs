@@ -2,8 +2,11 @@
 
 mod block;
 mod grid;
+mod instructions;
 mod nearest;
 mod tile;
 
 pub use grid::Grid;
+pub use instructions::Instructions;
 pub use nearest::Near;
+pub(crate) use tile::{MOST_NEIGHBOURS, Pack};

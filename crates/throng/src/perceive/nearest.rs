@@ -97,8 +97,7 @@ impl<F: Fn(&mut Near) -> bool> Search<'_, F> {
         for at in start as usize..end as usize {
             let mut near = self.grid.near(self.from, at);
             let (worst, limit, full) = (self.worst(), self.limit, self.found.len() == self.k);
-            let counts =
-                |near: &Near| near.before(&worst) || near.distance_squared == limit.distance_squared && !full;
+            let counts = |near: &Near| near.before(&worst) || near.distance_squared == limit.distance_squared && !full;
             let in_plane = near.distance_squared;
             if counts(&near) && (self.accept)(&mut near) && (near.distance_squared == in_plane || counts(&near)) {
                 if full {

@@ -10,6 +10,7 @@ use super::grid::Grid;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
 use glam::Vec2;
+use std::ops::Range;
 
 /// Bits of a key that hold a place in the pack.
 const PLACE_BITS: u32 = 9;
@@ -52,26 +53,23 @@ impl Grid {
     pub(crate) fn nearest_of_many(
         &self,
         level: Level,
-        places: std::ops::Range<usize>,
-        k: usize,
-        range: f32,
+        places: Range<usize>,
+        (k, range): (usize, f32),
         pack: &mut Pack,
         found: &mut [u32],
         left: impl FnMut(usize, &mut [u32]),
     ) {
         assert!(k <= MOST_NEIGHBOURS, "at most {MOST_NEIGHBOURS} neighbours");
-        dispatch!(level, simd => many(simd, self, places, k, range, pack, found, left));
+        dispatch!(level, simd => many(simd, self, places, (k, range), pack, found, left));
     }
 }
 
 #[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "what the method has, and the instruction set")]
 fn many<S: Simd>(
     simd: S,
     grid: &Grid,
-    places: std::ops::Range<usize>,
-    k: usize,
-    range: f32,
+    places: Range<usize>,
+    (k, range): (usize, f32),
     pack: &mut Pack,
     found: &mut [u32],
     mut left: impl FnMut(usize, &mut [u32]),
@@ -254,21 +252,11 @@ impl<'a, S: Simd> Tile<'a, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::perceive::Near;
+    use crate::perceive::{Instructions, Near};
     use proptest::prelude::*;
 
-    /// Every instruction set of this machine.
-    pub fn levels() -> Vec<Level> {
-        let best = Level::new();
-        #[cfg(target_arch = "x86_64")]
-        let all = [
-            best.as_sse2().map(|simd| simd.level()),
-            best.as_sse4_2().map(|simd| simd.level()),
-            best.as_avx2().map(|simd| simd.level()),
-        ];
-        #[cfg(not(target_arch = "x86_64"))]
-        let all = [None];
-        all.into_iter().flatten().chain([best]).collect()
+    fn levels() -> impl Iterator<Item = Level> {
+        Instructions::ALL.into_iter().filter_map(Instructions::level)
     }
 
     /// Rows of the nearest of everybody, by the plain search.
@@ -285,7 +273,7 @@ mod tests {
     fn tiles(level: Level, grid: &Grid, points: &[Vec2], k: usize, range: f32) -> (Vec<Vec<u32>>, usize) {
         let mut lists = vec![Vec::new(); points.len()];
         let (mut out, mut pack, mut left) = (vec![0; points.len() * k], Pack::default(), vec![false; points.len()]);
-        grid.nearest_of_many(level, 0..points.len(), k, range, &mut pack, &mut out, |place, _| left[place] = true);
+        grid.nearest_of_many(level, 0..points.len(), (k, range), &mut pack, &mut out, |place, _| left[place] = true);
         let mut found = Vec::new();
         for (place, list) in out.chunks_exact(k).enumerate() {
             let row = grid.order()[place];
@@ -333,7 +321,10 @@ mod tests {
     #[ignore]
     fn timing() {
         let mut seed = 1u64;
-        let mut random = || { seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407); (seed >> 40) as f32 / (1u64 << 24) as f32 };
+        let mut random = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed >> 40) as f32 / (1u64 << 24) as f32
+        };
         for n in [10_000usize, 100_000, 1_000_000] {
             let side = (n as f32 / 0.25).sqrt();
             let points: Vec<Vec2> = (0..n).map(|_| Vec2::new(random(), random()) * side).collect();
@@ -360,7 +351,7 @@ mod tests {
                     for _ in 0..5 {
                         let t = std::time::Instant::now();
                         left = 0;
-                        grid.nearest_of_many(level, 0..n, 10, 5.0, &mut pack, &mut out, |_, _| left += 1);
+                        grid.nearest_of_many(level, 0..n, (10, 5.0), &mut pack, &mut out, |_, _| left += 1);
                         best = best.min(t.elapsed().as_secs_f64());
                     }
                     print!(" | {level:?} {:.1} left {:.4}", best * 1e9 / n as f64, left as f64 / n as f64);
