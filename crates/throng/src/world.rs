@@ -12,9 +12,11 @@ mod plan;
 mod queue;
 mod schedule;
 mod snapshot;
+mod stage;
 mod standoff;
 
 pub use explain::{Explanation, Seen};
+pub use stage::Stage;
 
 use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
 use crate::guard::Pose;
@@ -130,13 +132,20 @@ struct Way {
 impl World {
     /// Moves everybody on by one time step.
     pub fn step(&mut self) {
+        self.step_in_stages(|_| ());
+    }
+
+    /// As [`step`](Self::step), and calls `ended` at the end of each stage of each sub-step: the world has no clock, who
+    /// wants to know where the time goes has one.
+    pub fn step_in_stages(&mut self, mut ended: impl FnMut(Stage)) {
         self.enter();
         let parts = self.sub_steps();
         let seconds = self.seconds(parts);
         for part in 0..parts {
             let now = self.time() + self.settings.step * f64::from(part + 1) / f64::from(parts);
-            self.decide(seconds, now);
+            self.decide(seconds, now, &mut ended);
             self.advance(seconds, now);
+            ended(Stage::Move);
         }
         self.steps += 1;
     }
@@ -147,11 +156,15 @@ impl World {
     }
 
     /// All of a sub-step that ends at `now` but the motion.
-    fn decide(&mut self, seconds: f32, now: f64) {
+    fn decide(&mut self, seconds: f32, now: f64, mut ended: impl FnMut(Stage)) {
         self.perceive();
+        ended(Stage::Perceive);
         self.intend(seconds, now);
+        ended(Stage::Intend);
         self.avoid(seconds);
+        ended(Stage::Avoid);
         self.guard(seconds, now);
+        ended(Stage::Guard);
     }
 
     /// Seconds since the start.
