@@ -18,7 +18,7 @@ mod standoff;
 pub use explain::{Explanation, Seen};
 pub use stage::Stage;
 
-use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
+use crate::agent::{AgentId, Column, Columns, GoalId, Group, GroupId, JourneyId, Status};
 use crate::guard::Pose;
 use crate::guard::{Contacts, Guard};
 use crate::navigate::{Goal, Journey, Meshes, Script, Unreachable};
@@ -94,8 +94,10 @@ pub struct World {
 /// Which row each id names.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 struct Slots {
-    /// Generation of each slot, and the row of the agent that has it.
-    rows: Vec<(u32, Option<u32>)>,
+    /// The row of the agent that has a slot; `u32::MAX`: nobody has it.
+    rows: Vec<u32>,
+    /// How many had it before.
+    generations: Column<u32>,
     free: Vec<u32>,
     next_number: u32,
 }
@@ -112,8 +114,8 @@ struct StepMemory {
     preferred: Vec<Vec3>,
     wishes: Vec<Vec3>,
     targets: Vec<Pose>,
-    reach: Vec<f32>,
-    guarded: Vec<bool>,
+    reach: Column<f32>,
+    guarded: Column<bool>,
     contacts: Contacts,
     guard: Guard,
     arrivals: Vec<u32>,
@@ -212,13 +214,13 @@ impl World {
     /// The agent in a row of [`agents`](Self::agents).
     pub fn id(&self, row: usize) -> AgentId {
         let slot = self.agents.slot[row];
-        AgentId { slot, generation: self.slots.rows[slot as usize].0 }
+        AgentId { slot, generation: self.slots.generations[slot as usize] }
     }
 
     /// The row of an agent in [`agents`](Self::agents); `None` if it has been removed.
     pub fn row(&self, id: AgentId) -> Option<usize> {
-        let &(generation, row) = self.slots.rows.get(id.slot as usize)?;
-        row.filter(|_| generation == id.generation).map(|row| row as usize)
+        let &row = self.slots.rows.get(id.slot as usize)?;
+        (row != u32::MAX && self.slots.generations[id.slot as usize] == id.generation).then_some(row as usize)
     }
 
     /// A group.
@@ -270,7 +272,7 @@ impl World {
         grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
         let agents = &self.agents;
         let bound = |row: usize| agents.body(row).bound();
-        let largest = (0..agents.len()).map(bound).fold(0.0, f32::max);
+        let largest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max);
         let mut pairs = Vec::new();
         for row in 0..agents.len() {
             grid.within(agents.position[row], bound(row) + largest, |near| {
@@ -298,7 +300,7 @@ impl World {
         Counts {
             agents: present + self.schedule.len() + removed,
             // whoever an exit removed had arrived at it
-            arrived: removed + self.walkers().filter(|&row| self.agents.trip[row].arrived.is_some()).count(),
+            arrived: removed + self.walkers().filter(|&row| self.agents.arrived[row].is_finite()).count(),
             removed,
             present,
         }
@@ -308,7 +310,7 @@ impl World {
     pub fn summary(&self) -> Summary {
         let agents = &self.agents;
         let trips = self.walkers().map(|row| {
-            (agents.number[row], Ended { trip: agents.trip[row], preferred_speed: agents.preferred_speed[row] })
+            (agents.number[row], Ended { trip: agents.trip(row), preferred_speed: agents.preferred_speed[row] })
         });
         let resting = self.walkers().filter(|&row| agents.speed(row) < 0.05).count();
         let stuck = self

@@ -69,16 +69,15 @@ impl World {
                 Status::Walking if before == Status::Waiting => self.next_leg(row),
                 status => status,
             };
-            if status == Status::Arrived && self.agents.trip[row].arrived.is_none() {
-                let trip = &mut self.agents.trip[row];
-                trip.arrived = Some(now);
+            if status == Status::Arrived && self.agents.arrived[row].is_infinite() {
+                self.agents.arrived.set(row, now);
                 // whoever arrives by contact has not the whole way to go
-                trip.shortest -= f64::from(self.agents.travel[row].distance());
+                self.agents.shortest[row] -= f64::from(self.agents.travel[row].distance());
             }
             self.agents.status[row] = status;
         }
         for &row in gone.iter().rev() {
-            let ended = Ended { trip: self.agents.trip[row], preferred_speed: self.agents.preferred_speed[row] };
+            let ended = Ended { trip: self.agents.trip(row), preferred_speed: self.agents.preferred_speed[row] };
             self.tally.removed.push((self.agents.number[row], ended));
             self.remove_row(row);
         }

@@ -16,8 +16,8 @@ impl World {
             SubSteps::Fixed(parts) => return parts,
             SubSteps::Auto => {
                 let agents = &self.agents;
-                let smallest = (0..agents.len()).map(|row| agents.body(row).girth()).fold(f32::INFINITY, f32::min);
-                let fastest = agents.max_speed.iter().copied().fold(0.0, f32::max);
+                let smallest = agents.bodies().map(|body| body.girth()).fold(f32::INFINITY, f32::min);
+                let fastest = agents.max_speed.values().iter().copied().fold(0.0, f32::max);
                 let part = if self.is_crowded() { CROWD_MOVE } else { FREE_MOVE };
                 // an empty or motionless world: 0 / inf or 0 / x
                 (self.settings.step as f32 * fastest / (part * smallest) - 1e-3).ceil()
@@ -29,7 +29,7 @@ impl World {
     /// Whether any two bodies are within a body's width of each other.
     fn is_crowded(&mut self) -> bool {
         let agents = &self.agents;
-        let widest = (0..agents.len()).map(|row| agents.body(row).bound()).fold(0.0, f32::max) * 2.0;
+        let widest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max) * 2.0;
         self.step.grid.rebuild(&agents.position, &agents.number, widest.max(0.1) * 2.0);
         let (grid, anybody_flies) = (&self.step.grid, agents.anybody_flies());
         (0..agents.len()).any(|row| {
@@ -160,7 +160,9 @@ pub(super) struct Long {
 impl Long {
     fn rebuild(&mut self, agents: &Columns, cell: f32) {
         self.rows.clear();
-        self.rows.extend((0..agents.len()).filter(|&row| !agents.is_disc(row)));
+        if !agents.all_discs() {
+            self.rows.extend((0..agents.len()).filter(|&row| !agents.is_disc(row)));
+        }
         self.reach = self.rows.iter().map(|&row| agents.core[row].length()).fold(0.0, f32::max);
         let points: Vec<_> = self.rows.iter().map(|&row| agents.position[row]).collect();
         let numbers: Vec<_> = self.rows.iter().map(|&row| agents.number[row]).collect();

@@ -32,7 +32,7 @@ impl World {
                         self.follow(row, travel);
                         if !travel.measured {
                             travel.measured = true;
-                            self.agents.trip[row].shortest += DVec2::new(length, travel.rise.into()).length();
+                            self.agents.shortest[row] += DVec2::new(length, travel.rise.into()).length();
                         }
                     }
                     Some(Err(why)) => {

@@ -203,7 +203,7 @@ fn the_higher_priority_goes_first() {
         }
         let mut arrived = Vec::new();
         run(&mut place.world, 40.0, |world| {
-            let there = (0..2).filter(|&row| world.agents().trip[row].arrived.is_some());
+            let there = (0..2).filter(|&row| world.agents().trip(row).arrived.is_some());
             arrived.extend(there.map(|row| world.agents().number[row] as u8));
         });
         assert_eq!(arrived.first(), Some(&first));
