@@ -12,15 +12,17 @@ mod plan;
 mod queue;
 mod schedule;
 mod snapshot;
+mod stage;
 mod standoff;
 
 pub use explain::{Explanation, Seen};
+pub use stage::Stage;
 
 use crate::agent::{AgentId, Column, Columns, GoalId, Group, GroupId, JourneyId, Status};
 use crate::guard::Pose;
 use crate::guard::{Contacts, Guard};
 use crate::navigate::{Goal, Journey, Meshes, Script, Unreachable};
-use crate::perceive::{Grid, Near};
+use crate::perceive::{Grid, Instructions};
 use crate::space::{Place, Walls};
 use crate::summary::{Counts, Ended, Summary, Tally};
 use glam::{DVec2, Vec2, Vec3};
@@ -86,6 +88,7 @@ pub struct World {
     walls: Walls,
     meshes: Meshes,
     step: StepMemory,
+    instructions: Instructions,
 }
 
 /// Which row each id names.
@@ -104,9 +107,7 @@ struct Slots {
 struct StepMemory {
     grid: Grid,
     long: perceive::Long,
-    /// Neighbours of each row: `most_neighbours` places a row, filled from the front.
-    neighbours: Vec<Near>,
-    most_neighbours: usize,
+    near: perceive::Neighbours,
     ways: Vec<Way>,
     following: Vec<queue::Following>,
     seen: Vec<u32>,
@@ -133,13 +134,20 @@ struct Way {
 impl World {
     /// Moves everybody on by one time step.
     pub fn step(&mut self) {
+        self.step_in_stages(|_| ());
+    }
+
+    /// As [`step`](Self::step), and calls `ended` at the end of each stage of each sub-step: the world has no clock, who
+    /// wants to know where the time goes has one.
+    pub fn step_in_stages(&mut self, mut ended: impl FnMut(Stage)) {
         self.enter();
         let parts = self.sub_steps();
         let seconds = self.seconds(parts);
         for part in 0..parts {
             let now = self.time() + self.settings.step * f64::from(part + 1) / f64::from(parts);
-            self.decide(seconds, now);
+            self.decide(seconds, now, &mut ended);
             self.advance(seconds, now);
+            ended(Stage::Move);
         }
         self.steps += 1;
     }
@@ -150,11 +158,15 @@ impl World {
     }
 
     /// All of a sub-step that ends at `now` but the motion.
-    fn decide(&mut self, seconds: f32, now: f64) {
+    fn decide(&mut self, seconds: f32, now: f64, mut ended: impl FnMut(Stage)) {
         self.perceive();
+        ended(Stage::Perceive);
         self.intend(seconds, now);
+        ended(Stage::Intend);
         self.avoid(seconds);
+        ended(Stage::Avoid);
         self.guard(seconds, now);
+        ended(Stage::Guard);
     }
 
     /// Seconds since the start.
@@ -182,6 +194,11 @@ impl World {
     pub fn in_space(&self) -> bool {
         let goals = self.goals.iter().any(|goal| goal.altitude().is_some());
         goals || self.schedule.anybody_flies() || self.agents.anybody_flies()
+    }
+
+    /// Chooses the instructions that steps are made with: all give the same bits.
+    pub fn use_instructions(&mut self, instructions: Instructions) {
+        self.instructions = instructions;
     }
 
     /// The agents' state, as columns; positions are relative to [`Settings::origin`].

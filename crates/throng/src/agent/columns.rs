@@ -155,6 +155,12 @@ impl Columns {
         self.shortest.push(0.0);
     }
 
+    /// Whether everybody avoids everybody else.
+    pub(crate) fn all_avoid(&self) -> bool {
+        let common = |all: &[u32]| all.iter().fold(u32::MAX, |common, each| common & each);
+        common(self.avoids.values()) & common(self.layers.values()) != 0
+    }
+
     /// Whether `row` avoids `other`.
     pub(crate) fn avoids(&self, row: usize, other: usize) -> bool {
         self.avoids[row] & self.layers[other] != 0

@@ -116,10 +116,8 @@ impl World {
                 }
             }
             // those who can't touch yet: the nearest that was perceived
-            if let Some(near) = step.neighbours.get(row * step.most_neighbours)
-                && near.row as usize != row
-            {
-                tally.least_separation = tally.least_separation.min(separation(near.row));
+            if let Some(&near) = step.near.of(row).first() {
+                tally.least_separation = tally.least_separation.min(separation(near));
             }
             let core = (!agents.is_disc(row)).then(|| agents.core_of(row));
             let edges = step.contacts.edges_of(row).iter().map(|&i| walls.edges()[i as usize]);

@@ -145,8 +145,8 @@ impl World {
             return false;
         }
         let near = (1.1 + 0.1 * patience).min(1.5);
-        self.neighbours(row).iter().any(|other| {
-            let other = other.row as usize;
+        self.neighbours(row).iter().any(|&other| {
+            let other = other as usize;
             let touch = (agents.radius[row] + agents.radius[other]) * near;
             agents.status[other] == Status::Arrived
                 && self.goal_of(other) == Some(goal)

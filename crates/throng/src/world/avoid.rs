@@ -86,10 +86,10 @@ impl World {
         rows.clear();
         neighbours.clear();
         let margin = 1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN };
-        for near in self.neighbours(row) {
-            let other = near.row as usize;
+        for &near in self.neighbours(row) {
+            let other = near as usize;
             if !edges.iter().any(|edge| hides(edge, agents.offset(row, other))) {
-                rows.push(near.row);
+                rows.push(near);
                 neighbours.push(self.neighbour(row, other, margin));
             }
         }

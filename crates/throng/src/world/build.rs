@@ -3,6 +3,7 @@
 use super::{Settings, Slots, StepMemory, SubSteps, World};
 use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
 use crate::navigate::{Goal, Journey, Meshes, Script, union};
+use crate::perceive::Instructions;
 use crate::space::{Core, Obstacle, Place, Walkable, Walls, check_polygon};
 use crate::summary::Tally;
 use crate::{Error, world::schedule::Schedule};
@@ -40,6 +41,7 @@ impl World {
             walls: Walls::default(),
             meshes: Meshes::default(),
             step: StepMemory::default(),
+            instructions: Instructions::default(),
         })
     }
 

@@ -124,7 +124,7 @@ impl World {
         let agents = &self.agents;
         let goal = |row: usize| self.step.ways[row].goal;
         let distance = |row: usize| point.offset(self.world_place(row)).map(|(offset, _)| offset.length_squared());
-        self.neighbours(row).iter().map(|near| near.row as usize).any(|other| {
+        self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
             agents.status[other] == Status::Arrived && goal(other) == goal(row) && distance(other) < distance(row)
         })
     }

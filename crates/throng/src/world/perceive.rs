@@ -2,7 +2,7 @@
 
 use super::World;
 use crate::agent::Columns;
-use crate::perceive::{Grid, Near};
+use crate::perceive::{Grid, MOST_NEIGHBOURS, Near, Pack};
 use crate::{SubSteps, parallel};
 
 /// Part of the smallest radius (half of the narrower side of who is no disc) that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
@@ -45,14 +45,15 @@ impl World {
     /// 1. Who is near: the nearest neighbours of everybody.
     pub(super) fn perceive(&mut self) {
         let Self { agents, groups, step, .. } = self;
-        let widest = agents.radius.values().iter().copied().fold(0.1, f32::max);
-        step.grid.rebuild(&agents.position, &agents.number, widest * 5.0);
-        step.long.rebuild(agents, widest * 5.0);
-        step.most_neighbours = groups.iter().map(|group| group.neighbours).max().unwrap_or(1);
-        step.neighbours.resize(agents.len() * step.most_neighbours, Near::default());
-        let (grid, long) = (&step.grid, &step.long);
+        let most = groups.iter().map(|group| group.neighbours).max().unwrap_or(1);
+        let range = groups.iter().map(|group| group.neighbour_distance).fold(0.0, f32::max);
+        step.grid.rebuild(&agents.position, &agents.number, range);
+        step.long.rebuild(agents, range);
+        step.near.resize(step.grid.order(), most);
+        let (grid, long, level) = (&step.grid, &step.long, self.instructions.level());
         let anybody_flies = agents.anybody_flies();
-        parallel::rows(&mut step.neighbours, step.most_neighbours, Vec::new, |found, row, places| {
+        let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32]| {
+            let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
             let flat = !group.model.looks_in_space();
             let accept = |near: &mut Near| {
@@ -73,19 +74,77 @@ impl World {
             if !long.rows.is_empty() {
                 long.add(agents, grid, row, (group.neighbours, group.neighbour_distance), accept, found);
             }
-            places[..found.len()].copy_from_slice(found);
-            if let Some(end) = places.get_mut(found.len()) {
-                // marks the end: nobody is their own neighbour
-                *end = Near { row: row as u32, ..Near::default() };
+            for (entry, near) in list.iter_mut().zip(&*found) {
+                *entry = near.row;
+            }
+            end(list, found.len(), row);
+        };
+        // who looks less far, or at fewer
+        let shorten = |place: usize, list: &mut [u32]| {
+            let row = grid.order()[place] as usize;
+            let group = &groups[agents.group[row].index()];
+            let (at, range) = (agents.position[row], group.neighbour_distance);
+            let counts = |&&other: &&u32| {
+                other as usize != row && agents.position[other as usize].distance_squared(at) <= range * range
+            };
+            let count = list.iter().take(group.neighbours).take_while(counts).count();
+            end(list, count, row);
+        };
+        let alike = groups.iter().all(|group| group.neighbours == most && group.neighbour_distance == range);
+        let many =
+            level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
+        let scratch = || (Pack::default(), Vec::new());
+        parallel::ranges(&mut step.near.lists, most, scratch, |(pack, found), places, lists| {
+            let Some(level) = many else {
+                return places.zip(lists.chunks_mut(most)).for_each(|(place, list)| plain(found, place, list));
+            };
+            let left = |place: usize, list: &mut [u32]| plain(found, place, list);
+            grid.nearest_of_many(level, places.clone(), (most, range), pack, lists, left);
+            if !alike {
+                places.zip(lists.chunks_mut(most)).for_each(|(place, list)| shorten(place, list));
             }
         });
     }
 
-    pub(super) fn neighbours(&self, row: usize) -> &[Near] {
-        let most = self.step.most_neighbours;
-        let places = &self.step.neighbours[row * most..(row + 1) * most];
-        let count = places.iter().position(|near| near.row as usize == row).unwrap_or(most);
-        &places[..count]
+    /// Rows of the neighbours of an agent, nearest first.
+    pub(super) fn neighbours(&self, row: usize) -> &[u32] {
+        self.step.near.of(row)
+    }
+}
+
+/// The nearest neighbours of everybody.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Neighbours {
+    /// As many places a row as anybody looks at, filled from the front, in the order of the grid.
+    lists: Vec<u32>,
+    most: usize,
+    /// Where the list of each row is.
+    places: Vec<u32>,
+}
+
+impl Neighbours {
+    fn resize(&mut self, order: &[u32], most: usize) {
+        self.most = most;
+        self.lists.resize(order.len() * most, 0);
+        self.places.resize(order.len(), 0);
+        for (place, &row) in (0..).zip(order) {
+            self.places[row as usize] = place;
+        }
+    }
+
+    /// Rows of the neighbours of a row, nearest first.
+    pub(super) fn of(&self, row: usize) -> &[u32] {
+        let start = self.places[row] as usize * self.most;
+        let list = &self.lists[start..start + self.most];
+        let count = list.iter().position(|&other| other as usize == row).unwrap_or(self.most);
+        &list[..count]
+    }
+}
+
+/// Marks the end of a list: nobody is their own neighbour.
+fn end(list: &mut [u32], count: usize, row: usize) {
+    if let Some(end) = list.get_mut(count) {
+        *end = row as u32;
     }
 }
 
@@ -221,8 +280,11 @@ mod tests {
                 nearest.retain(|near| near.0 <= range * range);
                 nearest.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
                 nearest.truncate(k);
-                let found: Vec<(f32, u32)> =
-                    world.neighbours(row).iter().map(|near| (near.distance_squared, near.number)).collect();
+                let found: Vec<(f32, u32)> = world
+                    .neighbours(row)
+                    .iter()
+                    .map(|&other| (distance(other as usize), agents.number[other as usize]))
+                    .collect();
                 prop_assert_eq!(found, nearest);
             }
         }

@@ -114,7 +114,7 @@ impl World {
 
     /// Neighbours who are not far above or below, whom only models of space see: nobody queues behind those.
     fn level_neighbours(&self, row: usize) -> impl Iterator<Item = usize> {
-        let others = self.neighbours(row).iter().map(|near| near.row as usize);
+        let others = self.neighbours(row).iter().map(|&other| other as usize);
         let in_space = self.model(row).looks_in_space();
         others.filter(move |&other| !in_space || !self.agents.passes_clear(row, other))
     }

@@ -84,7 +84,7 @@ impl World {
         if !self.may_resolve(row) {
             return None;
         }
-        let nearest = self.neighbours(row).iter().map(|near| near.row as usize).find(|&other| {
+        let nearest = self.neighbours(row).iter().map(|&other| other as usize).find(|&other| {
             agents.travel[other].stalled >= 0.5 * LOOKS && self.may_resolve(other) && self.opposed(row, other)
         });
         nearest.filter(|&other| {
