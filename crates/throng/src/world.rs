@@ -4,6 +4,7 @@ mod advance;
 mod agree;
 mod arrive;
 mod avoid;
+mod avoid_lanes;
 mod build;
 mod explain;
 mod intend;
@@ -14,6 +15,7 @@ mod schedule;
 mod snapshot;
 mod stage;
 mod standoff;
+mod way;
 
 pub use explain::{Explanation, Seen};
 pub use stage::Stage;
@@ -25,10 +27,11 @@ use crate::navigate::{Goal, Journey, Meshes, Script, Unreachable};
 use crate::perceive::{Grid, Instructions};
 use crate::space::{Place, Walls};
 use crate::summary::{Counts, Ended, Summary, Tally};
-use glam::{DVec2, Vec2, Vec3};
+use glam::{DVec2, Vec3};
 use schedule::Schedule;
 use serde::{Deserialize, Serialize};
 use standoff::Standoff;
+use way::Way;
 
 /// How a step is divided into sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -119,16 +122,6 @@ struct StepMemory {
     contacts: Contacts,
     guard: Guard,
     arrivals: Vec<u32>,
-}
-
-/// What others see of where somebody wants to go.
-#[derive(Clone, Copy, Debug)]
-struct Way {
-    goal: Option<GoalId>,
-    /// Unit vector towards what it heads for, detours left aside; zero for who isn't walking.
-    direction: Vec2,
-    /// Metres still ahead, in space.
-    remaining: f32,
 }
 
 impl World {

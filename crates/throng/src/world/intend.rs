@@ -47,14 +47,14 @@ impl World {
     fn show_ways(&mut self) {
         let mut ways = std::mem::take(&mut self.step.ways);
         ways.clear();
-        ways.extend(self.agents.travel.iter().enumerate().map(|(row, travel)| Way {
-            goal: self.goal_of(row),
-            direction: match (self.agents.status[row], travel.turn) {
+        ways.extend(self.agents.travel.iter().enumerate().map(|(row, travel)| {
+            let status = self.agents.status[row];
+            let direction = match (status, travel.turn) {
                 (Status::Walking, Turn::Aside) if travel.remaining < self.agents.radius[row] => Vec2::ZERO,
                 (Status::Walking, _) => self.towards(row, travel).normalize_or_zero(),
                 _ => Vec2::ZERO,
-            },
-            remaining: travel.distance(),
+            };
+            Way::new(status, self.goal_of(row), direction, travel.distance())
         }));
         self.step.ways = ways;
     }
@@ -122,10 +122,12 @@ impl World {
     /// Whether somebody who has arrived at the same goal is nearer to it.
     fn is_taken(&self, row: usize, point: &Goal) -> bool {
         let agents = &self.agents;
-        let goal = |row: usize| self.step.ways[row].goal;
+        let ways = &self.step.ways;
         let distance = |row: usize| point.offset(self.world_place(row)).map(|(offset, _)| offset.length_squared());
         self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
-            agents.status[other] == Status::Arrived && goal(other) == goal(row) && distance(other) < distance(row)
+            agents.status[other] == Status::Arrived
+                && ways[other].same_goal(&ways[row])
+                && distance(other) < distance(row)
         })
     }
 }

@@ -1,7 +1,6 @@
 //! Queueing: who is on the way behind others waits for them, and does not push.
 
 use super::World;
-use crate::agent::Status;
 use crate::avoid::MARGIN;
 use crate::parallel;
 use glam::Vec2;
@@ -102,9 +101,9 @@ impl World {
             let distance = offset.length();
             let close = distance - agents.radius[row] - agents.radius[other] < 2.0 * agents.radius[row];
             let ahead = offset.dot(direction) / distance;
-            if !close || agents.status[other] != Status::Walking {
+            if !close || !theirs.walks() {
                 false
-            } else if theirs.goal == way.goal {
+            } else if theirs.same_goal(way) {
                 ahead > AHEAD && theirs.remaining < way.remaining
             } else {
                 ahead > RIGHT_AHEAD && self.leads(other, offset, direction)
@@ -131,7 +130,7 @@ impl World {
 mod tests {
     use super::*;
     use crate::world::{Settings, Way};
-    use crate::{Agent, GoalId};
+    use crate::{Agent, GoalId, Status};
     use glam::DVec2;
     use proptest::prelude::*;
 
@@ -177,10 +176,8 @@ mod tests {
         world.perceive();
         world.step.ways = all
             .iter()
-            .map(|one| Way {
-                goal: Some(GoalId(one.goal)),
-                direction: direction(one),
-                remaining: f32::from(one.remaining) * 0.5,
+            .map(|one| {
+                Way::new(Status::Walking, Some(GoalId(one.goal)), direction(one), f32::from(one.remaining) * 0.5)
             })
             .collect();
         (world, all.map(|one| direction(&one)))

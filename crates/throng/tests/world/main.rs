@@ -10,6 +10,7 @@ mod determinism;
 mod doors;
 mod entry;
 mod explain;
+mod instructions;
 mod journeys;
 mod limits;
 mod manners;
