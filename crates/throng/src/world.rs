@@ -7,6 +7,7 @@ mod avoid;
 mod build;
 mod explain;
 mod intend;
+mod order;
 mod perceive;
 mod plan;
 mod queue;
