@@ -8,6 +8,7 @@ mod avoid_lanes;
 mod build;
 mod explain;
 mod intend;
+mod order;
 mod perceive;
 mod plan;
 mod queue;

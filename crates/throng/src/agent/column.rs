@@ -159,6 +159,17 @@ impl<T: Value> Column<T> {
         }
     }
 
+    /// Moves every row: what was in row `order[k]` comes to row `k`. Notices if all have become the same.
+    pub(crate) fn permute(&mut self, order: &[u32]) {
+        if self.mask != 0 && self.all_same() {
+            self.values.truncate(1);
+            self.values.shrink_to_fit();
+            self.mask = 0;
+        } else if self.mask != 0 {
+            self.values = order.iter().map(|&row| self.values[row as usize]).collect();
+        }
+    }
+
     /// Gives every row a value of its own.
     #[cold]
     fn spread(&mut self) {
@@ -238,6 +249,7 @@ mod tests {
         SetAll(f32),
         Remove(usize),
         Reserve(usize),
+        Rotate(usize),
         SaveAndLoad,
     }
 
@@ -253,6 +265,7 @@ mod tests {
             1 => value().prop_map(Change::SetAll),
             2 => any::<usize>().prop_map(Change::Remove),
             1 => (0usize..9).prop_map(Change::Reserve),
+            1 => any::<usize>().prop_map(Change::Rotate),
             1 => Just(Change::SaveAndLoad),
         ]
     }
@@ -288,6 +301,15 @@ mod tests {
                         plain.swap_remove(row);
                     }
                     Change::Reserve(rows) => column.reserve(rows),
+                    Change::Rotate(by) => {
+                        let mut order: Vec<u32> = (0..plain.len() as u32).collect();
+                        let by = by % plain.len().max(1);
+                        order.rotate_left(by);
+                        column.permute(&order);
+                        plain.rotate_left(by);
+                        let same = plain.iter().all(|value: &f32| value.same(plain[0]));
+                        prop_assert!(column.uniform().is_some() == (same && !plain.is_empty()));
+                    }
                     Change::SaveAndLoad => {
                         let bytes = postcard::to_stdvec(&column).unwrap();
                         let fresh: Column<f32> = plain.iter().copied().collect();

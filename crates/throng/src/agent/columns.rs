@@ -1,9 +1,25 @@
 //! The agents' state: a column a fact, a row an agent.
 
-use super::{Agent, Column, GroupId, JourneyId, ScriptId, Status};
+use super::{Agent, Column, GroupId, JourneyId, ScriptId, Status, Value};
 use crate::navigate::Travel;
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
+
+trait Permute {
+    fn permute(&mut self, order: &[u32]);
+}
+
+impl<T: Default> Permute for Vec<T> {
+    fn permute(&mut self, order: &[u32]) {
+        *self = order.iter().map(|&row| std::mem::take(&mut self[row as usize])).collect();
+    }
+}
+
+impl<T: Value> Permute for Column<T> {
+    fn permute(&mut self, order: &[u32]) {
+        self.permute(order);
+    }
+}
 
 macro_rules! columns {
     ($($(#[$meta:meta])* $name:ident: $type:ty,)*) => {
@@ -23,6 +39,11 @@ macro_rules! columns {
             /// Makes room for more agents.
             pub(crate) fn reserve(&mut self, additional: usize) {
                 $(self.$name.reserve(additional);)*
+            }
+
+            /// Moves every row: who was in row `order[k]` comes to row `k`.
+            pub(crate) fn permute(&mut self, order: &[u32]) {
+                $(Permute::permute(&mut self.$name, order);)*
             }
 
             /// Whether all columns are of one length.

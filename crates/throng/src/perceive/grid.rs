@@ -176,6 +176,11 @@ impl Grid {
         &self.order[..self.numbers.len()]
     }
 
+    /// Notes that the rows of the slice have been put in the order of cells.
+    pub(crate) fn rows_are_in_order(&mut self) {
+        self.order[..self.numbers.len()].iter_mut().zip(0..).for_each(|(row, place)| *row = place);
+    }
+
     /// Calls `visit` for every point within `range` of `from` (inclusive), in no particular order.
     pub fn within(&self, from: Vec2, range: f32, mut visit: impl FnMut(Near)) {
         if self.is_empty() {

@@ -42,12 +42,19 @@ impl World {
         })
     }
 
+    /// Sorts everybody into cells; gives how far anybody looks.
+    pub(super) fn rebuild_grid(&mut self) -> f32 {
+        let range = self.groups.iter().map(|group| group.neighbour_distance).fold(0.0, f32::max);
+        self.step.grid.rebuild(&self.agents.position, &self.agents.number, range);
+        range
+    }
+
     /// 1. Who is near: the nearest neighbours of everybody.
     pub(super) fn perceive(&mut self) {
+        let range = self.rebuild_grid();
+        self.sort_rows_if_scattered();
         let Self { agents, groups, step, .. } = self;
         let most = groups.iter().map(|group| group.neighbours).max().unwrap_or(1);
-        let range = groups.iter().map(|group| group.neighbour_distance).fold(0.0, f32::max);
-        step.grid.rebuild(&agents.position, &agents.number, range);
         step.long.rebuild(agents, range);
         step.near.resize(step.grid.order(), most);
         let (grid, long, level) = (&step.grid, &step.long, self.instructions.level());

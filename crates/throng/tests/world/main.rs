@@ -20,6 +20,7 @@ mod movers;
 mod narrow;
 mod obstacles;
 mod oracle;
+mod order;
 mod overlap;
 #[path = "../shared/polygons.rs"]
 mod polygons;
