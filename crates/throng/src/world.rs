@@ -1,6 +1,7 @@
 //! The world: what is there, and the step that moves it on.
 
 mod advance;
+mod advance_lanes;
 mod agree;
 mod arrive;
 mod avoid;

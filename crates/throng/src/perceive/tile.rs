@@ -7,6 +7,7 @@
 //! to the [plain search](super::nearest): the answer is always the exact one, the same for every instruction set.
 
 use super::grid::Grid;
+use crate::lanes::LANES;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
 use glam::Vec2;
@@ -17,8 +18,6 @@ const PLACE_BITS: u32 = 9;
 const PLACE: u32 = (1 << PLACE_BITS) - 1;
 /// Points that a pack holds at most: beyond that it is tried with a smaller radius, then left to the plain search.
 const MOST: usize = 1 << PLACE_BITS;
-/// Lanes that a vector has at most.
-pub(super) const LANES: usize = 16;
 /// Keys a lane keeps: itself, its nearest, and one more that shows whether the last of them is told apart.
 const KEYS: usize = MOST_NEIGHBOURS + 2;
 /// Nearest that a tile can find for each lane.

@@ -3,7 +3,7 @@
 use super::World;
 use crate::agent::Status;
 use crate::guard::{Bodies, Pose};
-use crate::motion::{faces, turn, wrap};
+use crate::motion::{angle, faces, turn, wrap};
 use crate::space::Core;
 use glam::{Vec2, Vec3};
 
@@ -63,6 +63,16 @@ impl World {
 
     /// 5. Move: to where the guard said, then headings, arrivals, exits.
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
+        if !self.advance_many(seconds) {
+            self.advance_each(seconds);
+        }
+        self.agents.pass(seconds);
+        self.measure();
+        self.arrive(seconds, now);
+    }
+
+    /// Moves everybody, one by one.
+    fn advance_each(&mut self, seconds: f32) {
         let agents = &mut self.agents;
         for row in 0..agents.len() {
             let from = agents.position[row].extend(agents.altitude[row]);
@@ -90,9 +100,6 @@ impl World {
                 agents.walked[row] += f64::from((target.place() - from).length());
             }
         }
-        agents.pass(seconds);
-        self.measure();
-        self.arrive(seconds, now);
     }
 
     /// The velocity that the guard leaves to an agent that has yet to move.
@@ -140,11 +147,11 @@ impl World {
 }
 
 /// Below this speed, m/s, a velocity has no direction that could be seen.
-const SEEN: f32 = 0.1;
+pub(super) const SEEN: f32 = 0.1;
 
 /// The angle between two velocities, radians, if both can be seen.
 fn angle_between(a: Vec2, b: Vec2) -> f32 {
-    if a.length() < SEEN || b.length() < SEEN { 0.0 } else { libm::atan2f(a.perp_dot(b), a.dot(b)).abs() }
+    if a.length() < SEEN || b.length() < SEEN { 0.0 } else { angle(Vec2::new(a.dot(b), a.perp_dot(b))).abs() }
 }
 
 /// The velocity of a motion. What was certified as it was wished is the wish: the motion may be far below what
