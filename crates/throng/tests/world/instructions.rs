@@ -50,7 +50,8 @@ fn crowd(kind: &Kind) -> World {
     let mut draw = Draw::new(kind.seed);
     let mut world = with_settings(kind.step, SubSteps::Fixed(1), DVec2::ZERO);
     let half = DVec2::splat(0.5 * (kind.count as f64 / kind.density).sqrt());
-    let journeys: Vec<_> = (0..kind.goals).map(|_| journey_to(&mut world, draw.point(-half * 2.0, half * 2.0))).collect();
+    let journeys: Vec<_> =
+        (0..kind.goals).map(|_| journey_to(&mut world, draw.point(-half * 2.0, half * 2.0))).collect();
     let orca = || Group { guard: kind.guard, model: Arc::new(Orca::default()), ..Group::default() };
     let mut groups = vec![world.add_group(orca()).unwrap()];
     if kind.mixed {
