@@ -122,7 +122,10 @@ struct StepMemory {
     guarded: Column<bool>,
     contacts: Contacts,
     guard: Guard,
+    /// How many have arrived at each goal.
     arrivals: Vec<u32>,
+    /// Rows with their next status, where it may be another.
+    changes: Vec<(usize, Status)>,
 }
 
 impl World {

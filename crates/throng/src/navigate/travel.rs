@@ -265,7 +265,13 @@ impl Travel {
     /// Notes how far the agent got in the last step, and tells by what angle to the right its preferred direction
     /// is to be turned. `made` is the part of the preferred speed it had towards `direction`; `queues`
     /// tells whether somebody ahead goes the same way.
-    pub(crate) fn detour(&mut self, made: f32, step: f32, dice: Dice, queues: impl FnOnce() -> bool) -> f32 {
+    pub(crate) fn detour(
+        &mut self,
+        made: f32,
+        step: f32,
+        dice: impl FnOnce() -> Dice,
+        queues: impl FnOnce() -> bool,
+    ) -> f32 {
         self.progress += (made - self.progress) * (step / AVERAGE).min(1.0);
         let gets_on = self.progress >= NO_PROGRESS;
         if gets_on && self.rare.is_none() {
@@ -290,6 +296,7 @@ impl Travel {
             if queues() {
                 rare.blocked = 0.0;
             } else {
+                let dice = dice();
                 let left = rare.without_progress > EITHER_SIDE && dice.between((0.0, 1.0), Purpose::DetourSide) < 0.5;
                 let angle = dice.between(DETOUR_ANGLE, Purpose::DetourAngle);
                 rare.detour = if left { -angle } else { angle };
@@ -300,10 +307,24 @@ impl Travel {
     }
 }
 
-/// `direction` turned to the right by `angle` radians.
-pub(crate) fn turned_right(direction: Vec2, angle: f32) -> Vec2 {
-    let (sin, cos) = libm::sincosf(angle);
-    Vec2::new(cos * direction.x + sin * direction.y, cos * direction.y - sin * direction.x)
+/// A turn to the right.
+pub(crate) struct Turned {
+    sin: f32,
+    cos: f32,
+}
+
+impl Turned {
+    /// By an angle, radians.
+    pub fn by(angle: f32) -> Self {
+        let (sin, cos) = libm::sincosf(angle);
+        Self { sin, cos }
+    }
+
+    /// A direction after it.
+    pub fn turned(&self, direction: Vec2) -> Vec2 {
+        let Self { sin, cos } = *self;
+        Vec2::new(cos * direction.x + sin * direction.y, cos * direction.y - sin * direction.x)
+    }
 }
 
 #[cfg(test)]
@@ -316,7 +337,7 @@ mod tests {
         let mut travel = Travel::default();
         let (mut begun, mut before) = (Vec::new(), 0.0);
         for step in 0..(seconds / STEP) as u64 {
-            let angle = travel.detour(0.0, STEP, Dice { seed: 3, number, step }, || queues);
+            let angle = travel.detour(0.0, STEP, || Dice { seed: 3, number, step }, || queues);
             if angle != 0.0 && before == 0.0 {
                 begun.push((step as f32 * STEP, angle));
             }
@@ -342,7 +363,7 @@ mod tests {
         let mut travel = Travel::default();
         travel.begin(0);
         for step in 0..1000 {
-            assert_eq!(travel.detour(0.5, 0.05, Dice { seed: 1, number: 1, step }, || false), 0.0);
+            assert_eq!(travel.detour(0.5, 0.05, || Dice { seed: 1, number: 1, step }, || false), 0.0);
         }
     }
 }

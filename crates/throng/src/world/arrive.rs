@@ -30,25 +30,27 @@ impl World {
         if self.journeys[journey.index()].stops.is_empty() { Status::Arrived } else { Status::Walking }
     }
 
-    /// Arrivals, waits, exits.
-    pub(super) fn arrive(&mut self, seconds: f32, now: f64) {
-        let mut arrived = std::mem::take(&mut self.step.arrivals);
-        arrived.clear();
-        arrived.resize(self.goals.len(), 0);
-        for row in 0..self.agents.len() {
-            if self.agents.status[row] == Status::Arrived
-                && let Some(goal) = self.goal_of(row)
-            {
-                arrived[goal.index()] += 1;
+    /// Counts who has arrived at each goal.
+    pub(super) fn count_arrivals(&mut self) {
+        let mut arrivals = std::mem::take(&mut self.step.arrivals);
+        arrivals.clear();
+        arrivals.resize(self.goals.len(), 0);
+        for (row, _) in self.agents.status.iter().enumerate().filter(|&(_, &status)| status == Status::Arrived) {
+            if let Some(goal) = self.goal_of(row) {
+                arrivals[goal.index()] += 1;
             }
         }
-        let mut next = Vec::with_capacity(self.agents.len());
-        for row in 0..self.agents.len() {
-            next.push(self.next_status(row, seconds, &arrived));
-        }
-        self.step.arrivals = arrived;
+        self.step.arrivals = arrivals;
+    }
+
+    /// Arrivals, waits, exits.
+    pub(super) fn arrive(&mut self, seconds: f32, now: f64) {
+        let mut changes = std::mem::take(&mut self.step.changes);
+        changes.clear();
+        let rows = self.step.ways.iter().enumerate().filter(|(_, way)| way.may_change()).map(|(row, _)| row);
+        changes.extend(rows.map(|row| (row, self.next_status(row, seconds))));
         let mut gone = Vec::new();
-        for (row, status) in next.into_iter().enumerate() {
+        for &(row, status) in &changes {
             let before = self.agents.status[row];
             if before == Status::Waiting {
                 let travel = &mut self.agents.travel[row];
@@ -83,6 +85,7 @@ impl World {
             }
             self.agents.status[row] = status;
         }
+        self.step.changes = changes;
         for &row in gone.iter().rev() {
             let ended = Ended { trip: self.agents.trip(row), preferred_speed: self.agents.preferred_speed[row] };
             self.tally.removed.push((self.agents.number[row], ended));
@@ -105,7 +108,7 @@ impl World {
         }
     }
 
-    fn next_status(&self, row: usize, seconds: f32, arrived: &[u32]) -> Status {
+    fn next_status(&self, row: usize, seconds: f32) -> Status {
         let agents = &self.agents;
         match agents.status[row] {
             Status::Waiting if agents.travel[row].wait() <= seconds => Status::Walking,
@@ -114,7 +117,7 @@ impl World {
                 let (place, goal) = (self.world_place(row), &self.goals[stop.goal.index()]);
                 let near = || match (goal.offset(place), goal.corners()) {
                     (Some((offset, _)), _) => {
-                        self.arrives_by_contact(row, stop.goal, offset.length(), arrived[stop.goal.index()])
+                        self.arrives_by_contact(row, stop.goal, offset.length(), self.step.arrivals[stop.goal.index()])
                     }
                     (None, Some(corners)) => {
                         let (at, gap) = (place.truncate(), f64::from(agents.travel[row].gap()));

@@ -44,7 +44,7 @@ impl World {
         wishes.resize(self.agents.len(), Vec3::ZERO);
         let world = &*self;
         let common = world.common(seconds);
-        parallel::ranges(&mut wishes, 1, Scratch::default, |scratch, rows, wishes| {
+        parallel::ranges(&mut wishes[..], Scratch::default, |scratch, rows, wishes| {
             let Scratch { sight, workspace, lanes } = scratch;
             let mut one = |row: usize| world.wish(row, seconds, sight, workspace);
             match &common {
@@ -252,7 +252,7 @@ fn hides(edge: &NearEdge, offset: Vec2) -> bool {
 mod tests {
     use super::*;
     use crate::world::{Settings, Way};
-    use crate::{Agent, GoalId, Status};
+    use crate::{Agent, GoalId};
     use proptest::prelude::*;
 
     type One = (f32, Option<u32>, f32, f32, f32, usize);
@@ -274,10 +274,12 @@ mod tests {
             let position = DVec2::new(x.into(), 0.0);
             world.add_agent(Agent { radius, priority, position, ..Agent::default() }).unwrap();
         }
-        let statuses = [Status::Walking, Status::Waiting, Status::Arrived, Status::Stranded];
         world.step.ways = both
             .iter()
-            .map(|&(_, goal, remaining, _, _, status)| Way::new(statuses[status], goal.map(GoalId), Vec2::X, remaining))
+            .map(|&(_, goal, remaining, _, _, status)| {
+                let goal = goal.map(GoalId);
+                if status == 0 { Way::walking(goal, Vec2::X, remaining) } else { Way::at_rest(goal, remaining) }
+            })
             .collect();
         world.step.preferred = vec![Vec3::ZERO; 2];
         world

@@ -1,9 +1,10 @@
 //! 1. Who is near: how finely to divide the step, and the nearest neighbours of everybody.
 
 use super::World;
+use crate::SubSteps;
 use crate::agent::Columns;
+use crate::parallel::{self, Lists};
 use crate::perceive::{Grid, MOST_NEIGHBOURS, Near, Pack};
-use crate::{SubSteps, parallel};
 
 /// Part of the smallest radius (half of the narrower side of who is no disc) that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
 const FREE_MOVE: f32 = 0.25;
@@ -101,7 +102,8 @@ impl World {
         let many =
             level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
         let scratch = || (Pack::default(), Vec::new());
-        parallel::ranges(&mut step.near.lists, most, scratch, |(pack, found), places, lists| {
+        let lists = Lists { all: &mut step.near.lists, stride: most };
+        parallel::ranges(lists, scratch, |(pack, found), places, Lists { all: lists, .. }| {
             let Some(level) = many else {
                 return places.zip(lists.chunks_mut(most)).for_each(|(place, list)| plain(found, place, list));
             };

@@ -2,19 +2,31 @@
 
 use super::World;
 use super::build::direction;
+use super::way::Way;
 use crate::agent::{AgentId, Status};
 use crate::navigate::{Goal, Heading, Meshes, Path, Route, Search, Travel, Turn, Unreachable};
 use crate::parallel;
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec2};
 
 impl World {
-    /// Brings everybody's way up to date: what to head for, and how far it still is.
-    pub(super) fn plan(&mut self) {
+    /// Brings everybody's way up to date: what to head for, and how far it still is; and notes it for others to see.
+    pub(super) fn plan(&mut self, seconds: f32) {
+        self.count_arrivals();
         let mut travels = std::mem::take(&mut self.agents.travel);
+        let mut ways = std::mem::take(&mut self.step.ways);
+        ways.resize(travels.len(), Way::default());
         let world = &*self;
-        parallel::rows(&mut travels, 1, || (), |(), row, travel| world.follow(row, &mut travel[0]));
+        parallel::ranges(
+            (&mut travels[..], &mut ways[..]),
+            || (),
+            |(), rows, (travels, ways)| {
+                for ((row, travel), way) in rows.zip(travels).zip(ways) {
+                    *way = world.look(row, travel, seconds);
+                }
+            },
+        );
         let mut lost: Vec<Planned> = (0..travels.len())
-            .filter(|&row| self.agents.status[row] == Status::Walking && !travels[row].has_way())
+            .filter(|&row| !travels[row].has_way() && self.agents.status[row] == Status::Walking)
             .map(|row| Planned { row, leg: travels[row].leg, outcome: None })
             .collect();
         if !lost.is_empty() {
@@ -24,12 +36,12 @@ impl World {
             let world = &*self;
             parallel::rows(&mut lost, 1, Search::default, |search, _, planned| world.plan_one(search, &mut planned[0]));
             for Planned { row, outcome, .. } in lost {
+                let travel = &mut travels[row];
                 match outcome {
                     Some(Ok((route, length, gap))) => {
-                        let travel = &mut travels[row];
                         travel.set_way(route);
                         travel.set_gap(gap);
-                        self.follow(row, travel);
+                        ways[row] = self.look(row, travel, seconds);
                         if !travel.measured {
                             travel.measured = true;
                             self.agents.shortest[row] += DVec2::new(length, travel.rise().into()).length();
@@ -38,6 +50,7 @@ impl World {
                     Some(Err(why)) => {
                         self.agents.status[row] = Status::Stranded;
                         self.stranded.push((self.agents.number[row], why));
+                        ways[row] = self.look(row, travel, seconds);
                     }
                     None => {}
                 }
@@ -45,6 +58,7 @@ impl World {
             self.stranded.sort_by_key(|&(number, _)| number);
         }
         self.agents.travel = travels;
+        self.step.ways = ways;
     }
 
     /// Turns agents to where their ways begin: round walls to the first corner, else straight to the goal. Those who
@@ -70,33 +84,59 @@ impl World {
         }
     }
 
-    /// Lets an agent look where it is on its way; a way that no longer holds is given up.
-    fn follow(&self, row: usize, travel: &mut Travel) {
+    /// Lets an agent look where it is on its way, and tells what others see of it; a way that no longer holds is given
+    /// up.
+    fn look(&self, row: usize, travel: &mut Travel, seconds: f32) -> Way {
+        let stop = self.stop(row, travel.leg);
+        let goal = stop.map(|stop| &self.goals[stop.goal.index()]);
         let at = self.world_position(row);
-        let goal = self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]);
-        if travel.is_straight() {
-            travel.remaining = goal.map_or(0.0, |goal| goal.middle().distance(at) as f32);
-        } else if let Some(route) = travel.route_mut() {
-            let heading = match self.meshes.mesh(self.agents.body(row).girth()) {
-                Some(mesh) => route.advance(mesh, at),
-                None => route.end().map_or(Heading::Lost, Heading::End),
-            };
-            let remaining = route.remaining(at) as f32;
-            let (Heading::Corner(aim) | Heading::End(aim)) = heading else {
-                travel.lose_way();
-                // whoever goes first goes on doing so
-                if travel.turn != Turn::First {
-                    travel.give_up_turn();
-                }
-                return;
-            };
+        let straight = travel.is_straight();
+        let mut towards = goal.map_or(-at, |goal| goal.middle() - at);
+        if straight {
+            travel.remaining = towards.length() as f32;
+        } else {
+            self.follow(row, travel, at);
+            towards = travel.aim().map_or(towards, |aim| aim - at);
+        }
+        if straight || travel.has_way() {
+            let altitude = goal.filter(|_| travel.turn != Turn::Aside).and_then(Goal::altitude);
+            travel.set_rise(altitude.map_or(0.0, |altitude| (altitude - self.world_place(row).z) as f32));
+        }
+        let (id, remaining) = (stop.map(|stop| stop.goal), travel.distance());
+        let status = self.agents.status[row];
+        if status != Status::Walking {
+            let comes = status == Status::Arrived && self.agents.arrived[row].is_infinite();
+            return Way::at_rest(id, remaining).changing(comes || status == Status::Waiting);
+        }
+        let waits = travel.turn == Turn::Aside && travel.remaining < self.agents.radius[row];
+        let direction = if waits { Vec2::ZERO } else { towards.as_vec2().normalize_or_zero() };
+        let tolerance = goal.and_then(Goal::tolerance);
+        let stops = tolerance.is_some() && self.is_last(row, travel.leg);
+        // in the open, with nobody there yet, who is farther than it can get
+        let is_far = |tolerance: f32| remaining * 0.9999 > tolerance + self.agents.max_speed[row] * seconds * 1.01;
+        let taken = id.is_some_and(|id| self.step.arrivals[id.index()] > 0);
+        let may_arrive = taken || !straight || tolerance.is_none_or(|tolerance| !is_far(tolerance));
+        Way::walking(id, direction, remaining).stopping(stops).changing(may_arrive)
+    }
+
+    /// Moves on along a route.
+    fn follow(&self, row: usize, travel: &mut Travel, at: DVec2) {
+        let Some(route) = travel.route_mut() else { return };
+        let heading = match self.meshes.mesh(self.agents.body(row).girth()) {
+            Some(mesh) => route.advance(mesh, at),
+            None => route.end().map_or(Heading::Lost, Heading::End),
+        };
+        let remaining = route.remaining(at) as f32;
+        if let Heading::Corner(aim) | Heading::End(aim) = heading {
             travel.set_aim(aim);
             travel.remaining = remaining;
         } else {
-            return;
+            travel.lose_way();
+            // whoever goes first goes on doing so
+            if travel.turn != Turn::First {
+                travel.give_up_turn();
+            }
         }
-        let altitude = goal.filter(|_| travel.turn != Turn::Aside).and_then(Goal::altitude);
-        travel.set_rise(altitude.map_or(0.0, |altitude| (altitude - self.world_place(row).z) as f32));
     }
 
     fn plan_one(&self, search: &mut Search, planned: &mut Planned) {
