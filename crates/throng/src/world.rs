@@ -199,7 +199,7 @@ impl World {
         self.instructions = instructions;
     }
 
-    /// The agents' state, as columns; positions are relative to [`Settings::origin`].
+    /// The agents' state, as columns; positions are relative to [`Settings::origin`]. Rows change from step to step.
     pub fn agents(&self) -> &Columns {
         &self.agents
     }
@@ -209,13 +209,13 @@ impl World {
         Some(self.agents.position[self.row(id)?].as_dvec2() + self.settings.origin)
     }
 
-    /// The agent in a row of [`agents`](Self::agents).
+    /// The agent that is in a row of [`agents`](Self::agents) now.
     pub fn id(&self, row: usize) -> AgentId {
         let slot = self.agents.slot[row];
         AgentId { slot, generation: self.slots.generations[slot as usize] }
     }
 
-    /// The row of an agent in [`agents`](Self::agents); `None` if it has been removed.
+    /// The row of an agent in [`agents`](Self::agents), until the next step; `None` if it has been removed.
     pub fn row(&self, id: AgentId) -> Option<usize> {
         let &row = self.slots.rows.get(id.slot as usize)?;
         (row != u32::MAX && self.slots.generations[id.slot as usize] == id.generation).then_some(row as usize)
