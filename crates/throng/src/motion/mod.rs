@@ -7,7 +7,7 @@ mod limits;
 
 pub(crate) use angle::{angle, angles};
 pub(crate) use drive::{follow, followable};
-pub(crate) use heading::wrap;
 pub(crate) use heading::Turning;
+pub(crate) use heading::wrap;
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};
