@@ -7,6 +7,7 @@ mod avoid;
 mod build;
 mod explain;
 mod intend;
+mod measure;
 mod perceive;
 mod plan;
 mod queue;
@@ -111,10 +112,10 @@ struct StepMemory {
     preferred: Vec<Vec3>,
     wishes: Vec<Vec3>,
     targets: Vec<Pose>,
-    reach: Vec<f32>,
     guarded: Vec<bool>,
     contacts: Contacts,
     guard: Guard,
+    measured: Vec<measure::Measured>,
     arrivals: Vec<u32>,
 }
 

@@ -1,6 +1,7 @@
 //! The grid.
 
 use glam::Vec2;
+use std::ops::Range;
 
 /// A point found by a query.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -262,29 +263,39 @@ impl Grid {
         let pad = Vec2::splat(range + self.cell * 0.001);
         let (x0, y0) = self.cell_at(from - pad);
         let (x1, y1) = self.cell_at(from + pad);
-        let mut stack = Vec::new();
         for y in y0..=y1 {
-            for &block in &self.cells[y * self.columns + x0..=y * self.columns + x1] {
-                if block == EMPTY {
-                    continue;
-                }
-                stack.push(block);
-                while let Some(block) = stack.pop() {
-                    let block = &self.blocks[block as usize];
-                    if block.distance_squared(from) > range * range {
-                        continue;
-                    }
-                    if block.halves != 0 {
-                        stack.extend([block.halves, block.halves + 1]);
-                        continue;
-                    }
-                    for at in block.start as usize..block.end as usize {
-                        let near = self.near(from, at);
-                        if near.distance_squared <= range * range {
-                            visit(near);
-                        }
-                    }
-                }
+            let (first, last) = (y * self.columns + x0, y * self.columns + x1);
+            let (start, end) = (self.starts[first] as usize, self.starts[last + 1] as usize);
+            // few, side by side: not worth a look at the boxes
+            if end - start <= LEAF {
+                self.visit_within(start..end, from, range, &mut visit);
+                continue;
+            }
+            for &block in self.cells[first..=last].iter().filter(|&&block| block != EMPTY) {
+                self.within_block(&self.blocks[block as usize], from, range, &mut visit);
+            }
+        }
+    }
+
+    fn within_block(&self, block: &Block, from: Vec2, range: f32, visit: &mut impl FnMut(Near)) {
+        if block.distance_squared(from) > range * range {
+            return;
+        }
+        if block.halves == 0 {
+            return self.visit_within(block.start as usize..block.end as usize, from, range, visit);
+        }
+        let first = block.halves as usize;
+        for half in &self.blocks[first..first + 2] {
+            self.within_block(half, from, range, visit);
+        }
+    }
+
+    #[inline]
+    fn visit_within(&self, places: Range<usize>, from: Vec2, range: f32, visit: &mut impl FnMut(Near)) {
+        for at in places {
+            let near = self.near(from, at);
+            if near.distance_squared <= range * range {
+                visit(near);
             }
         }
     }

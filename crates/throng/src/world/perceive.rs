@@ -70,7 +70,7 @@ impl World {
             };
             let at = agents.position[row];
             grid.nearest(at, group.neighbours, group.neighbour_distance, accept, found);
-            if !long.rows.is_empty() {
+            if !long.is_empty() {
                 long.add(agents, grid, row, (group.neighbours, group.neighbour_distance), accept, found);
             }
             places[..found.len()].copy_from_slice(found);
@@ -99,6 +99,11 @@ pub(super) struct Long {
 }
 
 impl Long {
+    /// Whether all bodies are discs.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
     fn rebuild(&mut self, agents: &Columns, cell: f32) {
         self.rows.clear();
         self.rows.extend((0..agents.len()).filter(|&row| !agents.is_disc(row)));
