@@ -2,7 +2,7 @@
 
 use super::Bodies;
 use super::lists::Lists;
-use crate::perceive::Grid;
+use crate::perceive::{Grid, Near};
 use crate::space::{NearWalls, Walls};
 
 /// For each body, the others and the walls within its reach and theirs.
@@ -25,8 +25,6 @@ struct Search<'a> {
     bodies: &'a Bodies<'a>,
     numbers: &'a [u32],
     grid: &'a Grid,
-    /// Size that few exceed.
-    usual: f32,
 }
 
 impl Search<'_> {
@@ -64,50 +62,61 @@ impl Search<'_> {
 
 impl Contacts {
     /// Collects all pairs that could touch, by a grid over the bodies' positions, and all walls. `meets` tells
-    /// whether two rows are solid to each other, the same whichever comes first; `alone` may say of rows that it is
-    /// known that they can touch none of the others.
-    pub fn collect(
+    /// whether two rows are solid to each other, the same whichever comes first; `known` may know all whom a row meets
+    /// within a range of its centre, and maybe others, at no cost.
+    pub fn collect<'a>(
         &mut self,
         bodies: &Bodies<'_>,
         numbers: &[u32],
         grid: &Grid,
         walls: &Walls,
         meets: impl Fn(usize, usize) -> bool + Sync,
-        alone: impl Fn(usize) -> bool + Sync,
+        known: impl Fn(usize, f32) -> Option<&'a [Near]> + Sync,
     ) {
         let rows = bodies.positions.len();
-        let mut search = Search { bodies, numbers, grid, usual: 0.0 };
-        let sizes = || (0..rows).map(|row| search.size(row));
-        let mean = sizes().map(f64::from).sum::<f64>() / rows as f64;
-        let usual = sizes().filter(|&size| f64::from(size) <= 2.0 * mean).fold(0.0, f32::max);
-        search.usual = usual;
-        self.told.clear();
-        for row in (0..rows).filter(|&row| search.size(row) > usual) {
+        let search = Search { bodies, numbers, grid };
+        let (mut sum, mut largest) = (0.0, 0.0_f32);
+        for row in 0..rows {
             let size = search.size(row);
-            let told = &mut self.told;
-            search.look(row, size, |other| {
-                if search.size(other) < size && meets(row, other) {
-                    told.push((other as u32, row as u32));
-                }
-            });
+            (sum, largest) = (sum + f64::from(size), largest.max(size));
         }
-        self.told.sort_unstable();
+        let twice_the_mean = (2.0 * sum / rows as f64) as f32;
+        let mut usual = largest;
+        self.told.clear();
+        if largest > twice_the_mean {
+            let sizes = (0..rows).map(|row| search.size(row));
+            usual = sizes.filter(|&size| size <= twice_the_mean).fold(0.0, f32::max);
+            for row in (0..rows).filter(|&row| search.size(row) > usual) {
+                let size = search.size(row);
+                search.look(row, size, |other| {
+                    if search.size(other) < size && meets(row, other) {
+                        self.told.push((other as u32, row as u32));
+                    }
+                });
+            }
+            self.told.sort_unstable();
+        }
         let told = &self.told;
         self.others.fill(rows, |(), row, others| {
-            if alone(row) {
-                return;
-            }
             let start = others.len();
-            search.look(row, search.size(row).max(usual), |other| {
-                if meets(row, other) {
-                    others.push(other as u32);
+            let size = search.size(row);
+            if let Some(all) = known(row, (size + largest) * (PAD * PAD)) {
+                let touching = all.iter().filter(|near| search.touch(row, near.row as usize, near.distance_squared));
+                others.extend(touching.map(|near| near.row));
+            } else {
+                search.look(row, size.max(usual), |other| {
+                    if meets(row, other) {
+                        others.push(other as u32);
+                    }
+                });
+                if !told.is_empty() {
+                    let first = told.partition_point(|&(of, _)| of < row as u32);
+                    others.extend(told[first..].iter().take_while(|&&(of, _)| of == row as u32).map(|&(_, by)| by));
                 }
-            });
-            if !told.is_empty() {
-                let first = told.partition_point(|&(of, _)| of < row as u32);
-                others.extend(told[first..].iter().take_while(|&&(of, _)| of == row as u32).map(|&(_, by)| by));
             }
-            others[start..].sort_unstable_by_key(|&other| numbers[other as usize]);
+            if others.len() > start + 1 {
+                others[start..].sort_unstable_by_key(|&other| numbers[other as usize]);
+            }
         });
         self.collect_walls(bodies, walls);
     }

@@ -76,11 +76,17 @@ pub struct Bodies<'a> {
     pub max_speeds: &'a [f32],
     /// How long the step is.
     pub seconds: f32,
-    /// Who is kept from overlapping: of two, one at least must be.
+    /// Who is kept from overlapping: of two, one at least must be. Empty: everybody.
     pub guarded: &'a [bool],
 }
 
 impl Bodies<'_> {
+    /// Whether a body is kept from overlapping.
+    #[inline]
+    fn is_guarded(&self, row: usize) -> bool {
+        self.guarded.get(row).is_none_or(|&guarded| guarded)
+    }
+
     /// Whether a body is a disc: centres and radii say everything about it.
     #[inline]
     fn is_disc(&self, row: usize) -> bool {

@@ -1,9 +1,10 @@
 //! 4. What is certain, and 5. move: to where the guard says nobody overlaps.
 
 use super::World;
-use crate::agent::Status;
+use crate::agent::{Group, Status};
 use crate::guard::{Bodies, Pose};
 use crate::motion::{faces, turn, wrap};
+use crate::perceive::Near;
 use glam::{Vec2, Vec3};
 
 impl World {
@@ -12,7 +13,9 @@ impl World {
     pub(super) fn guard(&mut self, seconds: f32, now: f64) {
         let Self { agents, step, groups, .. } = self;
         step.guarded.clear();
-        step.guarded.extend(agents.group.iter().map(|group| groups[group.index()].guard));
+        if groups.iter().any(|group| !group.guard) {
+            step.guarded.extend(agents.group.iter().map(|group| groups[group.index()].guard));
+        }
         // taken out, since wishes look at the world
         let mut contacts = std::mem::take(&mut self.step.contacts);
         let mut guard = std::mem::take(&mut self.step.guard);
@@ -29,7 +32,7 @@ impl World {
             guarded: &step.guarded,
         };
         let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
-        contacts.collect(&bodies, &agents.number, &step.grid, walls, meets, self.seen_alone(seconds));
+        contacts.collect(&bodies, &agents.number, &step.grid, walls, meets, self.known());
         let wished = |row: usize| Pose {
             position: agents.position[row] + step.wishes[row].truncate() * seconds,
             altitude: agents.altitude[row] + step.wishes[row].z * seconds,
@@ -43,24 +46,19 @@ impl World {
         tally.sub_steps += 1;
     }
 
-    /// Tells of rows whether perceiving showed that nobody is within their reach and theirs. It knows only where nobody
-    /// can be near unseen: all are discs on the ground, and the row avoids everybody.
-    fn seen_alone(&self, seconds: f32) -> impl Fn(usize) -> bool {
+    /// Those whom perceiving found within a range of a row's centre, if that must be all whom it meets there: where all
+    /// are discs on the ground, and the row avoids everybody.
+    fn known<'a>(&'a self) -> impl Fn(usize, f32) -> Option<&'a [Near]> {
         let Self { agents, step, groups, .. } = self;
-        let size = move |row: usize| agents.radius[row] + agents.max_speed[row] * seconds;
-        let largest = (0..agents.len()).map(size).fold(0.0, f32::max);
-        let on_all = agents.layers.iter().fold(u32::MAX, |common, layers| common & layers);
-        let knows = step.long.is_empty() && !agents.anybody_flies();
-        move |row| {
-            let Some(nearest) = step.neighbours.get(row * step.most_neighbours) else { return false };
-            let nobody = nearest.row as usize == row;
-            let seen = if nobody {
-                groups[agents.group[row].index()].neighbour_distance
-            } else {
-                nearest.distance_squared.sqrt()
-            };
-            // a little farther than the sum, for rounding
-            knows && agents.avoids[row] & on_all != 0 && seen > (size(row) + largest) * 1.001
+        let shared = agents.layers.iter().fold(u32::MAX, |shared, layers| shared & layers);
+        let sees_all = step.long.is_empty() && !agents.anybody_flies();
+        move |row, range| {
+            let Group { neighbours, neighbour_distance, .. } = groups[agents.group[row].index()];
+            let seen = &step.neighbours[row * step.most_neighbours..][..neighbours];
+            let end = seen.iter().position(|near| near.row as usize == row || near.distance_squared > range * range)?;
+            let is_last = seen[end].row as usize == row;
+            let knows = sees_all && agents.avoids[row] & shared != 0 && (!is_last || neighbour_distance > range);
+            knows.then_some(&seen[..end])
         }
     }
 

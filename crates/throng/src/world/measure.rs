@@ -29,16 +29,23 @@ impl World {
         step.measured.clear();
         step.measured.resize(agents.len().div_ceil(ROWS), before);
         let (contacts, neighbours, most) = (&step.contacts, &step.neighbours, step.most_neighbours);
+        let discs_only = step.long.is_empty();
         parallel::parts(&mut step.measured, agents.len(), |part, measured| {
             for row in part * ROWS..agents.len().min((part + 1) * ROWS) {
-                for &other in contacts.of(row).iter().filter(|&&other| other as usize > row) {
-                    measured.pair(agents, row, other as usize, true);
+                for other in contacts.of(row).iter().map(|&other| other as usize).filter(|&other| other > row) {
+                    if !discs_only || measured.is_near(agents, row, other) {
+                        let separation = agents.separation(row, other);
+                        measured.least_separation = measured.least_separation.min(separation);
+                        measured.overlaps += u64::from(separation < TOUCH);
+                    }
                 }
                 // those who can't touch yet: the nearest that was perceived
                 if let Some(near) = neighbours.get(row * most)
                     && near.row as usize != row
+                    && (!discs_only || measured.is_near(agents, row, near.row as usize))
                 {
-                    measured.pair(agents, row, near.row as usize, false);
+                    measured.least_separation =
+                        measured.least_separation.min(agents.separation(row, near.row as usize));
                 }
                 if !contacts.is_off_walls(row) {
                     measured.walls(agents, row, walls, (contacts.edges_of(row), contacts.discs_of(row)));
@@ -54,17 +61,11 @@ impl World {
 }
 
 impl Measured {
-    fn pair(&mut self, agents: &Columns, row: usize, other: usize, counts: bool) {
-        // most are far from the least there was: seen without a root or a quotient, rounding left room
-        let offset =
-            (agents.position[other] - agents.position[row]).extend(agents.altitude[other] - agents.altitude[row]);
-        let limit = (agents.radius[row] + agents.radius[other]) * self.least_separation.max(1.0) as f32 * 1.0001;
-        if agents.is_disc(row) && agents.is_disc(other) && offset.length_squared() > limit * limit {
-            return;
-        }
-        let separation = agents.separation(row, other);
-        self.least_separation = self.least_separation.min(separation);
-        self.overlaps += u64::from(counts && separation < TOUCH);
+    /// Whether two discs may overlap, or be nearer than any before: most are not, which is seen in the plan, without a
+    /// root or a quotient, with room for rounding.
+    fn is_near(&self, agents: &Columns, row: usize, other: usize) -> bool {
+        let limit = (agents.radius[row] + agents.radius[other]) * (self.least_separation.max(1.0) as f32 * 1.0001);
+        agents.position[row].distance_squared(agents.position[other]) <= limit * limit
     }
 
     fn walls(&mut self, agents: &Columns, row: usize, walls: &Walls, (edges, discs): (&[u32], &[u32])) {
