@@ -81,13 +81,14 @@ fn guarded(crowd: &Crowd, walls: &Walls) -> Vec<Pose> {
         headings: &crowd.headings,
         cores: &crowd.cores,
         radii: &crowd.radii,
-        reach: &crowd.reach,
+        max_speeds: &crowd.reach,
+        seconds: 1.0,
         guarded: &crowd.guarded,
     };
     let mut contacts = Contacts::default();
-    contacts.collect(&bodies, &numbers, &grid, walls, |_, _| true);
-    let mut targets = crowd.targets.clone();
-    Guard::default().certify(&bodies, &contacts, walls, &mut targets);
+    contacts.collect(&bodies, &numbers, &grid, walls, |_, _| true, |_, _| None);
+    let mut targets = Vec::new();
+    Guard::default().certify(&bodies, &contacts, walls, |row| crowd.targets[row], &mut targets);
     targets
 }
 

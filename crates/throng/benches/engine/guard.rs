@@ -17,8 +17,7 @@ struct Packed {
     zeros: Vec<f32>,
     cores: Vec<Vec2>,
     radii: Vec<f32>,
-    reach: Vec<f32>,
-    guarded: Vec<bool>,
+    max_speeds: Vec<f32>,
     grid: Grid,
 }
 
@@ -43,8 +42,7 @@ impl Packed {
             zeros: vec![0.0; count],
             cores: vec![Vec2::ZERO; count],
             radii: vec![0.2; count],
-            reach: vec![0.015; count],
-            guarded: vec![true; count],
+            max_speeds: vec![1.8; count],
             grid,
         }
     }
@@ -56,13 +54,14 @@ impl Packed {
             headings: &self.zeros,
             cores: &self.cores,
             radii: &self.radii,
-            reach: &self.reach,
-            guarded: &self.guarded,
+            max_speeds: &self.max_speeds,
+            seconds: 1.0 / 120.0,
+            guarded: &[],
         }
     }
 
     fn collect(&self, contacts: &mut Contacts) {
-        contacts.collect(&self.bodies(), &self.numbers, &self.grid, &Walls::default(), |_, _| true);
+        contacts.collect(&self.bodies(), &self.numbers, &self.grid, &Walls::default(), |_, _| true, |_, _| None);
     }
 }
 
@@ -77,8 +76,8 @@ fn certify(bencher: Bencher, count: usize) {
     let (packed, mut contacts, mut guard) = (Packed::new(count), Contacts::default(), Guard::default());
     packed.collect(&mut contacts);
     let (bodies, walls) = (packed.bodies(), Walls::default());
+    let mut targets = Vec::new();
     bencher
         .counter(ItemsCount::new(count))
-        .with_inputs(|| packed.targets.clone())
-        .bench_local_refs(|targets| guard.certify(&bodies, &contacts, &walls, targets));
+        .bench_local(|| guard.certify(&bodies, &contacts, &walls, |row| packed.targets[row], &mut targets));
 }

@@ -14,7 +14,7 @@ use crate::space::Walls;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Rounds of certification after which everybody who is still free is clamped.
-const ROUNDS: usize = 8;
+pub(super) const ROUNDS: usize = 8;
 /// Rows in a part: a bit of a word each.
 const ROWS: usize = u64::BITS as usize;
 
@@ -217,7 +217,7 @@ fn rows(part: usize, mut set: u64) -> impl Iterator<Item = usize> {
 
 /// The wish of a row, as far as it can go in a step. One that is not a number is no wish at all; the heading of a disc
 /// is left alone.
-fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose {
+pub(super) fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose {
     let (from, to) = (bodies.place(row), wish.place());
     let place = if to.is_finite() { from + (to - from).clamp_length_max(bodies.reach(row)) } else { from };
     let turns = wish.heading.is_finite() && !bodies.is_disc(row);

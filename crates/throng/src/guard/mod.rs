@@ -48,6 +48,8 @@ mod certify;
 mod contacts;
 mod cores;
 mod lists;
+#[cfg(test)]
+mod plain;
 mod relax;
 mod safe;
 mod solid;

@@ -111,3 +111,35 @@ fn parting(offset: DVec3, motion: DVec3, clearance: f64) -> DVec3 {
     let normal = if nearest.dot(offset) > 0.0 { nearest / distance } else { offset.normalize_or_zero() };
     normal * (deficit / t.max(0.25)).min(deficit * 2.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::safe::{nearest_approach, needed};
+    use super::*;
+    use proptest::prelude::*;
+
+    fn vector(size: f32) -> impl Strategy<Value = DVec3> {
+        let altitude = prop_oneof![Just(0.0f32), -size..size];
+        (-size..size, -size..size, altitude).prop_map(|(x, y, z)| DVec3::new(x.into(), y.into(), z.into()))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        /// Those who pass are neither pushed nor unsafe, and those who do not come near or nearly so.
+        #[test]
+        fn a_quick_look_tells_who_passes(offset in vector(2.0), motion in vector(3.0), radii in 0.05f32..1.0, haste in 0.0f32..1.0) {
+            let (radii, motion) = (f64::from(radii), motion * f64::from(haste));
+            let clear = radii * (1.0 + SKIN);
+            let least = nearest_approach(offset, motion);
+            if passes(offset, motion, clear) {
+                prop_assert_eq!(parting(offset, motion, clearance(offset.length(), radii, 1.0)), DVec3::ZERO);
+                prop_assert!(least >= clear && least >= needed(radii, offset.length()));
+            } else {
+                // it looks along the line beyond the end of the motion, too
+                let line = nearest_approach(offset, motion * 1e9);
+                prop_assert!(line <= clear * (1.0 + 1e-6) + 1e-6, "{line} of {clear}");
+            }
+        }
+    }
+}

@@ -31,7 +31,7 @@ pub(super) fn is_safe(row: usize, solid: Solid<'_>, targets: &[Pose]) -> bool {
 }
 
 /// The least distance that two may have who touch at `radii` and are at `distance` now.
-fn needed(radii: f64, distance: f64) -> f64 {
+pub(super) fn needed(radii: f64, distance: f64) -> f64 {
     radii.min(distance) - SLACK * radii
 }
 
