@@ -16,6 +16,7 @@ mod options;
 mod out;
 mod pace;
 mod progress;
+mod recorder;
 mod report;
 mod run;
 mod schema;

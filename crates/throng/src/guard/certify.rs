@@ -219,7 +219,7 @@ fn rows(part: usize, mut set: u64) -> impl Iterator<Item = usize> {
 /// is left alone.
 pub(super) fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose {
     let (from, to) = (bodies.place(row), wish.place());
-    let place = if to.is_finite() { from + (to - from).clamp_length_max(bodies.reach(row)) } else { from };
+    let place = if to.is_finite() { from + (to - from).clamp_length_max(bodies.reach[row]) } else { from };
     let turns = wish.heading.is_finite() && !bodies.is_disc(row);
     let heading = if turns { wish.heading } else { bodies.headings[row] };
     Pose { heading, ..wish }.with_place(place)

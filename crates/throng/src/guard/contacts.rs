@@ -2,7 +2,7 @@
 
 use super::Bodies;
 use super::lists::Lists;
-use crate::perceive::{Grid, Near};
+use crate::perceive::Grid;
 use crate::space::{NearWalls, Walls};
 
 /// For each body, the others and the walls within its reach and theirs.
@@ -31,7 +31,7 @@ impl Search<'_> {
     /// How far from its centre a body can touch something in the step.
     #[inline]
     fn size(&self, row: usize) -> f32 {
-        self.bodies.bound(row) + self.bodies.reach(row)
+        self.bodies.bound(row) + self.bodies.reach[row]
     }
 
     /// Calls `found` for those who can touch `row` and are not larger than `limit`.
@@ -46,14 +46,31 @@ impl Search<'_> {
         });
     }
 
-    /// Whether two can touch.
+    /// Adds to `found` those of the nearest who can touch `row`. Whether they are all there are, if who can touch it is
+    /// within `reach`.
+    #[inline]
+    fn take(&self, row: usize, reach: f32, nearest: &[u32], range: f32, found: &mut Vec<u32>) -> bool {
+        let at = self.bodies.positions[row];
+        for &other in nearest {
+            let distance_squared = at.distance_squared(self.bodies.positions[other as usize]);
+            if other as usize == row || distance_squared > reach * reach {
+                return other as usize != row || range > reach;
+            }
+            if self.touch(row, other as usize, distance_squared) {
+                found.push(other);
+            }
+        }
+        false
+    }
+
+    /// Whether two can touch whose centres are this far apart in the plan.
     #[inline]
     fn touch(&self, a: usize, b: usize, distance_squared: f32) -> bool {
         let Self { bodies, numbers, .. } = self;
         // rounded in the same way whoever asks
         let rank = |row: usize| (bodies.bound(row), numbers[row]);
         let (a, b) = if rank(a) < rank(b) { (b, a) } else { (a, b) };
-        let range = (bodies.bound(a) + bodies.bound(b) + bodies.reach(a) + bodies.reach(b)) * PAD;
+        let range = (bodies.bound(a) + bodies.bound(b) + bodies.reach[a] + bodies.reach[b]) * PAD;
         let discs = bodies.is_disc(a) && bodies.is_disc(b);
         let above = if discs { bodies.altitudes[b] - bodies.altitudes[a] } else { 0.0 };
         distance_squared + above * above <= range * range
@@ -62,8 +79,9 @@ impl Search<'_> {
 
 impl Contacts {
     /// Collects all pairs that could touch, by a grid over the bodies' positions, and all walls. `meets` tells
-    /// whether two rows are solid to each other, the same whichever comes first; `known` may know all whom a row meets
-    /// within a range of its centre, and maybe others, at no cost.
+    /// whether two rows are solid to each other, the same whichever comes first. `nearest` may know the nearest of all
+    /// whom a row meets, nearest first, and within which distance it looked for them; where it found no more the row
+    /// itself ends the list.
     pub fn collect<'a>(
         &mut self,
         bodies: &Bodies<'_>,
@@ -71,39 +89,18 @@ impl Contacts {
         grid: &Grid,
         walls: &Walls,
         meets: impl Fn(usize, usize) -> bool + Sync,
-        known: impl Fn(usize, f32) -> Option<&'a [Near]> + Sync,
+        nearest: impl Fn(usize) -> Option<(&'a [u32], f32)> + Sync,
     ) {
-        let rows = bodies.positions.len();
         let search = Search { bodies, numbers, grid };
-        let (mut sum, mut largest) = (0.0, 0.0_f32);
-        for row in 0..rows {
-            let size = search.size(row);
-            (sum, largest) = (sum + f64::from(size), largest.max(size));
-        }
-        let twice_the_mean = (2.0 * sum / rows as f64) as f32;
-        let mut usual = largest;
-        self.told.clear();
-        if largest > twice_the_mean {
-            let sizes = (0..rows).map(|row| search.size(row));
-            usual = sizes.filter(|&size| size <= twice_the_mean).fold(0.0, f32::max);
-            for row in (0..rows).filter(|&row| search.size(row) > usual) {
-                let size = search.size(row);
-                search.look(row, size, |other| {
-                    if search.size(other) < size && meets(row, other) {
-                        self.told.push((other as u32, row as u32));
-                    }
-                });
-            }
-            self.told.sort_unstable();
-        }
+        let (usual, largest) = self.tell(search, &meets);
         let told = &self.told;
-        self.others.fill(rows, |(), row, others| {
+        self.others.fill(bodies.positions.len(), |(), row, others| {
             let start = others.len();
             let size = search.size(row);
-            if let Some(all) = known(row, (size + largest) * (PAD * PAD)) {
-                let touching = all.iter().filter(|near| search.touch(row, near.row as usize, near.distance_squared));
-                others.extend(touching.map(|near| near.row));
-            } else {
+            let reach = (size + largest) * (PAD * PAD);
+            let all = nearest(row).is_some_and(|(nearest, range)| search.take(row, reach, nearest, range, others));
+            if !all {
+                others.truncate(start);
                 search.look(row, size.max(usual), |other| {
                     if meets(row, other) {
                         others.push(other as u32);
@@ -121,13 +118,38 @@ impl Contacts {
         self.collect_walls(bodies, walls);
     }
 
+    /// Has those who are larger than usual tell those whom they can touch; gives the usual size, and the largest.
+    fn tell(&mut self, search: Search<'_>, meets: impl Fn(usize, usize) -> bool) -> (f32, f32) {
+        self.told.clear();
+        let Bodies { positions, cores, radii, reach, .. } = search.bodies;
+        let alike = cores.uniform().is_some() && radii.uniform().is_some() && reach.uniform().is_some();
+        let rows = if alike { positions.len().min(1) } else { positions.len() };
+        let sizes = || (0..rows).map(|row| search.size(row));
+        let largest = sizes().fold(0.0, f32::max);
+        let twice_the_mean = (2.0 * sizes().map(f64::from).sum::<f64>() / rows as f64) as f32;
+        if largest <= twice_the_mean {
+            return (largest, largest);
+        }
+        let usual = sizes().filter(|&size| size <= twice_the_mean).fold(0.0, f32::max);
+        for row in (0..rows).filter(|&row| search.size(row) > usual) {
+            let size = search.size(row);
+            search.look(row, size, |other| {
+                if search.size(other) < size && meets(row, other) {
+                    self.told.push((other as u32, row as u32));
+                }
+            });
+        }
+        self.told.sort_unstable();
+        (usual, largest)
+    }
+
     fn collect_walls(&mut self, bodies: &Bodies<'_>, walls: &Walls) {
         if walls.is_empty() {
             self.walls.clear();
             return;
         }
         self.walls.fill(bodies.positions.len(), |near, row, found| {
-            let range = f64::from(bodies.bound(row) + bodies.reach(row)) * 1.0001;
+            let range = f64::from(bodies.bound(row) + bodies.reach[row]) * 1.0001;
             walls.near(bodies.positions[row].as_dvec2(), range, near);
             if !near.edges.is_empty() || !near.discs.is_empty() {
                 found.push(near.edges.len() as u32);

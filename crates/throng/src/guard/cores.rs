@@ -2,6 +2,7 @@
 
 use super::Bodies;
 use crate::space::Core;
+use glam::Vec2;
 
 /// Cores of the bodies at the start of a step: kept for those who are no discs, if there are any.
 #[derive(Clone, Debug, Default)]
@@ -15,11 +16,10 @@ impl Cores {
     pub fn rebuild(&mut self, bodies: &Bodies<'_>) {
         self.kept.clear();
         self.places.clear();
-        let rows = 0..bodies.positions.len();
-        if rows.clone().all(|row| bodies.is_disc(row)) {
+        if bodies.cores.values().iter().all(|&core| core == Vec2::ZERO) {
             return;
         }
-        for row in rows {
+        for row in 0..bodies.positions.len() {
             self.places.push(self.kept.len() as u32);
             if !bodies.is_disc(row) {
                 self.kept.push(Core::new(bodies.positions[row].as_dvec2(), bodies.headings[row], bodies.cores[row]));

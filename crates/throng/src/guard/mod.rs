@@ -59,6 +59,7 @@ pub use certify::{Guard, Report};
 pub use contacts::Contacts;
 pub use safe::{SLACK, nearest_approach};
 
+use crate::agent::Column;
 use glam::{Vec2, Vec3};
 
 /// Bodies at the start of a step.
@@ -67,28 +68,20 @@ pub struct Bodies<'a> {
     /// Centres.
     pub positions: &'a [Vec2],
     /// Heights of the centres above the ground, not negative.
-    pub altitudes: &'a [f32],
+    pub altitudes: &'a Column<f32>,
     /// Directions, radians counter-clockwise from +x.
     pub headings: &'a [f32],
     /// Half extents of the cores, along and across the heading; zero for discs.
-    pub cores: &'a [Vec2],
+    pub cores: &'a Column<Vec2>,
     /// Radii: how far bodies reach beyond their cores.
-    pub radii: &'a [f32],
-    /// How fast each may move at most, in space, m/s.
-    pub max_speeds: &'a [f32],
-    /// How long the step is.
-    pub seconds: f32,
-    /// Who is kept from overlapping: of two, one at least must be. Empty: everybody.
-    pub guarded: &'a [bool],
+    pub radii: &'a Column<f32>,
+    /// How far each may move in the step at most, in space, metres.
+    pub reach: &'a Column<f32>,
+    /// Who is kept from overlapping: of two, one at least must be.
+    pub guarded: &'a Column<bool>,
 }
 
 impl Bodies<'_> {
-    /// Whether a body is kept from overlapping.
-    #[inline]
-    fn is_guarded(&self, row: usize) -> bool {
-        self.guarded.get(row).is_none_or(|&guarded| guarded)
-    }
-
     /// Whether a body is a disc: centres and radii say everything about it.
     #[inline]
     fn is_disc(&self, row: usize) -> bool {
@@ -99,12 +92,6 @@ impl Bodies<'_> {
     #[inline]
     fn bound(&self, row: usize) -> f32 {
         self.radii[row] + self.cores[row].length()
-    }
-
-    /// How far a body may move in the step at most, in space, metres.
-    #[inline]
-    fn reach(&self, row: usize) -> f32 {
-        self.max_speeds[row] * self.seconds
     }
 
     /// The centre of a body, in space.

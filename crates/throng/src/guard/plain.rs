@@ -7,7 +7,7 @@ use super::safe::is_safe;
 use super::solid::Solid;
 use super::{Bodies, Contacts, Guard, Pose, Report, cell, relax};
 use crate::Obstacle;
-use crate::perceive::{Grid, Near};
+use crate::perceive::Grid;
 use crate::space::Walls;
 use glam::{DVec2, Vec2, Vec3};
 use proptest::prelude::*;
@@ -45,7 +45,7 @@ fn certify(bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, wishes: &[Po
 fn touching(bodies: &Bodies<'_>, row: usize, scale: f32) -> Vec<u32> {
     let others = (0..bodies.positions.len()).filter(|&other| other != row && meets(row, other));
     let touches = |&other: &usize| {
-        let range = bodies.bound(row) + bodies.bound(other) + bodies.reach(row) + bodies.reach(other);
+        let range = bodies.bound(row) + bodies.bound(other) + bodies.reach[row] + bodies.reach[other];
         let distance = if bodies.is_disc(row) && bodies.is_disc(other) {
             bodies.place(row).distance(bodies.place(other))
         } else {
@@ -67,7 +67,7 @@ struct One {
     heading: f32,
     core: Vec2,
     radius: f32,
-    max_speed: f32,
+    reach: f32,
     guarded: bool,
     wish: Vec3,
     turn: f32,
@@ -78,16 +78,16 @@ fn one() -> impl Strategy<Value = One> {
     let extent = || prop_oneof![3 => Just(0.0f32), 1 => 0.0f32..0.75];
     // a few are far larger than the rest, a few far faster
     let radius = prop_oneof![8 => 0.0625f32..0.5, 1 => 1.0f32..3.0];
-    let max_speed = prop_oneof![8 => 0.0f32..0.5, 1 => 0.5f32..4.0];
+    let reach = prop_oneof![8 => 0.0f32..0.5, 1 => 0.5f32..4.0];
     let wish = (-1.0f32..1.0, -1.0f32..1.0, prop_oneof![4 => Just(0.0f32), 1 => -0.5f32..0.5]);
-    let body = ((extent(), extent()), radius, max_speed, prop_oneof![4 => Just(true), 1 => Just(false)]);
+    let body = ((extent(), extent()), radius, reach, prop_oneof![4 => Just(true), 1 => Just(false)]);
     (place, -3.0f32..3.0, body, wish, -0.5f32..0.5).prop_map(
-        |(place, heading, ((length, width), radius, max_speed, guarded), wish, turn)| One {
+        |(place, heading, ((length, width), radius, reach, guarded), wish, turn)| One {
             place: place.into(),
             heading,
             core: Vec2::new(length, width),
             radius,
-            max_speed,
+            reach,
             guarded,
             wish: wish.into(),
             turn,
@@ -103,7 +103,7 @@ fn like() -> impl Strategy<Value = One> {
         heading: 0.0,
         core: Vec2::ZERO,
         radius: 0.1875,
-        max_speed: 0.25,
+        reach: 0.25,
         guarded: true,
         wish: Vec3::new(x, y, 0.0),
         turn: 0.0,
@@ -125,34 +125,32 @@ proptest! {
 
     #[test]
     fn looking_at_some_gives_the_bits_of_looking_at_all(all in crowd(), walled: bool, knows: bool) {
-        fn column<T>(all: &[One], of: impl Fn(&One) -> T) -> Vec<T> {
-            all.iter().map(of).collect()
-        }
         let walls = if walled { room() } else { Walls::default() };
-        let positions = column(&all, |one| one.place.truncate());
+        let positions: Vec<Vec2> = all.iter().map(|one| one.place.truncate()).collect();
         let bodies = Bodies {
             positions: &positions,
-            altitudes: &column(&all, |one| one.place.z),
-            headings: &column(&all, |one| one.heading),
-            cores: &column(&all, |one| one.core),
-            radii: &column(&all, |one| one.radius),
-            max_speeds: &column(&all, |one| one.max_speed),
-            seconds: 0.9,
-            guarded: &column(&all, |one| one.guarded),
+            altitudes: &all.iter().map(|one| one.place.z).collect(),
+            headings: &all.iter().map(|one| one.heading).collect::<Vec<_>>(),
+            cores: &all.iter().map(|one| one.core).collect(),
+            radii: &all.iter().map(|one| one.radius).collect(),
+            reach: &all.iter().map(|one| one.reach).collect(),
+            guarded: &all.iter().map(|one| one.guarded).collect(),
         };
         // numbers run against the rows
         let numbers: Vec<u32> = (0..all.len() as u32).rev().collect();
         let mut grid = Grid::default();
         grid.rebuild(&positions, &numbers, 1.0);
-        // a crowd that knows tells every other row of everybody
-        let everybody: Vec<Vec<Near>> = (0..all.len()).map(|row| {
-            let near = |other: usize| {
-                let distance_squared = positions[row].distance_squared(positions[other]);
-                Near { row: other as u32, number: numbers[other], distance_squared }
-            };
-            (0..all.len()).filter(|&other| other != row && meets(row, other)).map(near).collect()
+        // every other row knows its nearest, up to a distance, sometimes too few
+        let nearest: Vec<Vec<u32>> = (0..all.len()).map(|row| {
+            let distance = |other: &u32| positions[row].distance_squared(positions[*other as usize]);
+            let others = (0..all.len()).filter(|&other| other != row && meets(row, other)).map(|other| other as u32);
+            let mut near: Vec<u32> = others.filter(|other| distance(other) <= 2.25).collect();
+            near.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+            near.push(row as u32);
+            near.truncate(8);
+            near
         }).collect();
-        let known = |row: usize, _| (knows && row % 2 == 0).then_some(&everybody[row][..]);
+        let known = |row: usize| (knows && row % 2 == 0).then_some((&nearest[row][..], 1.5));
         let mut contacts = Contacts::default();
         contacts.collect(&bodies, &numbers, &grid, &walls, meets, known);
         for row in 0..all.len() {
@@ -163,7 +161,8 @@ proptest! {
             prop_assert!(surely.iter().all(|other| of.contains(other)), "{row}: {of:?} of {surely:?}");
             prop_assert!(of.iter().all(|other| maybe.contains(other)), "{row}: {of:?} of {maybe:?}");
         }
-        let wishes = column(&all, |one| Pose { heading: one.heading + one.turn, ..Pose::default() }.with_place(one.place + one.wish));
+        let wish = |one: &One| Pose { heading: one.heading + one.turn, ..Pose::default() }.with_place(one.place + one.wish);
+        let wishes: Vec<Pose> = all.iter().map(wish).collect();
         let (plain, report) = certify(&bodies, &contacts, &walls, &wishes);
         let (mut guard, mut targets) = (Guard::default(), Vec::new());
         for _ in 0..2 {

@@ -37,7 +37,7 @@ pub(super) fn relaxed(row: usize, solid: Solid<'_>, targets: &[Pose]) -> Pose {
     let mut push = DVec3::ZERO;
     for other in solid.others(row) {
         let radii = radius + f64::from(bodies.radii[other]);
-        let reach = f64::from(bodies.reach(row)) + f64::from(bodies.reach(other));
+        let reach = f64::from(bodies.reach[row]) + f64::from(bodies.reach[other]);
         if is_disc && solid.is_disc(other) {
             let (offset, relative) = solid.relative(row, motion, other, targets);
             if !passes(offset, relative, radii * (1.0 + SKIN)) {
@@ -48,7 +48,7 @@ pub(super) fn relaxed(row: usize, solid: Solid<'_>, targets: &[Pose]) -> Pose {
             push += 0.5 * parting_cores(&own, &theirs, radii, reach).extend(0.0);
         }
     }
-    let reach = f64::from(bodies.reach(row));
+    let reach = f64::from(bodies.reach[row]);
     if is_disc {
         let (plan, along) = (bodies.positions[row].as_dvec2(), motion.with_z(0.0));
         for edge in solid.edges(row) {

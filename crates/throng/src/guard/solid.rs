@@ -19,19 +19,19 @@ impl<'a> Solid<'a> {
     /// Those whom `row` could touch and is held apart from: of two, one at least must be guarded.
     pub fn others(self, row: usize) -> impl Iterator<Item = usize> + 'a {
         let others = self.contacts.of(row).iter().map(|&other| other as usize);
-        let guarded = self.bodies.is_guarded(row);
-        others.filter(move |&other| guarded || self.bodies.is_guarded(other))
+        let guarded = self.bodies.guarded[row];
+        others.filter(move |&other| guarded || self.bodies.guarded[other])
     }
 
     /// Wall edges that `row` could touch and is held off.
     pub fn edges(self, row: usize) -> impl Iterator<Item = &'a Edge> {
-        let found: &[u32] = if self.bodies.is_guarded(row) { self.contacts.edges_of(row) } else { &[] };
+        let found: &[u32] = if self.bodies.guarded[row] { self.contacts.edges_of(row) } else { &[] };
         found.iter().map(move |&index| &self.walls.edges()[index as usize])
     }
 
     /// Solid discs that `row` could touch and is held off.
     pub fn discs(self, row: usize) -> impl Iterator<Item = &'a Disc> {
-        let found: &[u32] = if self.bodies.is_guarded(row) { self.contacts.discs_of(row) } else { &[] };
+        let found: &[u32] = if self.bodies.guarded[row] { self.contacts.discs_of(row) } else { &[] };
         found.iter().map(move |&index| &self.walls.discs()[index as usize])
     }
 

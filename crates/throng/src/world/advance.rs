@@ -1,21 +1,17 @@
 //! 4. What is certain, and 5. move: to where the guard says nobody overlaps.
 
 use super::World;
-use crate::agent::{Group, Status};
+use crate::agent::Status;
 use crate::guard::{Bodies, Pose};
-use crate::motion::{faces, turn, wrap};
-use crate::perceive::Near;
+use crate::motion::{angle, faces, turn, wrap};
 use glam::{Vec2, Vec3};
 
 impl World {
     /// 4. What is certain: nobody overlaps.
-    #[inline(never)]
     pub(super) fn guard(&mut self, seconds: f32, now: f64) {
         let Self { agents, step, groups, .. } = self;
-        step.guarded.clear();
-        if groups.iter().any(|group| !group.guard) {
-            step.guarded.extend(agents.group.iter().map(|group| groups[group.index()].guard));
-        }
+        step.reach.map_from(&agents.max_speed, |speed| speed * seconds);
+        step.guarded.map_from(&agents.group, |group| groups[group.index()].guard);
         // taken out, since wishes look at the world
         let mut contacts = std::mem::take(&mut self.step.contacts);
         let mut guard = std::mem::take(&mut self.step.guard);
@@ -27,12 +23,11 @@ impl World {
             headings: &agents.heading,
             cores: &agents.core,
             radii: &agents.radius,
-            max_speeds: &agents.max_speed,
-            seconds,
+            reach: &step.reach,
             guarded: &step.guarded,
         };
         let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
-        contacts.collect(&bodies, &agents.number, &step.grid, walls, meets, self.known());
+        contacts.collect(&bodies, &agents.number, &step.grid, walls, meets, self.seen());
         let wished = |row: usize| Pose {
             position: agents.position[row] + step.wishes[row].truncate() * seconds,
             altitude: agents.altitude[row] + step.wishes[row].z * seconds,
@@ -46,19 +41,14 @@ impl World {
         tally.sub_steps += 1;
     }
 
-    /// Those whom perceiving found within a range of a row's centre, if that must be all whom it meets there: where all
-    /// are discs on the ground, and the row avoids everybody.
-    fn known<'a>(&'a self) -> impl Fn(usize, f32) -> Option<&'a [Near]> {
+    /// The nearest that perceiving found and how far it looked, where it looks at everybody: where all are discs on the
+    /// ground and avoid each other.
+    fn seen<'a>(&'a self) -> impl Fn(usize) -> Option<(&'a [u32], f32)> {
         let Self { agents, step, groups, .. } = self;
-        let shared = agents.layers.iter().fold(u32::MAX, |shared, layers| shared & layers);
-        let sees_all = step.long.is_empty() && !agents.anybody_flies();
-        move |row, range| {
-            let Group { neighbours, neighbour_distance, .. } = groups[agents.group[row].index()];
-            let seen = &step.neighbours[row * step.most_neighbours..][..neighbours];
-            let end = seen.iter().position(|near| near.row as usize == row || near.distance_squared > range * range)?;
-            let is_last = seen[end].row as usize == row;
-            let knows = sees_all && agents.avoids[row] & shared != 0 && (!is_last || neighbour_distance > range);
-            knows.then_some(&seen[..end])
+        let sees_all = step.long.is_empty() && !agents.anybody_flies() && agents.all_avoid();
+        move |row| {
+            let group = &groups[agents.group[row].index()];
+            sees_all.then(|| (&step.near.with_end(row)[..group.neighbours], group.neighbour_distance))
         }
     }
 
@@ -87,35 +77,43 @@ impl World {
 
     /// 5. Move: to where the guard said, then headings, arrivals, exits.
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
+        if !self.advance_many(seconds) {
+            self.advance_each(seconds);
+        }
+        self.agents.pass(seconds);
+        self.measure();
+        self.arrive(seconds, now);
+    }
+
+    /// Moves everybody, one by one.
+    fn advance_each(&mut self, seconds: f32) {
         let agents = &mut self.agents;
         for row in 0..agents.len() {
             let from = agents.position[row].extend(agents.altitude[row]);
             let target = self.step.targets[row];
             let velocity = velocity(from, target.place(), self.step.wishes[row], seconds);
-            (agents.position[row], agents.altitude[row]) = (target.position, target.altitude);
+            agents.position[row] = target.position;
+            agents.altitude.set(row, target.altitude);
             let velocity_before = agents.velocity[row];
-            (agents.velocity[row], agents.climb[row]) = (velocity.truncate(), velocity.z);
+            agents.velocity[row] = velocity.truncate();
+            agents.climb.set(row, velocity.z);
             let before = agents.heading[row];
             let heading = if agents.is_disc(row) {
                 let facing =
                     faces(agents.velocity[row], self.step.preferred[row].truncate(), agents.max_turn_rate[row]);
                 turn(before, facing, seconds, agents.max_turn_rate[row])
             } else {
-                agents.spin[row] = wrap(target.heading - before) / seconds;
+                agents.spin.set(row, wrap(target.heading - before) / seconds);
                 target.heading
             };
             agents.heading[row] = heading;
             if agents.status[row] == Status::Walking {
-                let trip = &mut agents.trip[row];
                 let turned = f64::from((heading - before).abs());
-                trip.turned += turned.min(std::f64::consts::TAU - turned);
-                trip.course_turned += f64::from(angle_between(velocity_before, agents.velocity[row]));
-                trip.on_way += f64::from(seconds);
-                trip.walked += f64::from((target.place() - from).length());
+                agents.turned[row] += turned.min(std::f64::consts::TAU - turned);
+                agents.course_turned[row] += f64::from(angle_between(velocity_before, agents.velocity[row]));
+                agents.walked[row] += f64::from((target.place() - from).length());
             }
         }
-        self.measure();
-        self.arrive(seconds, now);
     }
 
     /// The velocity that the guard leaves to an agent that has yet to move.
@@ -126,11 +124,11 @@ impl World {
 }
 
 /// Below this speed, m/s, a velocity has no direction that could be seen.
-const SEEN: f32 = 0.1;
+pub(super) const SEEN: f32 = 0.1;
 
 /// The angle between two velocities, radians, if both can be seen.
 fn angle_between(a: Vec2, b: Vec2) -> f32 {
-    if a.length() < SEEN || b.length() < SEEN { 0.0 } else { libm::atan2f(a.perp_dot(b), a.dot(b)).abs() }
+    if a.length() < SEEN || b.length() < SEEN { 0.0 } else { angle(Vec2::new(a.dot(b), a.perp_dot(b))).abs() }
 }
 
 /// The velocity of a motion. What was certified as it was wished is the wish: the motion may be far below what

@@ -28,7 +28,7 @@ impl World {
         };
         step.measured.clear();
         step.measured.resize(agents.len().div_ceil(ROWS), before);
-        let (contacts, neighbours, most) = (&step.contacts, &step.neighbours, step.most_neighbours);
+        let (contacts, near) = (&step.contacts, &step.near);
         let discs_only = step.long.is_empty();
         parallel::parts(&mut step.measured, agents.len(), |part, measured| {
             for row in part * ROWS..agents.len().min((part + 1) * ROWS) {
@@ -40,12 +40,11 @@ impl World {
                     }
                 }
                 // those who can't touch yet: the nearest that was perceived
-                if let Some(near) = neighbours.get(row * most)
-                    && near.row as usize != row
-                    && (!discs_only || measured.is_near(agents, row, near.row as usize))
+                if let Some(nearest) = near.with_end(row).first().map(|&nearest| nearest as usize)
+                    && nearest != row
+                    && (!discs_only || measured.is_near(agents, row, nearest))
                 {
-                    measured.least_separation =
-                        measured.least_separation.min(agents.separation(row, near.row as usize));
+                    measured.least_separation = measured.least_separation.min(agents.separation(row, nearest));
                 }
                 if !contacts.is_off_walls(row) {
                     measured.walls(agents, row, walls, (contacts.edges_of(row), contacts.discs_of(row)));
