@@ -9,6 +9,7 @@ mod avoid_lanes;
 mod build;
 mod explain;
 mod intend;
+mod measure;
 mod order;
 mod perceive;
 mod plan;
@@ -123,6 +124,7 @@ struct StepMemory {
     guarded: Column<bool>,
     contacts: Contacts,
     guard: Guard,
+    measured: Vec<measure::Measured>,
     /// How many have arrived at each goal.
     arrivals: Vec<u32>,
     /// Rows with their next status, where it may be another.

@@ -79,7 +79,7 @@ impl World {
             };
             let at = agents.position[row];
             grid.nearest(at, group.neighbours, group.neighbour_distance, accept, found);
-            if !long.rows.is_empty() {
+            if !long.is_empty() {
                 long.add(agents, grid, row, (group.neighbours, group.neighbour_distance), accept, found);
             }
             for (entry, near) in list.iter_mut().zip(&*found) {
@@ -143,10 +143,15 @@ impl Neighbours {
 
     /// Rows of the neighbours of a row, nearest first.
     pub(super) fn of(&self, row: usize) -> &[u32] {
-        let start = self.places[row] as usize * self.most;
-        let list = &self.lists[start..start + self.most];
+        let list = self.with_end(row);
         let count = list.iter().position(|&other| other as usize == row).unwrap_or(self.most);
         &list[..count]
+    }
+
+    /// The same, and more: the row itself where they end, if there is room for it.
+    pub(super) fn with_end(&self, row: usize) -> &[u32] {
+        let start = self.places[row] as usize * self.most;
+        &self.lists[start..start + self.most]
     }
 }
 
@@ -167,6 +172,11 @@ pub(super) struct Long {
 }
 
 impl Long {
+    /// Whether all bodies are discs.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
     fn rebuild(&mut self, agents: &Columns, cell: f32) {
         self.rows.clear();
         if !agents.all_discs() {
