@@ -102,6 +102,8 @@ struct Slots {
 struct StepMemory {
     grid: Grid,
     long: perceive::Long,
+    /// Rows of two who were within a body's width of each other when that was asked last: a guess where to look first.
+    close_pair: Option<(usize, usize)>,
     /// Neighbours of each row: `most_neighbours` places a row, filled from the front.
     neighbours: Vec<Near>,
     most_neighbours: usize,

@@ -262,29 +262,29 @@ impl Grid {
         let pad = Vec2::splat(range + self.cell * 0.001);
         let (x0, y0) = self.cell_at(from - pad);
         let (x1, y1) = self.cell_at(from + pad);
-        let mut stack = Vec::new();
         for y in y0..=y1 {
             for &block in &self.cells[y * self.columns + x0..=y * self.columns + x1] {
-                if block == EMPTY {
-                    continue;
+                if block != EMPTY {
+                    self.within_block(block, from, range * range, &mut visit);
                 }
-                stack.push(block);
-                while let Some(block) = stack.pop() {
-                    let block = &self.blocks[block as usize];
-                    if block.distance_squared(from) > range * range {
-                        continue;
-                    }
-                    if block.halves != 0 {
-                        stack.extend([block.halves, block.halves + 1]);
-                        continue;
-                    }
-                    for at in block.start as usize..block.end as usize {
-                        let near = self.near(from, at);
-                        if near.distance_squared <= range * range {
-                            visit(near);
-                        }
-                    }
-                }
+            }
+        }
+    }
+
+    fn within_block(&self, block: u32, from: Vec2, range_squared: f32, visit: &mut impl FnMut(Near)) {
+        let block = &self.blocks[block as usize];
+        if block.distance_squared(from) > range_squared {
+            return;
+        }
+        if block.halves != 0 {
+            self.within_block(block.halves, from, range_squared, visit);
+            self.within_block(block.halves + 1, from, range_squared, visit);
+            return;
+        }
+        for at in block.start as usize..block.end as usize {
+            let near = self.near(from, at);
+            if near.distance_squared <= range_squared {
+                visit(near);
             }
         }
     }
