@@ -1,8 +1,8 @@
 //! Work that is done behind the back of who asks for it: by another thread, in order, with a bounded backlog.
 
 use std::fmt;
-use std::sync::mpsc::{SyncSender, channel, sync_channel};
 use std::sync::Arc;
+use std::sync::mpsc::{SyncSender, channel, sync_channel};
 use std::thread::JoinHandle;
 
 /// How many things may wait.

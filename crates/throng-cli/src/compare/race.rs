@@ -11,12 +11,12 @@ use crate::report::figures;
 use crate::source::Loaded;
 use crate::threads::Workers;
 use serde_json::{Map, Value, json};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 use throng::World;
-use std::sync::Arc;
-use throng_record::{Frame, Pool};
 use throng_record::series::Series;
+use throng_record::{Frame, Pool};
 use throng_scene::{Built, Model, Time};
 
 /// What is compared.

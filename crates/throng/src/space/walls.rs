@@ -211,27 +211,35 @@ impl Walls {
             return;
         }
         // a cell on the way to each of them, short of it by what cells reach, lists it
-        let away = (range - REACH).max(0.0);
-        for cell in self.cells.touched(from - away, from + away) {
-            for &item in self.cells.items(cell) {
-                let item = item as usize;
-                if let Some(edge) = self.edges.get(item) {
-                    let d = edge.nearest(from).distance(from);
-                    if d <= range {
-                        near.edges.push((d, item as u32));
-                    }
-                } else {
-                    let index = item - self.edges.len();
-                    let d = self.discs[index].center.distance(from) - self.discs[index].radius;
-                    if d <= range {
-                        near.discs.push((d, index as u32));
-                    }
-                }
+        let away = range - REACH;
+        if away <= 0.0 {
+            self.near_in(self.cells.cell_of(from), from, range, near);
+        } else {
+            for cell in self.cells.touched(from - away, from + away) {
+                self.near_in(cell, from, range, near);
             }
         }
-        for list in [&mut near.edges, &mut near.discs] {
+        for list in [&mut near.edges, &mut near.discs].into_iter().filter(|list| list.len() > 1) {
             list.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             list.dedup();
+        }
+    }
+
+    fn near_in(&self, cell: usize, from: DVec2, range: f64, near: &mut NearWalls) {
+        for &item in self.cells.items(cell) {
+            let item = item as usize;
+            if let Some(edge) = self.edges.get(item) {
+                let d = edge.nearest(from).distance(from);
+                if d <= range {
+                    near.edges.push((d, item as u32));
+                }
+            } else {
+                let index = item - self.edges.len();
+                let d = self.discs[index].center.distance(from) - self.discs[index].radius;
+                if d <= range {
+                    near.discs.push((d, index as u32));
+                }
+            }
         }
     }
 
