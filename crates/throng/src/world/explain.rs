@@ -86,7 +86,7 @@ impl World {
         world.enter();
         let parts = world.sub_steps();
         let seconds = world.seconds(parts);
-        world.decide(seconds, world.time() + f64::from(seconds));
+        world.decide(seconds, world.time() + f64::from(seconds), |_| ());
         Some(world.explanation(world.row(id)?, seconds))
     }
 

@@ -3,7 +3,7 @@
 use crate::common::{Draw, run_for, with_settings};
 use crate::scenes::{Kind, populate};
 use glam::DVec2;
-use throng::{Agent, SubSteps, World};
+use throng::{Agent, Stage, SubSteps, World};
 
 /// Sub-steps of the next step.
 fn parts_of_next(world: &mut World) -> u64 {
@@ -88,4 +88,16 @@ fn when_the_pair_has_parted_the_steps_get_longer() {
     world.add_agent(Agent { position, max_speed: 2.0, ..Agent::default() }).unwrap();
     let free = parts_of_next(&mut world);
     assert_eq!((crowded, free), (8, 4));
+}
+
+#[test]
+fn every_stage_of_every_sub_step_is_told_of_and_changes_nothing() {
+    let mut told = pair(0.3, 1.0);
+    let mut plain = told.clone();
+    let parts = parts_of_next(&mut plain);
+    let mut stages = Vec::new();
+    told.step_in_stages(|stage| stages.push(stage));
+    assert!(parts > 1);
+    assert_eq!(stages, Stage::ALL.repeat(parts as usize));
+    assert_eq!(told.state_hash(), plain.state_hash());
 }
