@@ -113,6 +113,8 @@ struct Slots {
 struct StepMemory {
     grid: Grid,
     long: perceive::Long,
+    /// Rows of two who were within a body's width of each other when that was asked last: a guess where to look first.
+    close_pair: Option<(usize, usize)>,
     near: perceive::Neighbours,
     ways: Vec<Way>,
     following: Vec<queue::Following>,
