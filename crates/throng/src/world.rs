@@ -111,6 +111,8 @@ struct Slots {
 /// What one step hands from stage to stage; kept so that a step allocates nothing.
 #[derive(Clone, Debug, Default)]
 struct StepMemory {
+    /// Which groups have agents.
+    groups: Vec<bool>,
     grid: Grid,
     long: perceive::Long,
     /// Rows of two who were within a body's width of each other when that was asked last: a guess where to look first.

@@ -55,6 +55,7 @@ mod safe;
 mod solid;
 mod sweep;
 
+pub(crate) use certify::unguarded;
 pub use certify::{Guard, Report};
 pub use contacts::Contacts;
 pub use safe::{SLACK, nearest_approach};

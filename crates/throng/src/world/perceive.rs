@@ -2,7 +2,7 @@
 
 use super::World;
 use crate::SubSteps;
-use crate::agent::Columns;
+use crate::agent::{Columns, Group};
 use crate::parallel::{self, Lists};
 use crate::perceive::{Grid, MOST_NEIGHBOURS, Near, Pack};
 
@@ -62,7 +62,8 @@ impl World {
 
     /// Sorts everybody into cells; gives how far anybody looks.
     pub(super) fn rebuild_grid(&mut self) -> f32 {
-        let range = self.groups.iter().map(|group| group.neighbour_distance).fold(0.0, f32::max);
+        self.note_groups();
+        let range = self.groups_in_use().map(|group| group.neighbour_distance).fold(0.0, f32::max);
         self.step.grid.rebuild(&self.agents.position, &self.agents.number, range);
         range
     }
@@ -71,8 +72,9 @@ impl World {
     pub(super) fn perceive(&mut self) {
         let range = self.rebuild_grid();
         self.sort_rows_if_scattered();
+        let most = self.groups_in_use().map(|group| group.neighbours).max().unwrap_or(1);
+        let alike = self.groups_in_use().all(|group| group.neighbours == most && group.neighbour_distance == range);
         let Self { agents, groups, step, .. } = self;
-        let most = groups.iter().map(|group| group.neighbours).max().unwrap_or(1);
         step.long.rebuild(agents, range);
         step.near.resize(step.grid.order(), most);
         let (grid, long, level) = (&step.grid, &step.long, self.instructions.level());
@@ -115,7 +117,6 @@ impl World {
             let count = list.iter().take(group.neighbours).take_while(counts).count();
             end(list, count, row);
         };
-        let alike = groups.iter().all(|group| group.neighbours == most && group.neighbour_distance == range);
         let many =
             level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
         let scratch = || (Pack::default(), Vec::new());
@@ -130,6 +131,19 @@ impl World {
                 places.zip(lists.chunks_mut(most)).for_each(|(place, list)| shorten(place, list));
             }
         });
+    }
+
+    /// Notes which groups have agents.
+    fn note_groups(&mut self) {
+        let Self { agents, groups, step, .. } = self;
+        step.groups.clear();
+        step.groups.resize(groups.len(), false);
+        agents.group.values().iter().for_each(|group| step.groups[group.index()] = true);
+    }
+
+    /// The groups that have agents.
+    pub(super) fn groups_in_use(&self) -> impl Iterator<Item = &Group> {
+        self.groups.iter().zip(&self.step.groups).filter(|&(_, &in_use)| in_use).map(|(group, _)| group)
     }
 
     /// Rows of the neighbours of an agent, nearest first.
