@@ -2,7 +2,6 @@
 //! are free.
 
 use super::variant;
-use crate::clock::thread_time;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::moment;
@@ -14,6 +13,7 @@ use serde_json::{Map, Value, json};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 use throng::World;
+use throng_bench::clock::thread_time;
 use throng_record::Frame;
 use throng_record::series::Series;
 use throng_scene::{Built, Model, Time};
