@@ -58,7 +58,7 @@ impl Subject {
 /// # Errors
 /// There is no such work or scene, an option is for the other kind, or the agents do not fit into memory.
 pub fn subjects(args: &BenchArgs) -> Result<Vec<Subject>, Failure> {
-    let mut subjects = Vec::new();
+    let (mut subjects, free) = (Vec::new(), free_memory());
     let named = args.works.iter().map(|path| path.as_path());
     let default = DEFAULT.iter().filter(|_| args.works.is_empty()).map(Path::new);
     for path in named.chain(default) {
@@ -69,7 +69,7 @@ pub fn subjects(args: &BenchArgs) -> Result<Vec<Subject>, Failure> {
         for work in works {
             let sizes = if args.agents.is_empty() { work.sizes } else { &args.agents };
             for &agents in sizes {
-                fits(work.name, agents)?;
+                fits(work.name, agents, free)?;
                 for guard in args.guards() {
                     subjects.push(Subject::Work { work, agents, guard: guard.unwrap_or(false) });
                 }
@@ -125,18 +125,27 @@ fn scene(path: &Path, args: &BenchArgs, subjects: &mut Vec<Subject>) -> Result<(
     Ok(())
 }
 
-fn fits(name: &str, agents: usize) -> Result<(), Failure> {
+/// That so many agents fit into the memory that is free, where that is known.
+fn fits(name: &str, agents: usize, free: Option<u64>) -> Result<(), Failure> {
     let needed = agents as u64 * BYTES_AN_AGENT;
-    match free_memory() {
-        Some(free) if needed > free => {
-            let gib = |bytes: u64| bytes as f64 / f64::from(1 << 30);
-            let text = format!(
-                "{name} with {agents} agents needs up to {:.1} GiB of memory, and {:.1} GiB are free",
-                gib(needed),
-                gib(free)
-            );
-            Err(Failure::hint(text, format!("up to {} agents fit", free / BYTES_AN_AGENT)))
-        }
-        _ => Ok(()),
+    let Some(free) = free.filter(|free| needed > *free) else { return Ok(()) };
+    let gib = |bytes: u64| bytes as f64 / f64::from(1 << 30);
+    let (needs, has) = (gib(needed), gib(free));
+    let text = format!("{name} with {agents} agents needs up to {needs:.1} GiB of memory, and {has:.1} GiB are free");
+    Err(Failure::hint(text, format!("up to {} agents fit", free / BYTES_AN_AGENT)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_than_fits_into_memory_is_refused() {
+        let free = 4 << 30;
+        let most = (free / BYTES_AN_AGENT) as usize;
+        assert!(fits("crossing", most, Some(free)).is_ok() && fits("crossing", most + 1, None).is_ok());
+        let told = fits("crossing", 2 * most, Some(free)).unwrap_err();
+        let told = told.text().unwrap();
+        assert!(told.contains("8.0 GiB") && told.contains("4.0 GiB") && told.contains(&most.to_string()), "{told}");
     }
 }
