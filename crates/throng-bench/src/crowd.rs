@@ -93,6 +93,7 @@ impl Crowd {
                 world.add_journey(Journey { stops, repeat: true })
             })
             .collect::<Result<_, _>>()?;
+        world.reserve(self.people.len());
         for person in &self.people {
             world.add_agent(Agent {
                 position: person.position,

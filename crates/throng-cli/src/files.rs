@@ -2,24 +2,18 @@
 
 use crate::failure::Failure;
 use crate::pace::Pace;
+use crate::recorder::{Moment, Recorder};
 use std::path::{Path, PathBuf};
 use throng_draw::sink::Kind;
 use throng_draw::{Film, Sheet, Still, Style};
 use throng_record::csv::CsvWriter;
-use throng_record::{Frame, Setting};
-
-/// A file being written.
-enum File {
-    Film(Box<Film>),
-    Table(Box<CsvWriter>),
-}
+use throng_record::{Frame, Pool, Setting};
 
 /// All files of a run. They get their names when they are complete; dropped before that, they leave nothing.
 pub struct Files {
-    files: Vec<File>,
+    files: Vec<Recorder>,
     paths: Vec<PathBuf>,
-    /// The moment to capture into, kept for its memory.
-    moment: Frame,
+    frames: Pool<Frame>,
     pace: Pace,
     /// Time of the last picture.
     last: Option<f64>,
@@ -53,7 +47,7 @@ impl Files {
         Ok(Self {
             files,
             paths: paths.to_vec(),
-            moment: Frame::default(),
+            frames: Pool::default(),
             pace: Pace::new(plan.speed_up / plan.rate),
             last: None,
         })
@@ -71,22 +65,12 @@ impl Files {
     /// A file cannot be written.
     pub fn push(&mut self, time: f64, step: f64, capture: impl FnOnce(&mut Frame)) -> Result<(), Failure> {
         let due = self.pace.due(time, step);
-        if self.files.is_empty() || (due == 0 && !self.files.iter().any(|file| matches!(file, File::Table(_)))) {
-            return Ok(());
-        }
-        capture(&mut self.moment);
         if due > 0 {
             self.last = Some(time);
         }
-        for file in &mut self.files {
-            match file {
-                File::Table(table) => table.push(&self.moment)?,
-                File::Film(film) => {
-                    for _ in 0..due {
-                        film.push(&self.moment)?;
-                    }
-                }
-            }
+        if self.files.iter().any(|file| due > 0 || file.is_table()) {
+            let moment = Moment { frames: vec![self.frames.make(capture)], pictures: due, rows: true };
+            Recorder::push_all(&mut self.files, &moment)?;
         }
         Ok(())
     }
@@ -96,30 +80,20 @@ impl Files {
     /// # Errors
     /// A file cannot be completed.
     pub fn finish(mut self, time: f64, capture: impl FnOnce(&mut Frame)) -> Result<(), Failure> {
-        if self.last != Some(time) && self.files.iter().any(|file| matches!(file, File::Film(_))) {
-            capture(&mut self.moment);
-            for file in &mut self.files {
-                if let File::Film(film) = file {
-                    film.push(&self.moment)?;
-                }
-            }
+        if self.last != Some(time) && self.files.iter().any(|file| !file.is_table()) {
+            let moment = Moment { frames: vec![self.frames.make(capture)], pictures: 1, rows: false };
+            Recorder::push_all(&mut self.files, &moment)?;
         }
-        for file in self.files {
-            match file {
-                File::Film(film) => film.finish()?,
-                File::Table(table) => table.finish()?,
-            }
-        }
-        Ok(())
+        self.files.into_iter().try_for_each(Recorder::finish)
     }
 }
 
-fn begin(path: &Path, plan: &Plan) -> Result<File, Failure> {
+fn begin(path: &Path, plan: &Plan) -> Result<Recorder, Failure> {
     if is(path, "csv") {
-        return Ok(File::Table(Box::new(CsvWriter::create(path, plan.setting)?)));
+        return Ok(Recorder::table(CsvWriter::create(path, plan.setting)?));
     }
     let film = film(path, plan.setting, plan.style, plan.rate, &["csv"])?;
-    Ok(File::Film(Box::new(film.still(plan.still))))
+    Ok(Recorder::film(film.still(plan.still)))
 }
 
 /// That no file is named twice.

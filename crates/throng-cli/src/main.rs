@@ -17,6 +17,7 @@ mod options;
 mod out;
 mod pace;
 mod progress;
+mod recorder;
 mod report;
 mod run;
 mod schema;
@@ -25,15 +26,15 @@ mod source;
 mod threads;
 
 use args::{Arguments, Command};
-use cap::Cap;
 use clap::Parser;
 use out::Out;
+use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 use std::alloc::System;
 use std::process::ExitCode;
 
 /// Counts what is allocated, so that `throng bench` can say how many bytes an agent takes.
 #[global_allocator]
-static MEMORY: Cap<System> = Cap::new(System, usize::MAX);
+static MEMORY: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();

@@ -66,7 +66,7 @@ impl Film {
                 let output = Output::create(&path)?;
                 Target::Still { which: Still::Last, kind, picture: None, last: Vec::new(), output }
             }
-            _ => Target::Moving(Ahead::start(sink(&path, rate)?)),
+            _ => Target::Moving(Box::new(Ahead::start(sink(&path, rate)?))),
         };
         Ok(Self { path, sheet: sheet.into(), style: style.clone(), painter: None, target, count: 0 })
     }

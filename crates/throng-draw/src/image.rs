@@ -4,7 +4,7 @@ use crate::Color;
 use glam::Vec2;
 
 /// A picture: rows from the top, each pixel four bytes, red, green, blue, alpha. Pictures of worlds are opaque.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Image {
     width: u32,
     height: u32,
@@ -48,9 +48,10 @@ impl Image {
         Color { r: self.data[p], g: self.data[p + 1], b: self.data[p + 2], a: self.data[p + 3] }
     }
 
-    /// Makes this a copy of `other`, which has the same size.
+    /// Makes this a copy of `other`; the memory is used again.
     pub(crate) fn copy_from(&mut self, other: &Self) {
-        self.data.copy_from_slice(&other.data);
+        (self.width, self.height) = (other.width, other.height);
+        self.data.clone_from(&other.data);
     }
 
     /// Copies `other` into this, its first pixel at `corner` (column, row); what does not fit is left out.

@@ -42,7 +42,9 @@ impl Frame {
         self.arrived = counts.arrived;
         self.total = counts.agents;
         self.bodies.clear();
-        self.bodies.extend((0..agents.len()).map(|row| Body {
+        let mut rows: Vec<usize> = (0..agents.len()).collect();
+        rows.sort_unstable_by_key(|&row| agents.number[row]);
+        self.bodies.extend(rows.into_iter().map(|row| Body {
             number: agents.number[row],
             group: agents.group[row].index() as u32,
             goal: world.goal_of(row).map(|goal| goal.index() as u32),
@@ -56,7 +58,6 @@ impl Frame {
             preferred_speed: agents.preferred_speed[row],
             status: agents.status[row],
         }));
-        self.bodies.sort_unstable_by_key(|body| body.number);
     }
 }
 

@@ -21,8 +21,7 @@
 //! holds commas, quotes or line breaks; lines end in a line feed.
 
 use crate::{Body, Frame, Output, OutputError, Setting};
-use std::fmt::Write;
-use std::io;
+use std::fmt::{Display, Write};
 use std::path::Path;
 use throng::Status;
 
@@ -43,11 +42,12 @@ pub const COLUMNS: [&str; 12] =
 /// ```
 #[derive(Debug)]
 pub struct CsvWriter {
-    lines: Option<csv::Writer<Output>>,
-    path: std::path::PathBuf,
+    output: Output,
+    /// The names of the groups as fields.
     groups: Vec<String>,
     in_space: bool,
-    text: String,
+    /// The line being made.
+    line: String,
 }
 
 impl CsvWriter {
@@ -56,17 +56,11 @@ impl CsvWriter {
     /// # Errors
     /// Those of [`Output::create`].
     pub fn create(path: impl AsRef<Path>, setting: &Setting) -> Result<Self, OutputError> {
-        let output = Output::create(&path)?;
-        let mut writer = Self {
-            lines: Some(csv::Writer::from_writer(output)),
-            path: path.as_ref().to_path_buf(),
-            groups: setting.groups.clone(),
-            in_space: setting.in_space,
-            text: String::new(),
-        };
+        let mut output = Output::create(path)?;
         let columns = if setting.in_space { &COLUMNS } else { &COLUMNS[..10] };
-        writer.lines(|lines| lines.write_record(columns))?;
-        Ok(writer)
+        output.put((columns.join(",") + "\n").as_bytes())?;
+        let groups = setting.groups.iter().map(|name| field(name)).collect();
+        Ok(Self { output, groups, in_space: setting.in_space, line: String::new() })
     }
 
     /// Writes everybody of one moment.
@@ -74,66 +68,71 @@ impl CsvWriter {
     /// # Errors
     /// The system's, such as a full disk.
     pub fn push(&mut self, frame: &Frame) -> Result<(), OutputError> {
-        let (groups, mut text) = (std::mem::take(&mut self.groups), std::mem::take(&mut self.text));
-        let in_space = self.in_space;
-        let result = self.lines(|lines| {
-            let one = |body| line(lines, (&groups, in_space), frame.time, body, &mut text);
-            frame.bodies.iter().try_for_each(one)
-        });
-        (self.groups, self.text) = (groups, text);
-        result
+        let mut time = String::new();
+        number(&mut time, frame.time);
+        frame.bodies.iter().try_for_each(|body| {
+            self.line.clear();
+            self.describe(body, &time);
+            self.output.put(self.line.as_bytes())
+        })
+    }
+
+    fn describe(&mut self, body: &Body, time: &str) {
+        let line = &mut self.line;
+        // writing to a string does not fail
+        let _ = match self.groups.get(body.group as usize) {
+            Some(name) if !name.is_empty() => write!(line, "{},{name},{time}", body.number),
+            _ => write!(line, "{},{},{time}", body.number, body.group),
+        };
+        for value in body.position.to_array() {
+            line.push(',');
+            number(line, value);
+        }
+        for value in [body.velocity.x, body.velocity.y, body.heading, body.shape().girth()] {
+            line.push(',');
+            number(line, value);
+        }
+        line.push(',');
+        line.push_str(status_name(body.status));
+        for value in [body.altitude, body.climb].into_iter().filter(|_| self.in_space) {
+            line.push(',');
+            number(line, value);
+        }
+        line.push('\n');
     }
 
     /// Gives the complete file its name.
     ///
     /// # Errors
     /// Those of [`Output::finish`].
-    pub fn finish(mut self) -> Result<(), OutputError> {
-        let lines = self.lines.take().expect("the writer is there until finish");
-        let output = lines.into_inner().map_err(|e| OutputError::new(&self.path, e.into_error()))?;
-        output.finish()
-    }
-
-    fn lines(&mut self, write: impl FnOnce(&mut csv::Writer<Output>) -> csv::Result<()>) -> Result<(), OutputError> {
-        let lines = self.lines.as_mut().expect("the writer is there until finish");
-        write(lines).map_err(|error| {
-            let source = match error.into_kind() {
-                csv::ErrorKind::Io(source) => source,
-                other => io::Error::other(format!("{other:?}")),
-            };
-            OutputError::new(&self.path, source)
-        })
+    pub fn finish(self) -> Result<(), OutputError> {
+        self.output.finish()
     }
 }
 
-fn line(
-    lines: &mut csv::Writer<Output>,
-    (groups, in_space): (&[String], bool),
-    time: f64,
-    body: &Body,
-    text: &mut String,
-) -> csv::Result<()> {
-    let mut field = |lines: &mut csv::Writer<Output>, value: &dyn std::fmt::Display| {
-        text.clear();
-        write!(text, "{value}").expect("writing to a string does not fail");
-        lines.write_field(&*text)
-    };
-    field(lines, &body.number)?;
-    match groups.get(body.group as usize) {
-        Some(name) if !name.is_empty() => lines.write_field(name)?,
-        _ => field(lines, &body.group)?,
+/// A text as a field.
+fn field(text: &str) -> String {
+    let plain = !text.contains([',', '"', '\n', '\r']);
+    if plain { text.into() } else { format!("\"{}\"", text.replace('"', "\"\"")) }
+}
+
+/// Appends a number as `Display` shows it, several times as fast.
+fn number(line: &mut String, value: impl ryu::Float + Display + Into<f64>) {
+    let mut memory = ryu::Buffer::new();
+    let text = memory.format(value);
+    match text.split_once('.') {
+        Some((_, decimals)) if !text.contains('e') && !is_halfway(value.into(), decimals.len()) => {
+            line.push_str(text.strip_suffix(".0").unwrap_or(text));
+        }
+        _ => drop(write!(line, "{value}")),
     }
-    for value in [time, body.position.x, body.position.y] {
-        field(lines, &value)?;
-    }
-    for value in [body.velocity.x, body.velocity.y, body.heading, body.shape().girth()] {
-        field(lines, &value)?;
-    }
-    lines.write_field(status_name(body.status))?;
-    for value in [body.altitude, body.climb].into_iter().filter(|_| in_space) {
-        field(lines, &value)?;
-    }
-    lines.write_record(None::<&[u8]>)
+}
+
+/// Whether a number lies halfway between two of so many decimals: there `Display` takes the one further from zero, the
+/// fast way the even one.
+fn is_halfway(value: f64, decimals: usize) -> bool {
+    let scaled = value * f64::from(2u32 << decimals.min(30));
+    scaled % 2.0 == 1.0 || scaled % 2.0 == -1.0
 }
 
 /// How a status is called in files.
@@ -150,6 +149,7 @@ pub fn status_name(status: Status) -> &'static str {
 mod tests {
     use super::*;
     use glam::{DVec2, Vec2};
+    use proptest::prelude::*;
 
     fn body(number: u32, group: u32) -> Body {
         Body {
@@ -198,6 +198,25 @@ mod tests {
             assert_eq!(row[8].parse::<f32>().unwrap(), want.radius);
             assert_eq!(&row[9], "waiting");
             assert_eq!((row[10].parse::<f32>().unwrap(), row[11].parse::<f32>().unwrap()), (want.altitude, want.climb));
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2_000))]
+
+        #[test]
+        fn numbers_are_written_as_they_are_displayed(double: f64, single: f32, bits: u64) {
+            let local = f64::from(((bits >> 40) as i32 - (1 << 23)) as f32 * 1e-4) + 4096.0;
+            for value in [double, f64::from_bits(bits), f64::from(single), local, (bits as i32 as f64) / 8192.0] {
+                let mut text = String::new();
+                number(&mut text, value);
+                prop_assert_eq!(text, value.to_string());
+            }
+            for value in [single, f32::from_bits(bits as u32)] {
+                let mut text = String::new();
+                number(&mut text, value);
+                prop_assert_eq!(text, value.to_string());
+            }
         }
     }
 

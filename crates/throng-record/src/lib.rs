@@ -1,13 +1,15 @@
 //! What happened in a world: its moments ([`Setting`], [`Frame`], [`Body`]) and the files that hold them.
 //!
 //! [`series`] makes figures over time of them, [`csv`] writes trajectories as a table. Every file is written through
-//! [`Output`], under a temporary name until it is complete.
+//! [`Output`], under a temporary name until it is complete. [`Behind`] lets another thread write them.
 
+mod behind;
 mod capture;
 pub mod csv;
 mod frame;
 mod output;
 pub mod series;
 
+pub use behind::{Behind, Pool};
 pub use frame::{Body, Frame, Setting};
 pub use output::{Output, OutputError};

@@ -4,9 +4,11 @@ mod advance;
 mod agree;
 mod arrive;
 mod avoid;
+mod avoid_lanes;
 mod build;
 mod explain;
 mod intend;
+mod order;
 mod perceive;
 mod plan;
 mod queue;
@@ -14,21 +16,23 @@ mod schedule;
 mod snapshot;
 mod stage;
 mod standoff;
+mod way;
 
 pub use explain::{Explanation, Seen};
 pub use stage::Stage;
 
-use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
+use crate::agent::{AgentId, Column, Columns, GoalId, Group, GroupId, JourneyId, Status};
 use crate::guard::Pose;
 use crate::guard::{Contacts, Guard};
 use crate::navigate::{Goal, Journey, Meshes, Script, Unreachable};
-use crate::perceive::{Grid, Near};
+use crate::perceive::{Grid, Instructions};
 use crate::space::{Place, Walls};
 use crate::summary::{Counts, Ended, Summary, Tally};
-use glam::{DVec2, Vec2, Vec3};
+use glam::{DVec2, Vec3};
 use schedule::Schedule;
 use serde::{Deserialize, Serialize};
 use standoff::Standoff;
+use way::Way;
 
 /// How a step is divided into sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -88,13 +92,16 @@ pub struct World {
     walls: Walls,
     meshes: Meshes,
     step: StepMemory,
+    instructions: Instructions,
 }
 
 /// Which row each id names.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 struct Slots {
-    /// Generation of each slot, and the row of the agent that has it.
-    rows: Vec<(u32, Option<u32>)>,
+    /// The row of the agent that has a slot; `u32::MAX`: nobody has it.
+    rows: Vec<u32>,
+    /// How many had it before.
+    generations: Column<u32>,
     free: Vec<u32>,
     next_number: u32,
 }
@@ -104,30 +111,21 @@ struct Slots {
 struct StepMemory {
     grid: Grid,
     long: perceive::Long,
-    /// Neighbours of each row: `most_neighbours` places a row, filled from the front.
-    neighbours: Vec<Near>,
-    most_neighbours: usize,
+    near: perceive::Neighbours,
     ways: Vec<Way>,
     following: Vec<queue::Following>,
     seen: Vec<u32>,
     preferred: Vec<Vec3>,
     wishes: Vec<Vec3>,
     targets: Vec<Pose>,
-    reach: Vec<f32>,
-    guarded: Vec<bool>,
+    reach: Column<f32>,
+    guarded: Column<bool>,
     contacts: Contacts,
     guard: Guard,
+    /// How many have arrived at each goal.
     arrivals: Vec<u32>,
-}
-
-/// What others see of where somebody wants to go.
-#[derive(Clone, Copy, Debug)]
-struct Way {
-    goal: Option<GoalId>,
-    /// Unit vector towards what it heads for, detours left aside; zero for who isn't walking.
-    direction: Vec2,
-    /// Metres still ahead, in space.
-    remaining: f32,
+    /// Rows with their next status, where it may be another.
+    changes: Vec<(usize, Status)>,
 }
 
 impl World {
@@ -195,6 +193,11 @@ impl World {
         goals || self.schedule.anybody_flies() || self.agents.anybody_flies()
     }
 
+    /// Chooses the instructions that steps are made with: all give the same bits.
+    pub fn use_instructions(&mut self, instructions: Instructions) {
+        self.instructions = instructions;
+    }
+
     /// The agents' state, as columns; positions are relative to [`Settings::origin`].
     pub fn agents(&self) -> &Columns {
         &self.agents
@@ -208,13 +211,13 @@ impl World {
     /// The agent in a row of [`agents`](Self::agents).
     pub fn id(&self, row: usize) -> AgentId {
         let slot = self.agents.slot[row];
-        AgentId { slot, generation: self.slots.rows[slot as usize].0 }
+        AgentId { slot, generation: self.slots.generations[slot as usize] }
     }
 
     /// The row of an agent in [`agents`](Self::agents); `None` if it has been removed.
     pub fn row(&self, id: AgentId) -> Option<usize> {
-        let &(generation, row) = self.slots.rows.get(id.slot as usize)?;
-        row.filter(|_| generation == id.generation).map(|row| row as usize)
+        let &row = self.slots.rows.get(id.slot as usize)?;
+        (row != u32::MAX && self.slots.generations[id.slot as usize] == id.generation).then_some(row as usize)
     }
 
     /// A group.
@@ -266,7 +269,7 @@ impl World {
         grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
         let agents = &self.agents;
         let bound = |row: usize| agents.body(row).bound();
-        let largest = (0..agents.len()).map(bound).fold(0.0, f32::max);
+        let largest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max);
         let mut pairs = Vec::new();
         for row in 0..agents.len() {
             grid.within(agents.position[row], bound(row) + largest, |near| {
@@ -294,7 +297,7 @@ impl World {
         Counts {
             agents: present + self.schedule.len() + removed,
             // whoever an exit removed had arrived at it
-            arrived: removed + self.walkers().filter(|&row| self.agents.trip[row].arrived.is_some()).count(),
+            arrived: removed + self.walkers().filter(|&row| self.agents.arrived[row].is_finite()).count(),
             removed,
             present,
         }
@@ -304,14 +307,14 @@ impl World {
     pub fn summary(&self) -> Summary {
         let agents = &self.agents;
         let trips = self.walkers().map(|row| {
-            (agents.number[row], Ended { trip: agents.trip[row], preferred_speed: agents.preferred_speed[row] })
+            (agents.number[row], Ended { trip: agents.trip(row), preferred_speed: agents.preferred_speed[row] })
         });
         let resting = self.walkers().filter(|&row| agents.speed(row) < 0.05).count();
         let stuck = self
             .walkers()
             .filter(|&row| match agents.status[row] {
                 Status::Stranded => true,
-                Status::Walking => agents.travel[row].without_progress > 10.0,
+                Status::Walking => agents.travel[row].without_progress() > 10.0,
                 Status::Waiting | Status::Arrived => false,
             })
             .count();
@@ -344,7 +347,7 @@ impl World {
                 agents.status[row] as u32,
                 travel.leg,
                 travel.progress.to_bits(),
-                travel.detour.to_bits(),
+                travel.turned().to_bits(),
                 travel.turn.rank() as u32,
             ];
             // those who walk have none

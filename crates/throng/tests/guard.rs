@@ -8,7 +8,9 @@ use glam::{DVec2, DVec3, Vec2};
 use polygons::apart;
 use proptest::prelude::*;
 use std::f32::consts::{PI, TAU};
+use std::ops::Index;
 use throng::Obstacle;
+use throng::agent::Column;
 use throng::guard::{Bodies, Contacts, Guard, Pose, nearest_approach};
 use throng::perceive::Grid;
 use throng::space::Walls;
@@ -16,12 +18,12 @@ use throng::space::Walls;
 #[derive(Clone, Debug, Default)]
 struct Crowd {
     positions: Vec<Vec2>,
-    altitudes: Vec<f32>,
+    altitudes: Column<f32>,
     headings: Vec<f32>,
-    cores: Vec<Vec2>,
-    radii: Vec<f32>,
-    reach: Vec<f32>,
-    guarded: Vec<bool>,
+    cores: Column<Vec2>,
+    radii: Column<f32>,
+    reach: Column<f32>,
+    guarded: Column<bool>,
     targets: Vec<Pose>,
 }
 
@@ -44,7 +46,7 @@ impl Crowd {
     }
 
     fn kept(&self, rows: &[usize]) -> Self {
-        fn of<T: Copy>(rows: &[usize], all: &[T]) -> Vec<T> {
+        fn of<T: Copy, C: Index<usize, Output = T> + FromIterator<T>>(rows: &[usize], all: &C) -> C {
             rows.iter().map(|&row| all[row]).collect()
         }
         Self {
@@ -223,11 +225,9 @@ proptest! {
     fn the_unguarded_are_held_off_the_guarded_only(crowd in mixed(3.0), unguarded in prop::collection::vec(any::<bool>(), 25)) {
         let walls = room();
         let mut crowd = parted(crowd, &walls);
-        for (guarded, &not) in crowd.guarded.iter_mut().zip(&unguarded) {
-            *guarded = !not;
-        }
+        crowd.guarded = unguarded.iter().take(crowd.positions.len()).map(|not| !not).collect();
         check(&crowd, &walls, &guarded(&crowd, &walls));
-        crowd.guarded.fill(false);
+        crowd.guarded = crowd.positions.iter().map(|_| false).collect();
         for (went, wished) in guarded(&crowd, &walls).iter().zip(&crowd.targets) {
             prop_assert!(went.position.distance(wished.position) < 1e-6);
         }

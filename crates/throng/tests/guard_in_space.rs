@@ -4,6 +4,7 @@
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use proptest::prelude::*;
 use throng::Obstacle;
+use throng::agent::Column;
 use throng::guard::{Bodies, Contacts, Guard, Pose, SLACK};
 use throng::perceive::Grid;
 use throng::space::{Core, Walls};
@@ -51,13 +52,13 @@ fn to_walls((one, at): (&One, DVec3), walls: &Walls) -> f64 {
 fn run(all: &mut [One], walls: &Walls, reach: f32) -> Result<(), TestCaseError> {
     let numbers: Vec<u32> = (0..all.len() as u32).collect();
     let zero = vec![0.0; all.len()];
-    let (reaches, guarded) = (vec![reach; all.len()], vec![true; all.len()]);
+    let (reaches, guarded) = (all.iter().map(|_| reach).collect(), all.iter().map(|_| true).collect());
     let mut guard = Guard::default();
     for step in 0..12 {
         let positions: Vec<Vec2> = all.iter().map(|one| one.place.truncate()).collect();
-        let altitudes: Vec<f32> = all.iter().map(|one| one.place.z).collect();
-        let cores: Vec<Vec2> = all.iter().map(|one| Vec2::new(one.half, 0.0)).collect();
-        let radii: Vec<f32> = all.iter().map(|one| one.radius).collect();
+        let altitudes: Column<f32> = all.iter().map(|one| one.place.z).collect();
+        let cores: Column<Vec2> = all.iter().map(|one| Vec2::new(one.half, 0.0)).collect();
+        let radii: Column<f32> = all.iter().map(|one| one.radius).collect();
         let mut grid = Grid::default();
         grid.rebuild(&positions, &numbers, 1.0);
         let bodies = Bodies {

@@ -62,13 +62,13 @@ pub fn measure(
     counts: &[usize],
     mut lap_done: impl FnMut(),
 ) -> Result<Vec<Run>, Failure> {
-    let before = MEMORY.allocated();
+    let before = in_use();
     let mut world = subject.build()?;
     let going = || !interrupt::asked();
     let most = counts.iter().copied().max().unwrap_or(1);
     threads::with(most, || Ok(lap(&mut world, args.warm_up, going)))?;
     let agents = world.agents().len();
-    let bytes = MEMORY.allocated().saturating_sub(before) as f64 / agents.max(1) as f64;
+    let bytes = in_use().saturating_sub(before) as f64 / agents.max(1) as f64;
     let steps = args.steps(agents);
     let mut runs: Vec<Run> = counts
         .iter()
@@ -101,8 +101,14 @@ pub fn measure(
     Ok(runs)
 }
 
+/// Bytes that this program has allocated and not given back.
+fn in_use() -> usize {
+    let all = MEMORY.stats();
+    all.bytes_allocated.saturating_sub(all.bytes_deallocated)
+}
+
 fn guard(world: &World) -> &'static str {
-    let guards = || world.agents().group.iter().map(|group| world.group(*group).guard);
+    let guards = || world.agents().group.iter().map(|group| world.group(group).guard);
     match (guards().all(|guard| guard), guards().any(|guard| guard)) {
         (true, _) => "on",
         (_, false) => "off",

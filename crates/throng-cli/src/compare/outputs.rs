@@ -7,9 +7,9 @@ use super::{CompareArgs, sheet, table};
 use crate::failure::Failure;
 use crate::files::{self, distinct, is};
 use crate::pace::Pace;
+use crate::recorder::{Moment, Recorder};
 use std::path::PathBuf;
-use throng_draw::Film;
-use throng_record::{Frame, Output};
+use throng_record::Output;
 
 /// A way to write the table.
 type Written = fn(&Plan, &Results, bool) -> String;
@@ -17,7 +17,7 @@ type Written = fn(&Plan, &Results, bool) -> String;
 /// All files. They get their names when they are complete; dropped before that, they leave nothing.
 pub struct Outputs {
     paths: Vec<PathBuf>,
-    films: Vec<Film>,
+    films: Vec<Recorder>,
     pages: Vec<(Output, Page)>,
     /// Files that hold the table, and how it is written.
     tables: Vec<(Output, Written)>,
@@ -47,7 +47,7 @@ impl Outputs {
             } else {
                 let (sheet, style) = sheet::sheet(&args.film, plan, runs)?;
                 let film = files::film(path, sheet, &style, rate, &["html", "md", "csv"])?;
-                films.push(film.still(args.film.still()));
+                films.push(Recorder::film(film.still(args.film.still())));
             }
         }
         Ok(Self { paths, films, pages, tables, pace: Pace::new(args.film.speed_up / rate), last: None })
@@ -64,8 +64,9 @@ impl Outputs {
     /// A file cannot be written.
     pub fn push(&mut self, runs: &[Run]) -> Result<(), Failure> {
         let (time, step) = (now(runs), runs[0].world.settings().step);
-        for _ in 0..self.pace.due(time, step) {
-            self.picture(runs, time)?;
+        let due = self.pace.due(time, step);
+        if due > 0 {
+            self.show(runs, time, due)?;
         }
         self.pages.iter_mut().for_each(|(_, page)| page.push(runs));
         Ok(())
@@ -78,19 +79,16 @@ impl Outputs {
     pub fn end(&mut self, runs: &[Run]) -> Result<(), Failure> {
         let time = now(runs);
         if self.last != Some(time) {
-            self.picture(runs, time)?;
+            self.show(runs, time, 1)?;
         }
         self.pages.iter_mut().for_each(|(_, page)| page.end(runs));
         Ok(())
     }
 
-    fn picture(&mut self, runs: &[Run], time: f64) -> Result<(), Failure> {
-        let frames: Vec<&Frame> = runs.iter().map(|run| &run.frame).collect();
+    fn show(&mut self, runs: &[Run], time: f64, pictures: u64) -> Result<(), Failure> {
+        let frames = runs.iter().map(|run| run.frame.clone()).collect();
         self.last = Some(time);
-        for film in &mut self.films {
-            film.push_all(&frames)?;
-        }
-        Ok(())
+        Recorder::push_all(&mut self.films, &Moment { frames, pictures, rows: false })
     }
 
     /// Completes all files; their names.
@@ -104,9 +102,7 @@ impl Outputs {
             output.put(text.as_bytes())?;
             output.finish()?;
         }
-        for film in self.films {
-            film.finish()?;
-        }
+        self.films.into_iter().try_for_each(Recorder::finish)?;
         Ok(self.paths)
     }
 }

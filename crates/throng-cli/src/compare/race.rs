@@ -10,12 +10,13 @@ use crate::report::figures;
 use crate::source::Loaded;
 use crate::threads::Workers;
 use serde_json::{Map, Value, json};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 use throng::World;
 use throng_bench::clock::thread_time;
-use throng_record::Frame;
 use throng_record::series::Series;
+use throng_record::{Frame, Pool};
 use throng_scene::{Built, Model, Time};
 
 /// What is compared.
@@ -39,7 +40,8 @@ pub struct Run {
     /// What was built.
     pub built: Built,
     /// The moment it is at, where somebody watches.
-    pub frame: Frame,
+    pub frame: Arc<Frame>,
+    frames: Pool<Frame>,
     /// Its figures over time, where somebody watches.
     pub series: Series,
     time: Time,
@@ -66,8 +68,8 @@ impl Run {
             other => other,
         })?;
         let time = loaded.scene.time;
-        let (frame, series) = (Frame::default(), Series::default());
-        Ok(Self { model, seed, world, built, frame, series, time, stepping: Duration::ZERO })
+        let (frame, frames, series) = (Arc::default(), Pool::default(), Series::default());
+        Ok(Self { model, seed, world, built, frame, frames, series, time, stepping: Duration::ZERO })
     }
 
     /// Whether it has come to its end.
@@ -83,7 +85,7 @@ impl Run {
 
     /// Lets it be seen as it is now.
     fn show(&mut self) {
-        moment::capture(&self.world, &mut self.frame);
+        self.frame = self.frames.make(|frame| moment::capture(&self.world, frame));
         self.series.push(&self.frame);
     }
 

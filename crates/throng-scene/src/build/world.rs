@@ -68,6 +68,7 @@ impl Scene {
             .collect::<Result<_, Error>>()?;
         let built = self.built(&plan, &groups, &goals);
         let mut unturned = vec![];
+        world.reserve(plan.agents.len());
         for planned in plan.agents {
             let mut agent = planned.agent;
             agent.group = groups[planned.group];
@@ -117,8 +118,7 @@ impl Scene {
     /// Bodies that are no discs were put where the scene says by their narrower sides: now that they have headings, do any
     /// overlap? Who is guarded must not.
     fn check_long_bodies(&self, world: &World, built: &Built) -> Result<(), Error> {
-        let agents = world.agents();
-        if (0..agents.len()).all(|row| agents.is_disc(row)) {
+        if world.agents().all_discs() {
             return Ok(());
         }
         let group_of = |number: u32| built.groups.iter().position(|group| group.numbers.contains(&number));

@@ -4,6 +4,8 @@ use crate::scenes::Dice;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::{DVec2, Vec2};
+use std::iter::repeat_n;
+use throng::agent::Column;
 use throng::guard::{Bodies, Contacts, Guard, Pose};
 use throng::perceive::Grid;
 use throng::space::Walls;
@@ -14,11 +16,12 @@ struct Packed {
     positions: Vec<Vec2>,
     targets: Vec<Pose>,
     numbers: Vec<u32>,
-    zeros: Vec<f32>,
-    cores: Vec<Vec2>,
-    radii: Vec<f32>,
-    reach: Vec<f32>,
-    guarded: Vec<bool>,
+    headings: Vec<f32>,
+    altitudes: Column<f32>,
+    cores: Column<Vec2>,
+    radii: Column<f32>,
+    reach: Column<f32>,
+    guarded: Column<bool>,
     grid: Grid,
 }
 
@@ -40,11 +43,12 @@ impl Packed {
             positions,
             targets,
             numbers,
-            zeros: vec![0.0; count],
-            cores: vec![Vec2::ZERO; count],
-            radii: vec![0.2; count],
-            reach: vec![0.015; count],
-            guarded: vec![true; count],
+            headings: vec![0.0; count],
+            altitudes: repeat_n(0.0, count).collect(),
+            cores: repeat_n(Vec2::ZERO, count).collect(),
+            radii: repeat_n(0.2, count).collect(),
+            reach: repeat_n(0.015, count).collect(),
+            guarded: repeat_n(true, count).collect(),
             grid,
         }
     }
@@ -52,8 +56,8 @@ impl Packed {
     fn bodies(&self) -> Bodies<'_> {
         Bodies {
             positions: &self.positions,
-            altitudes: &self.zeros,
-            headings: &self.zeros,
+            altitudes: &self.altitudes,
+            headings: &self.headings,
             cores: &self.cores,
             radii: &self.radii,
             reach: &self.reach,

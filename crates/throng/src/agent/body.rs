@@ -70,6 +70,12 @@ impl Columns {
         Body { core: self.core[row], radius: self.radius[row] }
     }
 
+    /// The bodies that occur: one if all are the same.
+    pub(crate) fn bodies(&self) -> impl Iterator<Item = Body> {
+        let rows = if self.core.uniform().is_some() { self.radius.values().len() } else { self.len() };
+        (0..rows).map(|row| self.body(row))
+    }
+
     /// Whether the body is a disc: then its heading touches nobody.
     pub fn is_disc(&self, row: usize) -> bool {
         self.core[row] == Vec2::ZERO

@@ -1,17 +1,33 @@
 //! The agents' state: a column a fact, a row an agent.
 
-use super::{Agent, GroupId, JourneyId, ScriptId, Status};
+use super::{Agent, Column, GroupId, JourneyId, ScriptId, Status, Value};
 use crate::navigate::Travel;
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
 
+trait Permute {
+    fn permute(&mut self, order: &[u32]);
+}
+
+impl<T: Default> Permute for Vec<T> {
+    fn permute(&mut self, order: &[u32]) {
+        *self = order.iter().map(|&row| std::mem::take(&mut self[row as usize])).collect();
+    }
+}
+
+impl<T: Value> Permute for Column<T> {
+    fn permute(&mut self, order: &[u32]) {
+        self.permute(order);
+    }
+}
+
 macro_rules! columns {
     ($($(#[$meta:meta])* $name:ident: $type:ty,)*) => {
-        /// The agents' state. All columns have the same length; rows are in no particular order and change when
-        /// agents are removed.
+        /// The agents' state. All columns have the same length; rows are in no particular order and change from step to
+        /// step: whoever is to be known again is known by number or id.
         #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
         pub struct Columns {
-            $($(#[$meta])* pub $name: Vec<$type>,)*
+            $($(#[$meta])* pub $name: $type,)*
         }
 
         impl Columns {
@@ -19,78 +35,86 @@ macro_rules! columns {
             pub(crate) fn swap_remove(&mut self, row: usize) {
                 $(self.$name.swap_remove(row);)*
             }
+
+            /// Makes room for more agents.
+            pub(crate) fn reserve(&mut self, additional: usize) {
+                $(self.$name.reserve(additional);)*
+            }
+
+            /// Moves every row: who was in row `order[k]` comes to row `k`.
+            pub(crate) fn permute(&mut self, order: &[u32]) {
+                $(Permute::permute(&mut self.$name, order);)*
+            }
+
+            /// Whether all columns are of one length.
+            pub(crate) fn is_whole(&self) -> bool {
+                [$(self.$name.len()),*].iter().all(|&len| len == self.len())
+            }
         }
     };
 }
 
 columns! {
     /// Slot of the agent's [`AgentId`](super::AgentId).
-    slot: u32,
+    slot: Vec<u32>,
     /// The agent's own number: ties, random draws and hashes go by it.
-    number: u32,
+    number: Vec<u32>,
     /// Centre, metres from the world's origin.
-    position: Vec2,
+    position: Vec<Vec2>,
     /// Height of the centre above the ground, metres; 0 for those who walk.
-    altitude: f32,
+    altitude: Column<f32>,
     /// Velocity along the ground: the motion of the last sub-step, before positions were rounded.
-    velocity: Vec2,
+    velocity: Vec<Vec2>,
     /// Velocity upwards.
-    climb: f32,
+    climb: Column<f32>,
     /// Direction of the body, radians counter-clockwise from +x, -pi to pi.
-    heading: f32,
+    heading: Vec<f32>,
     /// Radians a second that the body turned in the last sub-step; 0 for discs, whose turning touches nobody.
-    spin: f32,
+    spin: Column<f32>,
     /// Radius of the body, or of its rounding.
-    radius: f32,
+    radius: Column<f32>,
     /// Half extents of the core of the body; zero for discs.
-    core: Vec2,
+    core: Column<Vec2>,
     /// Speed it walks at when nothing hinders it.
-    preferred_speed: f32,
+    preferred_speed: Column<f32>,
     /// Speed it never exceeds.
-    max_speed: f32,
+    max_speed: Column<f32>,
     /// Greatest change of velocity a second.
-    max_acceleration: f32,
+    max_acceleration: Column<f32>,
     /// Greatest change of heading a second.
-    max_turn_rate: f32,
+    max_turn_rate: Column<f32>,
     /// How far beside the way it chose it may get while it turns.
-    tracking_error: f32,
+    tracking_error: Column<f32>,
     /// Right of way.
-    priority: f32,
+    priority: Column<f32>,
     /// Layers it is on.
-    layers: u32,
+    layers: Column<u32>,
     /// Layers it avoids.
-    avoids: u32,
+    avoids: Column<u32>,
     /// Its group.
-    group: GroupId,
+    group: Column<GroupId>,
     /// Its journey.
-    journey: JourneyId,
+    journey: Column<JourneyId>,
     /// The script it follows.
-    script: Option<ScriptId>,
+    script: Column<Option<ScriptId>>,
     /// What it is doing, as others see it in this step.
-    status: Status,
+    status: Vec<Status>,
     /// How its journey goes.
-    travel: Travel,
-    /// What it has done so far.
-    trip: Trip,
-}
-
-/// What one agent has done so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Trip {
+    travel: Vec<Travel>,
     /// Time it entered, seconds.
-    pub entered: f64,
-    /// Time it first came to the end of its journey.
-    pub arrived: Option<f64>,
-    /// Metres walked or flown.
-    pub walked: f64,
-    /// Radians its heading has turned, either way.
-    pub turned: f64,
-    /// Radians the direction of its motion has turned, either way: unlike the heading it is not smoothed.
-    pub course_turned: f64,
+    entered: Column<f64>,
+    /// Time it first came to the end of its journey; infinite before.
+    arrived: Column<f64>,
     /// Seconds it has been on its way.
-    pub on_way: f64,
+    on_way: Column<f64>,
+    /// Metres walked or flown.
+    walked: Vec<f64>,
+    /// Radians its heading has turned, either way.
+    turned: Vec<f64>,
+    /// Radians the direction of its motion has turned, either way.
+    course_turned: Vec<f64>,
     /// Metres of the shortest way of the legs begun so far.
-    pub shortest: f64,
+    shortest: Vec<f64>,
 }
 
 impl Columns {
@@ -106,7 +130,12 @@ impl Columns {
 
     /// Whether anybody is off the ground.
     pub fn anybody_flies(&self) -> bool {
-        self.altitude.iter().any(|&altitude| altitude != 0.0)
+        self.altitude.values().iter().any(|&altitude| altitude != 0.0)
+    }
+
+    /// Whether everybody is a disc.
+    pub fn all_discs(&self) -> bool {
+        self.core.values().iter().all(|&core| core == Vec2::ZERO)
     }
 
     /// How fast an agent is, in space.
@@ -138,7 +167,19 @@ impl Columns {
         self.script.push(agent.script);
         self.status.push(Status::Walking);
         self.travel.push(Travel::default());
-        self.trip.push(Trip { entered: now, ..Trip::default() });
+        self.entered.push(now);
+        self.arrived.push(f64::INFINITY);
+        self.on_way.push(0.0);
+        self.walked.push(0.0);
+        self.turned.push(0.0);
+        self.course_turned.push(0.0);
+        self.shortest.push(0.0);
+    }
+
+    /// Whether everybody avoids everybody else.
+    pub(crate) fn all_avoid(&self) -> bool {
+        let common = |all: &[u32]| all.iter().fold(u32::MAX, |common, each| common & each);
+        common(self.avoids.values()) & common(self.layers.values()) != 0
     }
 
     /// Whether `row` avoids `other`.

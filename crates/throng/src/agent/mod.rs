@@ -4,14 +4,18 @@
 //! facts live as [columns](Columns). [`Group`] holds what many agents share: the local model and its reach.
 
 mod body;
+mod column;
 mod columns;
 mod group;
 mod id;
+mod trip;
 
 pub use body::Body;
-pub use columns::{Columns, Trip};
+pub use column::{Column, Value};
+pub use columns::Columns;
 pub use group::Group;
 pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId, ScriptId};
+pub use trip::Trip;
 
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};

@@ -23,7 +23,7 @@ impl Line {
 }
 
 /// Two lines closer to parallel than this (sine of the angle) count as parallel.
-const PARALLEL: f32 = 1e-5;
+pub(super) const PARALLEL: f32 = 1e-5;
 
 /// What an optimum is sought for.
 #[derive(Clone, Copy)]

@@ -12,10 +12,12 @@ mod forbidden;
 mod half_plane;
 mod half_space;
 mod hrvo;
+mod lanes;
 mod none;
 mod obstacle_lines;
 mod orca;
 mod orca_3d;
+mod orca_lanes;
 mod outline;
 mod rvo;
 mod rvo_lab;
@@ -32,9 +34,11 @@ use forbidden::Piece;
 pub use half_plane::{Line, closest_velocity, least_violation};
 pub use half_space::{Plane, closest_velocity_in_space, least_violation_in_space};
 pub use hrvo::Hrvo;
+pub(crate) use lanes::{LANES, Vec2s, load};
 pub use none::Unavoiding;
 pub use orca::{BuiltFrom, Orca};
 pub use orca_3d::Orca3d;
+pub(crate) use orca_lanes::{MOST, Views, choose};
 pub use outline::Outline;
 pub use rvo::Rvo;
 pub use rvo_lab::RvoLab;
@@ -203,6 +207,11 @@ pub trait LocalModel: std::fmt::Debug + Send + Sync {
     /// Whether the model looks up and down. One that does not sees nobody who passes clear above or below.
     fn looks_in_space(&self) -> bool {
         false
+    }
+
+    /// The model as a plain ORCA, if it is one: the step makes those choose many at a time, with the same bits.
+    fn as_orca(&self) -> Option<Orca> {
+        None
     }
 
     /// Why [`velocity`](Self::velocity) answers as it does for this view, as data to draw: what each neighbour and

@@ -51,7 +51,7 @@ impl Default for Orca {
 }
 
 /// Seconds over which an overlap, or a margin that is used up, is given back. Shorter is a shove.
-const RECOVERY: f32 = 0.25;
+pub(super) const RECOVERY: f32 = 0.25;
 
 /// By how much larger than it is a body is taken to be at walls: enough to keep the guard out of it.
 const WALL_MARGIN: f32 = 0.01;
@@ -65,6 +65,10 @@ impl LocalModel for Orca {
         } else {
             turning::optimum(lines, hard, view.max_speed, view.preferred, self.turning_bias, fallback)
         }
+    }
+
+    fn as_orca(&self) -> Option<Orca> {
+        (self.turning_bias == 1.0 && self.built_from == BuiltFrom::Current).then_some(*self)
     }
 
     fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {

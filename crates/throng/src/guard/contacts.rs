@@ -36,7 +36,7 @@ impl Contacts {
         let n = bodies.positions.len();
         self.own.resize_with(n, Found::default);
         let is_disc = |row: usize| bodies.cores[row] == Vec2::ZERO;
-        let farthest = bodies.reach.iter().copied().fold(0.0, f32::max);
+        let farthest = bodies.reach.values().iter().copied().fold(0.0, f32::max);
         parallel::rows(&mut self.own, 1, NearWalls::default, |near, row, found| {
             let found = &mut found[0];
             found.smaller.clear();

@@ -51,6 +51,7 @@ mod sweep;
 
 pub use contacts::Contacts;
 
+use crate::agent::Column;
 use crate::avoid::{Line, Plane};
 use crate::parallel;
 use crate::space::{Core, Walls};
@@ -69,17 +70,17 @@ pub struct Bodies<'a> {
     /// Centres.
     pub positions: &'a [Vec2],
     /// Heights of the centres above the ground, not negative.
-    pub altitudes: &'a [f32],
+    pub altitudes: &'a Column<f32>,
     /// Directions, radians counter-clockwise from +x.
     pub headings: &'a [f32],
     /// Half extents of the cores, along and across the heading; zero for discs.
-    pub cores: &'a [Vec2],
+    pub cores: &'a Column<Vec2>,
     /// Radii: how far bodies reach beyond their cores.
-    pub radii: &'a [f32],
+    pub radii: &'a Column<f32>,
     /// How far each may move in the step at most, in space, metres.
-    pub reach: &'a [f32],
+    pub reach: &'a Column<f32>,
     /// Who is kept from overlapping: of two, one at least must be.
-    pub guarded: &'a [bool],
+    pub guarded: &'a Column<bool>,
 }
 
 impl Bodies<'_> {
@@ -152,10 +153,12 @@ impl Guard {
     pub fn certify(&mut self, bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, targets: &mut [Pose]) -> Report {
         let Self { targets: now, next, clamped, verdicts, cores } = self;
         cores.clear();
-        cores.extend(bodies.positions.iter().zip(bodies.headings).zip(bodies.cores).map(|((at, &heading), &half)| {
-            let center = at.as_dvec2();
-            if half == Vec2::ZERO { Core::point(center) } else { Core::new(center, heading, half) }
-        }));
+        cores.extend(bodies.positions.iter().zip(bodies.headings).zip(bodies.cores.iter()).map(
+            |((at, &heading), half)| {
+                let center = at.as_dvec2();
+                if half == Vec2::ZERO { Core::point(center) } else { Core::new(center, heading, half) }
+            },
+        ));
         let solid = Solid { bodies, contacts, walls, cores };
         now.clear();
         now.extend(targets.iter().enumerate().map(|(row, target)| {

@@ -35,5 +35,5 @@ pub use polyanya::Search;
 pub(crate) use refuge::Refuge;
 pub use route::{Heading, Route};
 pub use script::{Keyframe, Script};
-pub(crate) use travel::turned_right;
+pub(crate) use travel::Turned;
 pub use travel::{Travel, Turn};

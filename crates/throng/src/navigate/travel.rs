@@ -23,7 +23,7 @@ const DETOUR_ANGLE: (f32, f32) = (std::f32::consts::FRAC_PI_6, 4.0 * std::f32::c
 const DETOUR_TIME: (f32, f32) = (0.5, 1.5);
 
 /// Whose turn it is where people block each other's ways.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Turn {
     /// Nobody has agreed on anything.
     #[default]
@@ -31,57 +31,85 @@ pub enum Turn {
     /// Its own: others step aside.
     First,
     /// Somebody else's: it goes to where it waits.
-    Aside(Route),
+    Aside,
 }
 
 impl Turn {
     /// Who goes first is above who steps aside.
-    pub(crate) fn rank(&self) -> i32 {
+    pub(crate) fn rank(self) -> i32 {
         match self {
             Self::Free => 0,
             Self::First => 1,
-            Self::Aside(_) => -1,
+            Self::Aside => -1,
         }
     }
 }
 
 /// How an agent's journey goes.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Travel {
     /// Index of the stop it is on its way to.
     pub leg: u32,
-    /// Seconds it still waits at the stop.
-    pub wait: f32,
     /// Part of the preferred speed that it has made towards where it wants to go, averaged.
     pub progress: f32,
-    /// Seconds without progress.
-    pub blocked: f32,
-    /// Seconds without progress, detours included.
-    pub without_progress: f32,
-    /// Metres of way that were still ahead when it last got on by a radius.
-    pub mark: Option<f32>,
+    /// Metres of way that were still ahead when it last got on by a radius; infinite if it has yet to set off.
+    pub mark: f32,
     /// Radii that it could have walked since then.
     pub stalled: f32,
-    /// Whose turn it is.
-    pub turn: Turn,
-    /// Angle of the detour it makes, radians to the right; negative to the left.
-    pub detour: f32,
-    /// Seconds it still makes it.
-    pub detour_left: f32,
-    /// Its way to the stop, once planned.
-    pub route: Option<Route>,
-    /// What it heads for now, world coordinates.
-    pub aim: DVec2,
     /// Metres of way still ahead, along the ground.
     pub remaining: f32,
-    /// Metres still to rise on that way, negative to sink; 0 for those whose goal is on the ground.
-    pub rise: f32,
-    /// How near to an area in a wall counts as there, metres.
-    pub gap: f32,
+    /// Whose turn it is.
+    pub turn: Turn,
+    /// Whether its way to the stop is planned: straight to the stop's point if it has no route.
+    planned: bool,
     /// Whether the length of this leg has been noted.
-    pub measured: bool,
+    pub(crate) measured: bool,
     /// Whether it arrived at the very point, and so comes back to it when pushed.
     pub at_point: bool,
+    /// `None`: everything in it is as at the start of a leg.
+    rare: Option<Box<Rare>>,
+}
+
+/// What those who walk unhindered in the open have no use for.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+struct Rare {
+    /// Its way to the stop, unless it is straight.
+    route: Option<Route>,
+    /// Its way to where it waits until others have passed.
+    refuge: Option<Route>,
+    /// What it heads for now, world coordinates.
+    aim: DVec2,
+    /// Metres still to rise on the way, negative to sink; 0 for those whose goal is on the ground.
+    rise: f32,
+    /// How near to an area in a wall counts as there, metres.
+    gap: f32,
+    /// Seconds it still waits at the stop.
+    wait: f32,
+    /// Seconds without progress.
+    blocked: f32,
+    /// Seconds without progress, detours included.
+    without_progress: f32,
+    /// Angle of the detour it makes, radians to the right; negative to the left.
+    detour: f32,
+    /// Seconds it still makes it.
+    detour_left: f32,
+}
+
+impl Default for Travel {
+    fn default() -> Self {
+        Self {
+            leg: 0,
+            progress: 0.0,
+            mark: f32::INFINITY,
+            stalled: 0.0,
+            remaining: 0.0,
+            turn: Turn::Free,
+            planned: false,
+            measured: false,
+            at_point: false,
+            rare: None,
+        }
+    }
 }
 
 impl Travel {
@@ -90,76 +118,213 @@ impl Travel {
         *self = Self { leg, progress: 1.0, ..Self::default() };
     }
 
+    /// Metres still to rise on the way, negative to sink; 0 for those whose goal is on the ground.
+    pub fn rise(&self) -> f32 {
+        self.rare.as_ref().map_or(0.0, |rare| rare.rise)
+    }
+
+    /// How near to an area in a wall counts as there, metres.
+    pub fn gap(&self) -> f32 {
+        self.rare.as_ref().map_or(0.0, |rare| rare.gap)
+    }
+
+    /// Seconds it still waits at the stop.
+    pub fn wait(&self) -> f32 {
+        self.rare.as_ref().map_or(0.0, |rare| rare.wait)
+    }
+
+    /// Seconds without progress, detours included.
+    pub fn without_progress(&self) -> f32 {
+        self.rare.as_ref().map_or(0.0, |rare| rare.without_progress)
+    }
+
+    /// Angle of the detour it makes, radians to the right; negative to the left.
+    pub fn turned(&self) -> f32 {
+        self.rare.as_ref().map_or(0.0, |rare| rare.detour)
+    }
+
+    pub(crate) fn set_rise(&mut self, metres: f32) {
+        self.set(metres, |rare| &mut rare.rise);
+    }
+
+    pub(crate) fn set_gap(&mut self, metres: f32) {
+        self.set(metres, |rare| &mut rare.gap);
+    }
+
+    pub(crate) fn set_wait(&mut self, seconds: f32) {
+        self.set(seconds, |rare| &mut rare.wait);
+    }
+
+    fn set(&mut self, value: f32, part: impl Fn(&mut Rare) -> &mut f32) {
+        if value != 0.0 || self.rare.is_some() {
+            *part(self.rare_mut()) = value;
+        }
+    }
+
+    fn rare_mut(&mut self) -> &mut Rare {
+        self.rare.get_or_insert_default()
+    }
+
     /// Metres still ahead in space.
     pub fn distance(&self) -> f32 {
-        if self.rise == 0.0 { self.remaining } else { Vec2::new(self.remaining, self.rise).length() }
+        let rise = self.rise();
+        if rise == 0.0 { self.remaining } else { Vec2::new(self.remaining, rise).length() }
     }
 
     /// The parts of the speed along the ground and upwards: both are to come to an end together.
     pub(crate) fn slope(&self) -> Vec2 {
-        if self.rise == 0.0 { Vec2::X } else { Vec2::new(self.remaining, self.rise).normalize_or(Vec2::Y) }
+        let rise = self.rise();
+        if rise == 0.0 { Vec2::X } else { Vec2::new(self.remaining, rise).normalize_or(Vec2::Y) }
+    }
+
+    /// Whether its way to the stop is planned.
+    pub(crate) fn has_way(&self) -> bool {
+        self.planned
+    }
+
+    /// Whether its way leads straight to the point of the stop.
+    pub(crate) fn is_straight(&self) -> bool {
+        self.planned && self.route().is_none()
+    }
+
+    /// The route it follows, unless it goes straight: to the stop, or to where it waits until others have passed.
+    pub fn route(&self) -> Option<&Route> {
+        let rare = self.rare.as_ref()?;
+        rare.refuge.as_ref().or(rare.route.as_ref())
+    }
+
+    pub(crate) fn route_mut(&mut self) -> Option<&mut Route> {
+        let rare = self.rare.as_mut()?;
+        rare.refuge.as_mut().or(rare.route.as_mut())
+    }
+
+    /// Its route to the stop, even while it steps aside.
+    pub(crate) fn route_to_stop(&self) -> Option<&Route> {
+        self.rare.as_ref()?.route.as_ref()
+    }
+
+    /// What it heads for now, world coordinates, unless it goes straight.
+    pub(crate) fn aim(&self) -> Option<DVec2> {
+        Some(self.rare.as_ref().filter(|_| !self.is_straight())?.aim)
+    }
+
+    pub(crate) fn set_aim(&mut self, aim: DVec2) {
+        self.rare_mut().aim = aim;
+    }
+
+    /// Takes a way to the stop; `None`: straight to its point.
+    pub(crate) fn set_way(&mut self, route: Option<Route>) {
+        self.planned = true;
+        if route.is_some() || self.rare.is_some() {
+            self.rare_mut().route = route;
+        }
+    }
+
+    pub(crate) fn lose_way(&mut self) {
+        self.planned = false;
+        if let Some(rare) = &mut self.rare {
+            rare.route = None;
+        }
     }
 
     /// Takes a turn, or gives it up: patience begins anew.
     pub(crate) fn take(&mut self, turn: Turn) {
-        (self.blocked, self.without_progress, self.detour, self.detour_left) = (0.0, 0.0, 0.0, 0.0);
-        (self.mark, self.stalled) = (None, 0.0);
+        if let Some(rare) = &mut self.rare {
+            (rare.blocked, rare.without_progress, rare.detour, rare.detour_left) = (0.0, 0.0, 0.0, 0.0);
+            rare.refuge = None;
+        }
+        (self.mark, self.stalled) = (f32::INFINITY, 0.0);
         self.turn = turn;
+    }
+
+    /// Steps aside, to the end of a route.
+    pub(crate) fn step_aside(&mut self, route: Route) {
+        self.take(Turn::Aside);
+        self.rare_mut().refuge = Some(route);
     }
 
     /// Whatever its turn was, it is free. Who was aside needs another way.
     pub(crate) fn give_up_turn(&mut self) {
+        if self.turn == Turn::Aside {
+            self.lose_way();
+        }
         if self.turn != Turn::Free {
-            self.route = if self.turn == Turn::First { self.route.take() } else { None };
             self.take(Turn::Free);
         }
     }
 
     /// Notes whether the agent gets on: `step` is in radii that it walks when nothing hinders it.
     pub(crate) fn stall(&mut self, radius: f32, step: f32) {
-        match self.mark {
-            Some(mark) if self.distance() > mark - radius => self.stalled += step,
-            _ => (self.mark, self.stalled) = (Some(self.distance()), 0.0),
+        if self.distance() > self.mark - radius {
+            self.stalled += step;
+        } else {
+            (self.mark, self.stalled) = (self.distance(), 0.0);
         }
     }
 
     /// Notes how far the agent got in the last step, and tells by what angle to the right its preferred direction
     /// is to be turned. `made` is the part of the preferred speed it had towards `direction`; `queues`
     /// tells whether somebody ahead goes the same way.
-    pub(crate) fn detour(&mut self, made: f32, step: f32, dice: Dice, queues: impl FnOnce() -> bool) -> f32 {
+    pub(crate) fn detour(
+        &mut self,
+        made: f32,
+        step: f32,
+        dice: impl FnOnce() -> Dice,
+        queues: impl FnOnce() -> bool,
+    ) -> f32 {
         self.progress += (made - self.progress) * (step / AVERAGE).min(1.0);
-        self.without_progress = if self.progress >= NO_PROGRESS { 0.0 } else { self.without_progress + step };
-        if self.detour_left > 0.0 {
-            self.detour_left -= step;
-            if self.detour_left <= 0.0 {
-                self.detour = 0.0;
-                self.blocked = 0.0;
-            }
-            return self.detour;
-        }
-        if self.progress >= NO_PROGRESS {
-            self.blocked = 0.0;
+        let gets_on = self.progress >= NO_PROGRESS;
+        if gets_on && self.rare.is_none() {
             return 0.0;
         }
-        self.blocked += step;
-        if self.blocked >= PATIENCE {
+        let rare = self.rare_mut();
+        rare.without_progress = if gets_on { 0.0 } else { rare.without_progress + step };
+        if rare.detour_left > 0.0 {
+            rare.detour_left -= step;
+            if rare.detour_left <= 0.0 {
+                rare.detour = 0.0;
+                rare.blocked = 0.0;
+            }
+            return rare.detour;
+        }
+        if gets_on {
+            rare.blocked = 0.0;
+            return 0.0;
+        }
+        rare.blocked += step;
+        if rare.blocked >= PATIENCE {
             if queues() {
-                self.blocked = 0.0;
+                rare.blocked = 0.0;
             } else {
-                let left = self.without_progress > EITHER_SIDE && dice.between((0.0, 1.0), Purpose::DetourSide) < 0.5;
+                let dice = dice();
+                let left = rare.without_progress > EITHER_SIDE && dice.between((0.0, 1.0), Purpose::DetourSide) < 0.5;
                 let angle = dice.between(DETOUR_ANGLE, Purpose::DetourAngle);
-                self.detour = if left { -angle } else { angle };
-                self.detour_left = dice.between(DETOUR_TIME, Purpose::DetourTime);
+                rare.detour = if left { -angle } else { angle };
+                rare.detour_left = dice.between(DETOUR_TIME, Purpose::DetourTime);
             }
         }
-        self.detour
+        rare.detour
     }
 }
 
-/// `direction` turned to the right by `angle` radians.
-pub(crate) fn turned_right(direction: Vec2, angle: f32) -> Vec2 {
-    let (sin, cos) = libm::sincosf(angle);
-    Vec2::new(cos * direction.x + sin * direction.y, cos * direction.y - sin * direction.x)
+/// A turn to the right.
+pub(crate) struct Turned {
+    sin: f32,
+    cos: f32,
+}
+
+impl Turned {
+    /// By an angle, radians.
+    pub fn by(angle: f32) -> Self {
+        let (sin, cos) = libm::sincosf(angle);
+        Self { sin, cos }
+    }
+
+    /// A direction after it.
+    pub fn turned(&self, direction: Vec2) -> Vec2 {
+        let Self { sin, cos } = *self;
+        Vec2::new(cos * direction.x + sin * direction.y, cos * direction.y - sin * direction.x)
+    }
 }
 
 #[cfg(test)]
@@ -172,7 +337,7 @@ mod tests {
         let mut travel = Travel::default();
         let (mut begun, mut before) = (Vec::new(), 0.0);
         for step in 0..(seconds / STEP) as u64 {
-            let angle = travel.detour(0.0, STEP, Dice { seed: 3, number, step }, || queues);
+            let angle = travel.detour(0.0, STEP, || Dice { seed: 3, number, step }, || queues);
             if angle != 0.0 && before == 0.0 {
                 begun.push((step as f32 * STEP, angle));
             }
@@ -198,7 +363,7 @@ mod tests {
         let mut travel = Travel::default();
         travel.begin(0);
         for step in 0..1000 {
-            assert_eq!(travel.detour(0.5, 0.05, Dice { seed: 1, number: 1, step }, || false), 0.0);
+            assert_eq!(travel.detour(0.5, 0.05, || Dice { seed: 1, number: 1, step }, || false), 0.0);
         }
     }
 }

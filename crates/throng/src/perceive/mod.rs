@@ -1,5 +1,12 @@
-//! Who is near.
+//! Who is near: neighbour search. A grid over the agents answers for all of them.
 
+mod block;
 mod grid;
+mod instructions;
+mod nearest;
+mod tile;
 
-pub use grid::{Grid, Near};
+pub use grid::Grid;
+pub use instructions::Instructions;
+pub use nearest::Near;
+pub(crate) use tile::{MOST_NEIGHBOURS, Pack};

@@ -18,10 +18,8 @@ impl World {
             heading: self.wished_heading(row, seconds, now),
         }));
         let Self { agents, step, groups, walls, tally, .. } = self;
-        step.reach.clear();
-        step.reach.extend(agents.max_speed.iter().map(|speed| speed * seconds));
-        step.guarded.clear();
-        step.guarded.extend(agents.group.iter().map(|group| groups[group.index()].guard));
+        step.reach.map_from(&agents.max_speed, |speed| speed * seconds);
+        step.guarded.map_from(&agents.group, |group| groups[group.index()].guard);
         let bodies = Bodies {
             positions: &agents.position,
             altitudes: &agents.altitude,
@@ -70,28 +68,29 @@ impl World {
             let from = agents.position[row].extend(agents.altitude[row]);
             let target = self.step.targets[row];
             let velocity = velocity(from, target.place(), self.step.wishes[row], seconds);
-            (agents.position[row], agents.altitude[row]) = (target.position, target.altitude);
+            agents.position[row] = target.position;
+            agents.altitude.set(row, target.altitude);
             let velocity_before = agents.velocity[row];
-            (agents.velocity[row], agents.climb[row]) = (velocity.truncate(), velocity.z);
+            agents.velocity[row] = velocity.truncate();
+            agents.climb.set(row, velocity.z);
             let before = agents.heading[row];
             let heading = if agents.is_disc(row) {
                 let facing =
                     faces(agents.velocity[row], self.step.preferred[row].truncate(), agents.max_turn_rate[row]);
                 turn(before, facing, seconds, agents.max_turn_rate[row])
             } else {
-                agents.spin[row] = wrap(target.heading - before) / seconds;
+                agents.spin.set(row, wrap(target.heading - before) / seconds);
                 target.heading
             };
             agents.heading[row] = heading;
             if agents.status[row] == Status::Walking {
-                let trip = &mut agents.trip[row];
                 let turned = f64::from((heading - before).abs());
-                trip.turned += turned.min(std::f64::consts::TAU - turned);
-                trip.course_turned += f64::from(angle_between(velocity_before, agents.velocity[row]));
-                trip.on_way += f64::from(seconds);
-                trip.walked += f64::from((target.place() - from).length());
+                agents.turned[row] += turned.min(std::f64::consts::TAU - turned);
+                agents.course_turned[row] += f64::from(angle_between(velocity_before, agents.velocity[row]));
+                agents.walked[row] += f64::from((target.place() - from).length());
             }
         }
+        agents.pass(seconds);
         self.measure();
         self.arrive(seconds, now);
     }
@@ -117,10 +116,8 @@ impl World {
                 }
             }
             // those who can't touch yet: the nearest that was perceived
-            if let Some(near) = step.neighbours.get(row * step.most_neighbours)
-                && near.row as usize != row
-            {
-                tally.least_separation = tally.least_separation.min(separation(near.row));
+            if let Some(&near) = step.near.of(row).first() {
+                tally.least_separation = tally.least_separation.min(separation(near));
             }
             let core = (!agents.is_disc(row)).then(|| agents.core_of(row));
             let edges = step.contacts.edges_of(row).iter().map(|&i| walls.edges()[i as usize]);

@@ -2,7 +2,7 @@
 
 use super::World;
 use crate::agent::Status;
-use crate::navigate::{Path, Refuge, Turn};
+use crate::navigate::{Path, Refuge, Route, Turn};
 use crate::space::{Disc, nearest_on_segment};
 use glam::DVec2;
 use std::cmp::Ordering;
@@ -167,13 +167,10 @@ impl World {
     fn lane(&self, row: usize) -> Lane {
         let radius = f64::from(self.agents.radius[row]);
         let travel = &self.agents.travel[row];
-        let route = match &travel.turn {
-            Turn::Aside(route) => Some(route),
-            _ => travel.route.as_ref(),
-        };
+        let straight = self.goal_middle(row, travel.leg).filter(|_| travel.is_straight());
         let mut points = vec![self.world_position(row)];
         let mut left = AHEAD * radius;
-        for corner in route.into_iter().flat_map(|route| route.corners()) {
+        for corner in travel.route().into_iter().flat_map(Route::corners).chain(straight) {
             let last = points[points.len() - 1];
             let length = last.distance(corner);
             points.push(if length > left { last.lerp(corner, left / length) } else { corner });
@@ -207,7 +204,7 @@ impl<'a> Ground<'a> {
         let around = AROUND * agents.radius[first[0]];
         world.step.grid.within(agents.position[first[0]], around, |near| {
             let row = near.row as usize;
-            let rests = agents.status[row] != Status::Walking || matches!(agents.travel[row].turn, Turn::Aside(_));
+            let rests = agents.status[row] != Status::Walking || agents.travel[row].turn == Turn::Aside;
             if rests && agents.avoids(first[0], row) && !agents.passes_clear(first[0], row) && !aside.contains(&row) {
                 bodies.push((world.world_position(row), radius(row)));
             }
@@ -216,7 +213,7 @@ impl<'a> Ground<'a> {
             let point = world.goal_of(row).is_some_and(|goal| world.goals[goal.index()].corners().is_none());
             point && world.is_last(row, agents.travel[row].leg)
         };
-        let end = |row: usize| agents.travel[row].route.as_ref().and_then(|route| route.end());
+        let end = |row: usize| agents.travel[row].route_to_stop().and_then(Route::end);
         let ends = first.iter().filter(stays).filter_map(|&row| Some((end(row)?, radius(row)))).collect();
         let lanes = first.iter().chain(aside).map(|&row| world.lane(row)).collect();
         let middle = world.world_position(first[0]);

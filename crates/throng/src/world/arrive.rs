@@ -4,6 +4,7 @@ use super::World;
 use crate::agent::{JourneyId, Status};
 use crate::navigate::{Goal, nearest_on_ring};
 use crate::summary::Ended;
+use glam::DVec2;
 
 /// Seconds without progress after which twice the distance to a point that others have taken is near enough.
 const CONTENT_TIME: f32 = 3.0;
@@ -15,6 +16,11 @@ impl World {
         self.journeys[self.agents.journey[row].index()].stops.get(leg as usize).copied()
     }
 
+    /// The middle of the goal of a leg.
+    pub(super) fn goal_middle(&self, row: usize, leg: u32) -> Option<DVec2> {
+        self.stop(row, leg).map(|stop| self.goals[stop.goal.index()].middle())
+    }
+
     pub(super) fn is_last(&self, row: usize, leg: u32) -> bool {
         let journey = &self.journeys[self.agents.journey[row].index()];
         !journey.repeat && leg as usize + 1 == journey.stops.len()
@@ -24,28 +30,31 @@ impl World {
         if self.journeys[journey.index()].stops.is_empty() { Status::Arrived } else { Status::Walking }
     }
 
-    /// Arrivals, waits, exits.
-    pub(super) fn arrive(&mut self, seconds: f32, now: f64) {
-        let mut arrived = std::mem::take(&mut self.step.arrivals);
-        arrived.clear();
-        arrived.resize(self.goals.len(), 0);
-        for row in 0..self.agents.len() {
-            if self.agents.status[row] == Status::Arrived
-                && let Some(goal) = self.goal_of(row)
-            {
-                arrived[goal.index()] += 1;
+    /// Counts who has arrived at each goal.
+    pub(super) fn count_arrivals(&mut self) {
+        let mut arrivals = std::mem::take(&mut self.step.arrivals);
+        arrivals.clear();
+        arrivals.resize(self.goals.len(), 0);
+        for (row, _) in self.agents.status.iter().enumerate().filter(|&(_, &status)| status == Status::Arrived) {
+            if let Some(goal) = self.goal_of(row) {
+                arrivals[goal.index()] += 1;
             }
         }
-        let mut next = Vec::with_capacity(self.agents.len());
-        for row in 0..self.agents.len() {
-            next.push(self.next_status(row, seconds, &arrived));
-        }
-        self.step.arrivals = arrived;
+        self.step.arrivals = arrivals;
+    }
+
+    /// Arrivals, waits, exits.
+    pub(super) fn arrive(&mut self, seconds: f32, now: f64) {
+        let mut changes = std::mem::take(&mut self.step.changes);
+        changes.clear();
+        let rows = self.step.ways.iter().enumerate().filter(|(_, way)| way.may_change()).map(|(row, _)| row);
+        changes.extend(rows.map(|row| (row, self.next_status(row, seconds))));
         let mut gone = Vec::new();
-        for (row, status) in next.into_iter().enumerate() {
+        for &(row, status) in &changes {
             let before = self.agents.status[row];
             if before == Status::Waiting {
-                self.agents.travel[row].wait -= seconds;
+                let travel = &mut self.agents.travel[row];
+                travel.set_wait(travel.wait() - seconds);
             }
             if status == Status::Arrived && before == Status::Walking {
                 self.agents.travel[row].at_point = self.is_at_point(row);
@@ -60,7 +69,7 @@ impl World {
                         gone.push(row);
                         Status::Arrived
                     } else if wait > 0.0 {
-                        self.agents.travel[row].wait = wait;
+                        self.agents.travel[row].set_wait(wait);
                         Status::Waiting
                     } else {
                         self.next_leg(row)
@@ -69,16 +78,16 @@ impl World {
                 Status::Walking if before == Status::Waiting => self.next_leg(row),
                 status => status,
             };
-            if status == Status::Arrived && self.agents.trip[row].arrived.is_none() {
-                let trip = &mut self.agents.trip[row];
-                trip.arrived = Some(now);
+            if status == Status::Arrived && self.agents.arrived[row].is_infinite() {
+                self.agents.arrived.set(row, now);
                 // whoever arrives by contact has not the whole way to go
-                trip.shortest -= f64::from(self.agents.travel[row].distance());
+                self.agents.shortest[row] -= f64::from(self.agents.travel[row].distance());
             }
             self.agents.status[row] = status;
         }
+        self.step.changes = changes;
         for &row in gone.iter().rev() {
-            let ended = Ended { trip: self.agents.trip[row], preferred_speed: self.agents.preferred_speed[row] };
+            let ended = Ended { trip: self.agents.trip(row), preferred_speed: self.agents.preferred_speed[row] };
             self.tally.removed.push((self.agents.number[row], ended));
             self.remove_row(row);
         }
@@ -99,19 +108,19 @@ impl World {
         }
     }
 
-    fn next_status(&self, row: usize, seconds: f32, arrived: &[u32]) -> Status {
+    fn next_status(&self, row: usize, seconds: f32) -> Status {
         let agents = &self.agents;
         match agents.status[row] {
-            Status::Waiting if agents.travel[row].wait <= seconds => Status::Walking,
+            Status::Waiting if agents.travel[row].wait() <= seconds => Status::Walking,
             Status::Walking => {
                 let Some(stop) = self.stop(row, agents.travel[row].leg) else { return Status::Arrived };
                 let (place, goal) = (self.world_place(row), &self.goals[stop.goal.index()]);
                 let near = || match (goal.offset(place), goal.corners()) {
                     (Some((offset, _)), _) => {
-                        self.arrives_by_contact(row, stop.goal, offset.length(), arrived[stop.goal.index()])
+                        self.arrives_by_contact(row, stop.goal, offset.length(), self.step.arrivals[stop.goal.index()])
                     }
                     (None, Some(corners)) => {
-                        let (at, gap) = (place.truncate(), f64::from(agents.travel[row].gap));
+                        let (at, gap) = (place.truncate(), f64::from(agents.travel[row].gap()));
                         gap > 0.0 && nearest_on_ring(corners, at).distance(at) <= gap + GAP_TOLERANCE
                     }
                     (None, None) => false,
@@ -134,13 +143,13 @@ impl World {
         let agents = &self.agents;
         let radius = f64::from(agents.radius[row]);
         let enough = 1.25 * radius * f64::from(arrived + 1).sqrt() + 2.0 * radius;
-        let patience = agents.travel[row].without_progress / CONTENT_TIME;
+        let patience = agents.travel[row].without_progress() / CONTENT_TIME;
         if arrived == 0 || distance > enough * f64::from(1.0 + patience) {
             return false;
         }
         let near = (1.1 + 0.1 * patience).min(1.5);
-        self.neighbours(row).iter().any(|other| {
-            let other = other.row as usize;
+        self.neighbours(row).iter().any(|&other| {
+            let other = other as usize;
             let touch = (agents.radius[row] + agents.radius[other]) * near;
             agents.status[other] == Status::Arrived
                 && self.goal_of(other) == Some(goal)

@@ -1,7 +1,7 @@
 //! 3. What is safe: the local models choose velocities, bodies limit them.
 
 use super::World;
-use crate::agent::Status;
+use super::avoid_lanes::LaneScratch;
 use crate::avoid::{LocalModel, MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, Outline, View, Workspace};
 use crate::motion::{Limits, follow, limit};
 use crate::parallel;
@@ -22,6 +22,7 @@ const GRANT: f32 = 2.0;
 struct Scratch {
     sight: Sight,
     workspace: Workspace,
+    lanes: LaneScratch,
 }
 
 /// What an agent sees.
@@ -42,16 +43,26 @@ impl World {
         wishes.clear();
         wishes.resize(self.agents.len(), Vec3::ZERO);
         let world = &*self;
-        parallel::rows(&mut wishes, 1, Scratch::default, |scratch, row, wish| {
-            if world.agents.script[row].is_some() {
-                wish[0] = world.step.preferred[row].clamp_length_max(world.agents.max_speed[row]);
-                return;
+        let common = world.common(seconds);
+        parallel::ranges(&mut wishes[..], Scratch::default, |scratch, rows, wishes| {
+            let Scratch { sight, workspace, lanes } = scratch;
+            let mut one = |row: usize| world.wish(row, seconds, sight, workspace);
+            match &common {
+                Some(common) => world.avoid_many(common, rows, lanes, wishes, one),
+                None => rows.zip(wishes).for_each(|(row, wish)| *wish = one(row)),
             }
-            let view = world.view(row, seconds, &mut scratch.sight);
-            let chosen = world.chosen_velocity(row, &view, &mut scratch.workspace);
-            wish[0] = world.limited_velocity(row, chosen, seconds);
         });
         self.step.wishes = wishes;
+    }
+
+    /// The velocity that an agent will have but for the guard.
+    fn wish(&self, row: usize, seconds: f32, sight: &mut Sight, workspace: &mut Workspace) -> Vec3 {
+        if self.agents.script[row].is_some() {
+            return self.step.preferred[row].clamp_length_max(self.agents.max_speed[row]);
+        }
+        let view = self.view(row, seconds, sight);
+        let chosen = self.chosen_velocity(row, &view, workspace);
+        self.limited_velocity(row, chosen, seconds)
     }
 
     pub(super) fn model(&self, row: usize) -> &dyn LocalModel {
@@ -86,10 +97,10 @@ impl World {
         rows.clear();
         neighbours.clear();
         let margin = 1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN };
-        for near in self.neighbours(row) {
-            let other = near.row as usize;
+        for &near in self.neighbours(row) {
+            let other = near as usize;
             if !edges.iter().any(|edge| hides(edge, agents.offset(row, other))) {
-                rows.push(near.row);
+                rows.push(near);
                 neighbours.push(self.neighbour(row, other, margin));
             }
         }
@@ -143,8 +154,7 @@ impl World {
         let agents = &self.agents;
         let yields = self.yields(row, other);
         let (share, room) = if agents.avoids(other, row) {
-            let priority = 0.5 * (agents.priority[other] - agents.priority[row]);
-            let share = (0.5 + priority + yields).clamp(0.0, 1.0);
+            let share = self.share(row, other, yields);
             (share, 1.0 - share)
         } else {
             (1.0, 1.0)
@@ -157,15 +167,12 @@ impl World {
         } else {
             Outline::between(&agents.core_of(row), &agents.core_of(other))
         };
-        let preferred = self.step.preferred[other].truncate();
-        let wanted = preferred - velocity;
-        let granted = if wanted.dot(offset) < 0.0 { wanted * (GRANT * yields.max(0.0)) } else { Vec2::ZERO };
         Neighbour {
             offset,
             above: agents.above(row, other),
             climb: agents.climb[other],
-            velocity: velocity - own_turn + granted,
-            preferred,
+            velocity: velocity - own_turn + self.granted(row, other, yields),
+            preferred: self.step.preferred[other].truncate(),
             radii: (agents.radius[row] + agents.radius[other]) * margin
                 + (agents.tracking_error[row] + agents.tracking_error[other]),
             outline,
@@ -175,15 +182,33 @@ impl World {
         }
     }
 
+    /// The share of the avoiding that falls on an agent, with one who avoids too.
+    pub(super) fn share(&self, row: usize, other: usize, yields: f32) -> f32 {
+        let priority = 0.5 * (self.agents.priority[other] - self.agents.priority[row]);
+        (0.5 + priority + yields).clamp(0.0, 1.0)
+    }
+
+    /// What is granted in advance to one who has the right of way: part of the change of velocity that it would like, if
+    /// that brings it nearer.
+    pub(super) fn granted(&self, row: usize, other: usize, yields: f32) -> Vec2 {
+        let agents = &self.agents;
+        if yields <= 0.0 {
+            return Vec2::ZERO;
+        }
+        let velocity = agents.velocity_near(other, agents.position[row].as_dvec2());
+        let wanted = self.step.preferred[other].truncate() - velocity;
+        let nearer = wanted.dot(agents.position[other] - agents.position[row]) < 0.0;
+        if nearer { wanted * (GRANT * yields) } else { Vec2::ZERO }
+    }
+
     /// How much more than its half of the avoiding falls on an agent; the opposite for the other. Who walks goes
     /// before who rests, unless it is at the goal of both; of two on their way to the same goal, who has less way to
     /// go: at doors somebody goes first, instead of an arch that nobody breaks.
-    fn yields(&self, row: usize, other: usize) -> f32 {
+    pub(super) fn yields(&self, row: usize, other: usize) -> f32 {
         let agents = &self.agents;
         let (mine, theirs) = (&self.step.ways[row], &self.step.ways[other]);
-        let walks = |row: usize| agents.status[row] == Status::Walking;
         let turn = |row: usize| agents.travel[row].turn.rank();
-        match (walks(row), walks(other), mine.goal == theirs.goal) {
+        match (mine.walks(), theirs.walks(), mine.same_goal(theirs)) {
             (true, true, _) if turn(row) * turn(other) < 0 => YIELD_AT_REST * turn(other) as f32,
             (true, true, true) => {
                 let lead = mine.remaining - theirs.remaining;
@@ -249,11 +274,12 @@ mod tests {
             let position = DVec2::new(x.into(), 0.0);
             world.add_agent(Agent { radius, priority, position, ..Agent::default() }).unwrap();
         }
-        let statuses = [Status::Walking, Status::Waiting, Status::Arrived, Status::Stranded];
-        world.agents.status = both.iter().map(|one| statuses[one.5]).collect();
         world.step.ways = both
             .iter()
-            .map(|&(_, goal, remaining, ..)| Way { goal: goal.map(GoalId), direction: Vec2::X, remaining })
+            .map(|&(_, goal, remaining, _, _, status)| {
+                let goal = goal.map(GoalId);
+                if status == 0 { Way::walking(goal, Vec2::X, remaining) } else { Way::at_rest(goal, remaining) }
+            })
             .collect();
         world.step.preferred = vec![Vec3::ZERO; 2];
         world

@@ -3,6 +3,7 @@
 use super::{Settings, Slots, StepMemory, SubSteps, World};
 use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
 use crate::navigate::{Goal, Journey, Meshes, Script, union};
+use crate::perceive::Instructions;
 use crate::space::{Core, Obstacle, Place, Walkable, Walls, check_polygon};
 use crate::summary::Tally;
 use crate::{Error, world::schedule::Schedule};
@@ -40,6 +41,7 @@ impl World {
             walls: Walls::default(),
             meshes: Meshes::default(),
             step: StepMemory::default(),
+            instructions: Instructions::default(),
         })
     }
 
@@ -187,6 +189,13 @@ impl World {
         }
     }
 
+    /// Makes room for so many more agents: who knows how many there will be saves the memory that growing wastes.
+    pub fn reserve(&mut self, agents: usize) {
+        self.agents.reserve(agents);
+        self.slots.rows.reserve(agents);
+        self.slots.generations.reserve(agents);
+    }
+
     /// Adds an agent. It may overlap others: then the pair is parted smoothly, and
     /// [`overlapping`](Self::overlapping) tells of it.
     ///
@@ -222,30 +231,31 @@ impl World {
         let (slot, number) = (self.agents.slot[row] as usize, self.agents.number[row]);
         self.stranded.retain(|&(stranded, _)| stranded != number);
         self.agents.swap_remove(row);
-        let (generation, named) = &mut self.slots.rows[slot];
-        *generation += 1;
-        *named = None;
-        self.slots.free.push(slot as u32);
+        let slots = &mut self.slots;
+        slots.rows[slot] = u32::MAX;
+        slots.generations.set(slot, slots.generations[slot] + 1);
+        slots.free.push(slot as u32);
         if let Some(&moved) = self.agents.slot.get(row) {
-            self.slots.rows[moved as usize].1 = Some(row as u32);
+            slots.rows[moved as usize] = row as u32;
         }
     }
 
     pub(super) fn put(&mut self, agent: &Agent, number: u32, now: f64) -> AgentId {
         let slot = self.slots.free.pop().unwrap_or_else(|| {
-            self.slots.rows.push((0, None));
+            self.slots.rows.push(u32::MAX);
+            self.slots.generations.push(0);
             self.slots.rows.len() as u32 - 1
         });
         let row = self.agents.len() as u32;
-        self.slots.rows[slot as usize].1 = Some(row);
+        self.slots.rows[slot as usize] = row;
         let heading = self.first_heading(agent);
         self.agents.push(agent, self.settings.origin, slot, number, heading, now);
         let status = self.first_status(agent.journey);
         self.agents.status[row as usize] = status;
         if status == Status::Arrived {
-            self.agents.trip[row as usize].arrived = Some(now);
+            self.agents.arrived.set(row as usize, now);
         }
-        AgentId { slot, generation: self.slots.rows[slot as usize].0 }
+        AgentId { slot, generation: self.slots.generations[slot as usize] }
     }
 
     /// The heading that an agent begins with: its own, or towards its first goal.
@@ -331,8 +341,8 @@ impl World {
         self.meshes = Meshes::default();
         self.extent = None;
         for travel in &mut self.agents.travel {
-            travel.route = None;
-            travel.gap = 0.0;
+            travel.lose_way();
+            travel.set_gap(0.0);
         }
         // who could not get there may now
         for status in &mut self.agents.status {

@@ -1,37 +1,50 @@
 //! 2. What would I like: the preferred velocity of everybody.
 
-use super::{Way, World};
-use crate::agent::Status;
-use crate::navigate::{Goal, Keyframe, Travel, Turn, turned_right};
+use super::World;
+use crate::agent::{Group, Status};
+use crate::navigate::{Goal, Keyframe, Travel, Turn, Turned};
 use crate::parallel;
 use glam::{Vec2, Vec3};
 
 /// Seconds in which an agent that was pushed off its goal comes back.
 const RETURN_TIME: f32 = 0.5;
 
+/// What the agents of a group do alike.
+struct Manners {
+    detour: bool,
+    bias: f32,
+    keep_right: Turned,
+}
+
+impl Manners {
+    fn of(group: &Group) -> Self {
+        Self { detour: group.detour, bias: group.keep_right, keep_right: Turned::by(group.keep_right) }
+    }
+}
+
 impl World {
     /// 2. What would I like: the preferred velocity of everybody in the sub-step that ends at `now`.
     pub(super) fn intend(&mut self, seconds: f32, now: f64) {
-        self.plan();
-        self.show_ways();
+        self.plan(seconds);
         self.follow_others();
         self.resolve(seconds);
-        self.step.preferred.clear();
-        self.step.preferred.resize(self.agents.len(), Vec3::ZERO);
         let mut travels = std::mem::take(&mut self.agents.travel);
         let mut preferred = std::mem::take(&mut self.step.preferred);
-        let mut out: Vec<(&mut Travel, &mut Vec3)> = travels.iter_mut().zip(&mut preferred).collect();
+        preferred.resize(self.agents.len(), Vec3::ZERO);
         let world = &*self;
-        parallel::rows(
-            &mut out,
-            1,
+        let manners: Vec<Manners> = self.groups.iter().map(Manners::of).collect();
+        parallel::ranges(
+            (&mut travels[..], &mut preferred[..]),
             || (),
-            |(), row, out| {
-                let (travel, preferred) = &mut out[0];
-                **preferred = match world.scripted(row, now) {
-                    Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
-                    None => world.preferred_velocity(row, travel, seconds),
-                };
+            |(), rows, (travels, preferred)| {
+                for ((row, travel), preferred) in rows.zip(travels).zip(preferred) {
+                    *preferred = match world.scripted(row, now) {
+                        Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
+                        None => {
+                            world.preferred_velocity(row, travel, &manners[world.agents.group[row].index()], seconds)
+                        }
+                    };
+                }
             },
         );
         self.agents.travel = travels;
@@ -43,64 +56,53 @@ impl World {
         Some(self.scripts[self.agents.script[row]?.index()].at(time))
     }
 
-    /// Notes where everybody wants to go, for others to see.
-    fn show_ways(&mut self) {
-        let mut ways = std::mem::take(&mut self.step.ways);
-        ways.clear();
-        ways.extend(self.agents.travel.iter().enumerate().map(|(row, travel)| Way {
-            goal: self.goal_of(row),
-            direction: match (self.agents.status[row], &travel.turn) {
-                (Status::Walking, Turn::Aside(_)) if travel.remaining < self.agents.radius[row] => Vec2::ZERO,
-                (Status::Walking, _) => self.towards(row, travel).normalize_or_zero(),
-                _ => Vec2::ZERO,
-            },
-            remaining: travel.distance(),
-        }));
-        self.step.ways = ways;
-    }
-
-    fn preferred_velocity(&self, row: usize, travel: &mut Travel, seconds: f32) -> Vec3 {
+    fn preferred_velocity(&self, row: usize, travel: &mut Travel, manners: &Manners, seconds: f32) -> Vec3 {
         let agents = &self.agents;
-        if agents.status[row] == Status::Arrived {
-            return self.back_to_goal(row, travel);
+        let way = &self.step.ways[row];
+        if !way.walks() {
+            return if agents.status[row] == Status::Arrived { self.back_to_goal(row, travel) } else { Vec3::ZERO };
         }
-        if agents.status[row] != Status::Walking {
+        if !way.has_goal() {
             return Vec3::ZERO;
         }
-        let Some(goal) = self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]) else {
-            return Vec3::ZERO;
-        };
-        let towards = self.towards(row, travel);
-        let (distance, remaining, slope) = (towards.length(), travel.distance(), travel.slope());
-        let direction = towards.normalize_or_zero();
+        // who waits aside has no direction that others should see
+        let waits = travel.turn == Turn::Aside;
+        let shown = !waits && way.direction != Vec2::ZERO;
+        let direction = if shown { way.direction } else { self.towards(row, travel).normalize_or_zero() };
+        let radius = agents.radius[row];
+        let slope = travel.slope();
         let speed = agents.preferred_speed[row];
-        let group = &self.groups[agents.group[row].index()];
         let onwards = agents.velocity[row].dot(direction) * slope.x + agents.climb[row] * slope.y;
         let made = if speed > 0.0 { onwards / speed } else { 1.0 };
-        let dice = self.dice(row);
-        travel.stall(agents.radius[row], seconds * speed / agents.radius[row]);
-        let detours = group.detour && travel.turn == Turn::Free;
-        let detour = if detours { travel.detour(made, seconds, dice, || self.queues(row, direction)) } else { 0.0 };
+        travel.stall(radius, seconds * speed / radius);
+        let detour = if manners.detour && travel.turn == Turn::Free {
+            travel.detour(made, seconds, || self.dice(row), || self.queues(row, direction))
+        } else {
+            0.0
+        };
         // coming to a point: as slow as stopping there takes, half of the acceleration left to turn with, and never
         // past it
-        let stops = match (&travel.turn, goal) {
-            (Turn::Aside(_), _) => true,
-            (_, goal) => goal.corners().is_none() && self.is_last(row, travel.leg),
-        };
-        let arriving = if stops {
-            (agents.max_acceleration[row] * remaining).sqrt().min(remaining / seconds)
+        let arriving = if way.stops() || waits {
+            (agents.max_acceleration[row] * way.remaining).sqrt().min(way.remaining / seconds)
         } else {
             f32::INFINITY
         };
-        let bias = if distance > 2.0 * agents.radius[row] { group.keep_right } else { 0.0 };
+        // who heads straight for what is far needs no second look
+        let is_far = travel.remaining > 4.0 * radius && travel.is_straight();
+        let keeps_right = is_far || self.towards(row, travel).length() > 2.0 * radius;
         let following = if detour == 0.0 { self.step.following[row].speed } else { f32::INFINITY };
         let speed = speed.min(arriving).min(following);
-        (turned_right(direction, bias + detour) * (speed * slope.x)).extend(speed * slope.y)
+        let turned = match (keeps_right, detour == 0.0) {
+            (true, true) => manners.keep_right.turned(direction),
+            (_, _) => Turned::by(detour + if keeps_right { manners.bias } else { 0.0 }).turned(direction),
+        };
+        (turned * (speed * slope.x)).extend(speed * slope.y)
     }
 
     /// From an agent to what it heads for.
     pub(super) fn towards(&self, row: usize, travel: &Travel) -> Vec2 {
-        (travel.aim - self.world_position(row)).as_vec2()
+        let aim = travel.aim().or_else(|| self.goal_middle(row, travel.leg)).unwrap_or_default();
+        (aim - self.world_position(row)).as_vec2()
     }
 
     /// What an agent would like that has arrived: to rest, or to come gently back to its point if it was pushed away
@@ -121,10 +123,12 @@ impl World {
     /// Whether somebody who has arrived at the same goal is nearer to it.
     fn is_taken(&self, row: usize, point: &Goal) -> bool {
         let agents = &self.agents;
-        let goal = |row: usize| self.step.ways[row].goal;
+        let ways = &self.step.ways;
         let distance = |row: usize| point.offset(self.world_place(row)).map(|(offset, _)| offset.length_squared());
-        self.neighbours(row).iter().map(|near| near.row as usize).any(|other| {
-            agents.status[other] == Status::Arrived && goal(other) == goal(row) && distance(other) < distance(row)
+        self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
+            agents.status[other] == Status::Arrived
+                && ways[other].same_goal(&ways[row])
+                && distance(other) < distance(row)
         })
     }
 }

@@ -1,9 +1,10 @@
 //! 1. Who is near: how finely to divide the step, and the nearest neighbours of everybody.
 
 use super::World;
+use crate::SubSteps;
 use crate::agent::Columns;
-use crate::perceive::{Grid, Near};
-use crate::{SubSteps, parallel};
+use crate::parallel::{self, Lists};
+use crate::perceive::{Grid, MOST_NEIGHBOURS, Near, Pack};
 
 /// Part of the smallest radius (half of the narrower side of who is no disc) that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
 const FREE_MOVE: f32 = 0.25;
@@ -16,8 +17,8 @@ impl World {
             SubSteps::Fixed(parts) => return parts,
             SubSteps::Auto => {
                 let agents = &self.agents;
-                let smallest = (0..agents.len()).map(|row| agents.body(row).girth()).fold(f32::INFINITY, f32::min);
-                let fastest = agents.max_speed.iter().copied().fold(0.0, f32::max);
+                let smallest = agents.bodies().map(|body| body.girth()).fold(f32::INFINITY, f32::min);
+                let fastest = agents.max_speed.values().iter().copied().fold(0.0, f32::max);
                 let part = if self.is_crowded() { CROWD_MOVE } else { FREE_MOVE };
                 // an empty or motionless world: 0 / inf or 0 / x
                 (self.settings.step as f32 * fastest / (part * smallest) - 1e-3).ceil()
@@ -29,7 +30,7 @@ impl World {
     /// Whether any two bodies are within a body's width of each other.
     fn is_crowded(&mut self) -> bool {
         let agents = &self.agents;
-        let widest = (0..agents.len()).map(|row| agents.body(row).bound()).fold(0.0, f32::max) * 2.0;
+        let widest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max) * 2.0;
         self.step.grid.rebuild(&agents.position, &agents.number, widest.max(0.1) * 2.0);
         let (grid, anybody_flies) = (&self.step.grid, agents.anybody_flies());
         (0..agents.len()).any(|row| {
@@ -42,17 +43,25 @@ impl World {
         })
     }
 
+    /// Sorts everybody into cells; gives how far anybody looks.
+    pub(super) fn rebuild_grid(&mut self) -> f32 {
+        let range = self.groups.iter().map(|group| group.neighbour_distance).fold(0.0, f32::max);
+        self.step.grid.rebuild(&self.agents.position, &self.agents.number, range);
+        range
+    }
+
     /// 1. Who is near: the nearest neighbours of everybody.
     pub(super) fn perceive(&mut self) {
+        let range = self.rebuild_grid();
+        self.sort_rows_if_scattered();
         let Self { agents, groups, step, .. } = self;
-        let widest = agents.radius.iter().copied().fold(0.1, f32::max);
-        step.grid.rebuild(&agents.position, &agents.number, widest * 5.0);
-        step.long.rebuild(agents, widest * 5.0);
-        step.most_neighbours = groups.iter().map(|group| group.neighbours).max().unwrap_or(1);
-        step.neighbours.resize(agents.len() * step.most_neighbours, Near::default());
-        let (grid, long) = (&step.grid, &step.long);
+        let most = groups.iter().map(|group| group.neighbours).max().unwrap_or(1);
+        step.long.rebuild(agents, range);
+        step.near.resize(step.grid.order(), most);
+        let (grid, long, level) = (&step.grid, &step.long, self.instructions.level());
         let anybody_flies = agents.anybody_flies();
-        parallel::rows(&mut step.neighbours, step.most_neighbours, Vec::new, |found, row, places| {
+        let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32]| {
+            let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
             let flat = !group.model.looks_in_space();
             let accept = |near: &mut Near| {
@@ -73,19 +82,78 @@ impl World {
             if !long.rows.is_empty() {
                 long.add(agents, grid, row, (group.neighbours, group.neighbour_distance), accept, found);
             }
-            places[..found.len()].copy_from_slice(found);
-            if let Some(end) = places.get_mut(found.len()) {
-                // marks the end: nobody is their own neighbour
-                *end = Near { row: row as u32, ..Near::default() };
+            for (entry, near) in list.iter_mut().zip(&*found) {
+                *entry = near.row;
+            }
+            end(list, found.len(), row);
+        };
+        // who looks less far, or at fewer
+        let shorten = |place: usize, list: &mut [u32]| {
+            let row = grid.order()[place] as usize;
+            let group = &groups[agents.group[row].index()];
+            let (at, range) = (agents.position[row], group.neighbour_distance);
+            let counts = |&&other: &&u32| {
+                other as usize != row && agents.position[other as usize].distance_squared(at) <= range * range
+            };
+            let count = list.iter().take(group.neighbours).take_while(counts).count();
+            end(list, count, row);
+        };
+        let alike = groups.iter().all(|group| group.neighbours == most && group.neighbour_distance == range);
+        let many =
+            level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
+        let scratch = || (Pack::default(), Vec::new());
+        let lists = Lists { all: &mut step.near.lists, stride: most };
+        parallel::ranges(lists, scratch, |(pack, found), places, Lists { all: lists, .. }| {
+            let Some(level) = many else {
+                return places.zip(lists.chunks_mut(most)).for_each(|(place, list)| plain(found, place, list));
+            };
+            let left = |place: usize, list: &mut [u32]| plain(found, place, list);
+            grid.nearest_of_many(level, places.clone(), (most, range), pack, lists, left);
+            if !alike {
+                places.zip(lists.chunks_mut(most)).for_each(|(place, list)| shorten(place, list));
             }
         });
     }
 
-    pub(super) fn neighbours(&self, row: usize) -> &[Near] {
-        let most = self.step.most_neighbours;
-        let places = &self.step.neighbours[row * most..(row + 1) * most];
-        let count = places.iter().position(|near| near.row as usize == row).unwrap_or(most);
-        &places[..count]
+    /// Rows of the neighbours of an agent, nearest first.
+    pub(super) fn neighbours(&self, row: usize) -> &[u32] {
+        self.step.near.of(row)
+    }
+}
+
+/// The nearest neighbours of everybody.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Neighbours {
+    /// As many places a row as anybody looks at, filled from the front, in the order of the grid.
+    lists: Vec<u32>,
+    most: usize,
+    /// Where the list of each row is.
+    places: Vec<u32>,
+}
+
+impl Neighbours {
+    fn resize(&mut self, order: &[u32], most: usize) {
+        self.most = most;
+        self.lists.resize(order.len() * most, 0);
+        self.places.resize(order.len(), 0);
+        for (place, &row) in (0..).zip(order) {
+            self.places[row as usize] = place;
+        }
+    }
+
+    /// Rows of the neighbours of a row, nearest first.
+    pub(super) fn of(&self, row: usize) -> &[u32] {
+        let start = self.places[row] as usize * self.most;
+        let list = &self.lists[start..start + self.most];
+        let count = list.iter().position(|&other| other as usize == row).unwrap_or(self.most);
+        &list[..count]
+    }
+}
+
+/// Marks the end of a list: nobody is their own neighbour.
+fn end(list: &mut [u32], count: usize, row: usize) {
+    if let Some(end) = list.get_mut(count) {
+        *end = row as u32;
     }
 }
 
@@ -101,7 +169,9 @@ pub(super) struct Long {
 impl Long {
     fn rebuild(&mut self, agents: &Columns, cell: f32) {
         self.rows.clear();
-        self.rows.extend((0..agents.len()).filter(|&row| !agents.is_disc(row)));
+        if !agents.all_discs() {
+            self.rows.extend((0..agents.len()).filter(|&row| !agents.is_disc(row)));
+        }
         self.reach = self.rows.iter().map(|&row| agents.core[row].length()).fold(0.0, f32::max);
         let points: Vec<_> = self.rows.iter().map(|&row| agents.position[row]).collect();
         let numbers: Vec<_> = self.rows.iter().map(|&row| agents.number[row]).collect();
@@ -219,8 +289,11 @@ mod tests {
                 nearest.retain(|near| near.0 <= range * range);
                 nearest.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
                 nearest.truncate(k);
-                let found: Vec<(f32, u32)> =
-                    world.neighbours(row).iter().map(|near| (near.distance_squared, near.number)).collect();
+                let found: Vec<(f32, u32)> = world
+                    .neighbours(row)
+                    .iter()
+                    .map(|&other| (distance(other as usize), agents.number[other as usize]))
+                    .collect();
                 prop_assert_eq!(found, nearest);
             }
         }

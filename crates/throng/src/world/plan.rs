@@ -2,19 +2,31 @@
 
 use super::World;
 use super::build::direction;
+use super::way::Way;
 use crate::agent::{AgentId, Status};
-use crate::navigate::{Goal, Heading, Meshes, Route, Search, Travel, Turn, Unreachable};
+use crate::navigate::{Goal, Heading, Meshes, Path, Route, Search, Travel, Turn, Unreachable};
 use crate::parallel;
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec2};
 
 impl World {
-    /// Brings everybody's way up to date: what to head for, and how far it still is.
-    pub(super) fn plan(&mut self) {
+    /// Brings everybody's way up to date: what to head for, and how far it still is; and notes it for others to see.
+    pub(super) fn plan(&mut self, seconds: f32) {
+        self.count_arrivals();
         let mut travels = std::mem::take(&mut self.agents.travel);
+        let mut ways = std::mem::take(&mut self.step.ways);
+        ways.resize(travels.len(), Way::default());
         let world = &*self;
-        parallel::rows(&mut travels, 1, || (), |(), row, travel| world.follow(row, &mut travel[0]));
+        parallel::ranges(
+            (&mut travels[..], &mut ways[..]),
+            || (),
+            |(), rows, (travels, ways)| {
+                for ((row, travel), way) in rows.zip(travels).zip(ways) {
+                    *way = world.look(row, travel, seconds);
+                }
+            },
+        );
         let mut lost: Vec<Planned> = (0..travels.len())
-            .filter(|&row| self.agents.status[row] == Status::Walking && travels[row].route.is_none())
+            .filter(|&row| !travels[row].has_way() && self.agents.status[row] == Status::Walking)
             .map(|row| Planned { row, leg: travels[row].leg, outcome: None })
             .collect();
         if !lost.is_empty() {
@@ -24,20 +36,21 @@ impl World {
             let world = &*self;
             parallel::rows(&mut lost, 1, Search::default, |search, _, planned| world.plan_one(search, &mut planned[0]));
             for Planned { row, outcome, .. } in lost {
+                let travel = &mut travels[row];
                 match outcome {
                     Some(Ok((route, length, gap))) => {
-                        let travel = &mut travels[row];
-                        travel.route = Some(route);
-                        travel.gap = gap;
-                        self.follow(row, travel);
+                        travel.set_way(route);
+                        travel.set_gap(gap);
+                        ways[row] = self.look(row, travel, seconds);
                         if !travel.measured {
                             travel.measured = true;
-                            self.agents.trip[row].shortest += DVec2::new(length, travel.rise.into()).length();
+                            self.agents.shortest[row] += DVec2::new(length, travel.rise().into()).length();
                         }
                     }
                     Some(Err(why)) => {
                         self.agents.status[row] = Status::Stranded;
                         self.stranded.push((self.agents.number[row], why));
+                        ways[row] = self.look(row, travel, seconds);
                     }
                     None => {}
                 }
@@ -45,6 +58,7 @@ impl World {
             self.stranded.sort_by_key(|&(number, _)| number);
         }
         self.agents.travel = travels;
+        self.step.ways = ways;
     }
 
     /// Turns agents to where their ways begin: round walls to the first corner, else straight to the goal. Those who
@@ -62,37 +76,65 @@ impl World {
         for way in ways {
             let Some(Ok((route, ..))) = way.outcome else { continue };
             let at = self.world_position(way.row);
-            if let Some(heading) = route.corners().find_map(|corner| direction(corner - at)) {
+            let straight = self.goal_middle(way.row, way.leg).filter(|_| route.is_none());
+            let mut corners = route.iter().flat_map(Route::corners).chain(straight);
+            if let Some(heading) = corners.find_map(|corner| direction(corner - at)) {
                 self.agents.heading[way.row] = heading;
             }
         }
     }
 
-    /// Lets an agent look where it is on its way; a way that no longer holds is given up.
-    fn follow(&self, row: usize, travel: &mut Travel) {
+    /// Lets an agent look where it is on its way, and tells what others see of it; a way that no longer holds is given
+    /// up.
+    fn look(&self, row: usize, travel: &mut Travel, seconds: f32) -> Way {
+        let stop = self.stop(row, travel.leg);
+        let goal = stop.map(|stop| &self.goals[stop.goal.index()]);
         let at = self.world_position(row);
-        let route = match (&mut travel.turn, &mut travel.route) {
-            (Turn::Aside(route), _) | (_, Some(route)) => route,
-            _ => return,
-        };
+        let straight = travel.is_straight();
+        let mut towards = goal.map_or(-at, |goal| goal.middle() - at);
+        if straight {
+            travel.remaining = towards.length() as f32;
+        } else {
+            self.follow(row, travel, at);
+            towards = travel.aim().map_or(towards, |aim| aim - at);
+        }
+        if straight || travel.has_way() {
+            let altitude = goal.filter(|_| travel.turn != Turn::Aside).and_then(Goal::altitude);
+            travel.set_rise(altitude.map_or(0.0, |altitude| (altitude - self.world_place(row).z) as f32));
+        }
+        let (id, remaining) = (stop.map(|stop| stop.goal), travel.distance());
+        let status = self.agents.status[row];
+        if status != Status::Walking {
+            let comes = status == Status::Arrived && self.agents.arrived[row].is_infinite();
+            return Way::at_rest(id, remaining).changing(comes || status == Status::Waiting);
+        }
+        let waits = travel.turn == Turn::Aside && travel.remaining < self.agents.radius[row];
+        let direction = if waits { Vec2::ZERO } else { towards.as_vec2().normalize_or_zero() };
+        let tolerance = goal.and_then(Goal::tolerance);
+        let stops = tolerance.is_some() && self.is_last(row, travel.leg);
+        // in the open, with nobody there yet, who is farther than it can get
+        let is_far = |tolerance: f32| remaining * 0.9999 > tolerance + self.agents.max_speed[row] * seconds * 1.01;
+        let taken = id.is_some_and(|id| self.step.arrivals[id.index()] > 0);
+        let may_arrive = taken || !straight || tolerance.is_none_or(|tolerance| !is_far(tolerance));
+        Way::walking(id, direction, remaining).stopping(stops).changing(may_arrive)
+    }
+
+    /// Moves on along a route.
+    fn follow(&self, row: usize, travel: &mut Travel, at: DVec2) {
+        let Some(route) = travel.route_mut() else { return };
         let heading = match self.meshes.mesh(self.agents.body(row).girth()) {
             Some(mesh) => route.advance(mesh, at),
             None => route.end().map_or(Heading::Lost, Heading::End),
         };
-        match heading {
-            Heading::Corner(p) | Heading::End(p) => {
-                travel.aim = p;
-                travel.remaining = route.remaining(at) as f32;
-                let stop = self.stop(row, travel.leg).filter(|_| !matches!(travel.turn, Turn::Aside(_)));
-                let altitude = stop.and_then(|stop| self.goals[stop.goal.index()].altitude());
-                travel.rise = altitude.map_or(0.0, |altitude| (altitude - self.world_place(row).z) as f32);
-            }
-            Heading::Lost => {
-                travel.route = None;
-                // whoever goes first goes on doing so
-                if travel.turn != Turn::First {
-                    travel.give_up_turn();
-                }
+        let remaining = route.remaining(at) as f32;
+        if let Heading::Corner(aim) | Heading::End(aim) = heading {
+            travel.set_aim(aim);
+            travel.remaining = remaining;
+        } else {
+            travel.lose_way();
+            // whoever goes first goes on doing so
+            if travel.turn != Turn::First {
+                travel.give_up_turn();
             }
         }
     }
@@ -101,8 +143,12 @@ impl World {
         let Some(stop) = self.stop(planned.row, planned.leg) else { return };
         let goal = &self.goals[stop.goal.index()];
         let from = self.world_position(planned.row);
-        let path = self.meshes.path(search, self.agents.body(planned.row).girth(), from, stop.goal, goal);
-        planned.outcome = Some(path.map(|(path, gap)| (Route::new(&path), path.length, gap as f32)));
+        let girth = self.agents.body(planned.row).girth();
+        let path = self.meshes.path(search, girth, from, stop.goal, goal);
+        // in the open nothing is in the way of a point
+        let straight = goal.corners().is_none() && self.meshes.mesh(girth).is_none();
+        let route = |path: &Path| (!straight).then(|| Route::new(path));
+        planned.outcome = Some(path.map(|(path, gap)| (route(&path), path.length, gap as f32)));
     }
 
     /// Makes the meshes that the `lost` need, on ground that holds them and their goals.
@@ -113,7 +159,7 @@ impl World {
         let holds = |(low, high): (DVec2, DVec2), p: DVec2| p.cmpge(low).all() && p.cmple(high).all();
         let on_ground = |p: DVec2| self.extent.is_some_and(|extent| holds(extent, p));
         let held = lost.iter().all(|planned| {
-            let goal = self.stop(planned.row, planned.leg).map(|stop| self.goals[stop.goal.index()].middle());
+            let goal = self.goal_middle(planned.row, planned.leg);
             on_ground(self.world_position(planned.row)) && goal.is_none_or(on_ground)
         });
         if held {
@@ -128,8 +174,7 @@ impl World {
 
     /// Makes the meshes of everybody who has a way, or needs one.
     pub(super) fn prepare_all_meshes(&mut self) {
-        let needs =
-            |&row: &usize| self.agents.status[row] == Status::Walking || self.agents.travel[row].route.is_some();
+        let needs = |&row: &usize| self.agents.status[row] == Status::Walking || self.agents.travel[row].has_way();
         let rows: Vec<usize> = (0..self.agents.len()).filter(needs).collect();
         self.prepare_meshes_of(&rows);
     }
@@ -164,9 +209,9 @@ impl World {
     }
 }
 
-/// A way to plan, and what came of it: the route, its length, and how near counts as there.
+/// A way to plan, and what came of it: the route unless it is straight, its length, and how near counts as there.
 struct Planned {
     row: usize,
     leg: u32,
-    outcome: Option<Result<(Route, f64, f32), Unreachable>>,
+    outcome: Option<Result<(Option<Route>, f64, f32), Unreachable>>,
 }

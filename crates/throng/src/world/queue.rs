@@ -1,7 +1,6 @@
 //! Queueing: who is on the way behind others waits for them, and does not push.
 
 use super::World;
-use crate::agent::Status;
 use crate::avoid::MARGIN;
 use crate::parallel;
 use glam::Vec2;
@@ -24,12 +23,18 @@ const RIGHT_AHEAD: f32 = 0.7;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Following {
     pub speed: f32,
-    /// The slowest of them, if the agent has closed up to it.
-    closed_up: Option<u32>,
+    /// Row of the slowest of them, if the agent has closed up to it; else `NONE`.
+    closed_up: u32,
 }
 
+const NONE: u32 = u32::MAX;
+
 impl Following {
-    const NOBODY: Self = Self { speed: f32::INFINITY, closed_up: None };
+    const NOBODY: Self = Self { speed: f32::INFINITY, closed_up: NONE };
+
+    fn next(&self) -> Option<usize> {
+        (self.closed_up != NONE).then_some(self.closed_up as usize)
+    }
 }
 
 /// In a ring where everybody follows the next nobody is first: there nobody follows. `seen` is memory.
@@ -38,19 +43,18 @@ fn free_rings(following: &mut [Following], seen: &mut Vec<u32>) {
     seen.resize(following.len(), u32::MAX);
     for start in 0..following.len() {
         let mut at = start;
-        while seen[at] == u32::MAX {
+        while seen[at] == u32::MAX
+            && let Some(next) = following[at].next()
+        {
             seen[at] = start as u32;
-            match following[at].closed_up {
-                Some(next) => at = next as usize,
-                None => break,
-            }
+            at = next;
         }
         // back where this walk has been: a ring begins here
         while seen[at] == start as u32
-            && let Some(next) = following[at].closed_up
+            && let Some(next) = following[at].next()
         {
             following[at] = Following::NOBODY;
-            at = next as usize;
+            at = next;
         }
     }
 }
@@ -59,7 +63,6 @@ impl World {
     /// Notes whom everybody follows, and how fast.
     pub(super) fn follow_others(&mut self) {
         let mut following = std::mem::take(&mut self.step.following);
-        following.clear();
         following.resize(self.agents.len(), Following::NOBODY);
         let world = &*self;
         parallel::rows(&mut following, 1, || (), |(), row, out| out[0] = world.following(row));
@@ -85,7 +88,7 @@ impl World {
             (!overtaken && aside < FOLLOW_WIDTH * radii && self.leads(other, offset, direction)).then(|| {
                 let closing = (offset.length() - radii * (1.0 + MARGIN)).max(0.0) / FOLLOW_TIME;
                 let speed = agents.velocity[other].dot(direction).max(0.0) + closing;
-                Following { speed, closed_up: (closing < agents.preferred_speed[row]).then_some(other as u32) }
+                Following { speed, closed_up: if closing < agents.preferred_speed[row] { other as u32 } else { NONE } }
             })
         });
         all.fold(Following::NOBODY, |slowest, next| if next.speed < slowest.speed { next } else { slowest })
@@ -102,9 +105,9 @@ impl World {
             let distance = offset.length();
             let close = distance - agents.radius[row] - agents.radius[other] < 2.0 * agents.radius[row];
             let ahead = offset.dot(direction) / distance;
-            if !close || agents.status[other] != Status::Walking {
+            if !close || !theirs.walks() {
                 false
-            } else if theirs.goal == way.goal {
+            } else if theirs.same_goal(way) {
                 ahead > AHEAD && theirs.remaining < way.remaining
             } else {
                 ahead > RIGHT_AHEAD && self.leads(other, offset, direction)
@@ -114,8 +117,8 @@ impl World {
 
     /// Neighbours who are not far above or below, whom only models of space see: nobody queues behind those.
     fn level_neighbours(&self, row: usize) -> impl Iterator<Item = usize> {
-        let others = self.neighbours(row).iter().map(|near| near.row as usize);
-        let in_space = self.model(row).looks_in_space();
+        let others = self.neighbours(row).iter().map(|&other| other as usize);
+        let in_space = self.agents.anybody_flies() && self.model(row).looks_in_space();
         others.filter(move |&other| !in_space || !self.agents.passes_clear(row, other))
     }
 
@@ -131,7 +134,7 @@ impl World {
 mod tests {
     use super::*;
     use crate::world::{Settings, Way};
-    use crate::{Agent, GoalId};
+    use crate::{Agent, GoalId, Status};
     use glam::DVec2;
     use proptest::prelude::*;
 
@@ -177,11 +180,7 @@ mod tests {
         world.perceive();
         world.step.ways = all
             .iter()
-            .map(|one| Way {
-                goal: Some(GoalId(one.goal)),
-                direction: direction(one),
-                remaining: f32::from(one.remaining) * 0.5,
-            })
+            .map(|one| Way::walking(Some(GoalId(one.goal)), direction(one), f32::from(one.remaining) * 0.5))
             .collect();
         (world, all.map(|one| direction(&one)))
     }
@@ -237,7 +236,7 @@ mod tests {
             let turned = |row: u32| (row + rotation) % 8;
             let mut all = [Following::NOBODY; 8];
             for (row, closed_up) in (0..).zip(next) {
-                all[turned(row) as usize] = Following { speed: 0.1, closed_up: closed_up.map(turned) };
+                all[turned(row) as usize] = Following { speed: 0.1, closed_up: closed_up.map_or(NONE, turned) };
             }
             free_rings(&mut all, &mut Vec::new());
             let speeds = [0, 1, 2, 3, 4, 6].map(|row| all[turned(row) as usize].speed);

@@ -60,8 +60,7 @@ impl World {
         }
         let mut grid = Grid::default();
         grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
-        let bound = |row: usize| self.agents.body(row).bound();
-        let largest = (0..self.agents.len()).map(bound).fold(0.0, f32::max);
+        let largest = self.agents.bodies().map(|body| body.bound()).fold(0.0, f32::max);
         let settled = self.agents.len();
         for (time, agent) in due {
             let at = (agent.position - self.settings.origin).as_vec2();

@@ -10,7 +10,7 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// Begins every saved state: what it is, and the version of its layout.
-const MAGIC: &[u8] = b"throng state 4\n";
+const MAGIC: &[u8] = b"throng state 5\n";
 
 /// Everything that changes while a world runs.
 #[derive(Serialize, Deserialize)]
@@ -67,6 +67,9 @@ impl World {
         let names: Vec<&String> = self.groups.iter().map(|group| &group.name).collect();
         if !names.iter().copied().eq(&state.groups) {
             return Err(fail(format!("its groups are {:?}, this world's {names:?}", state.groups)));
+        }
+        if !state.agents.is_whole() {
+            return Err(fail("its columns differ in length".into()));
         }
         self.settings = state.settings;
         self.place = state.place;

@@ -84,7 +84,7 @@ impl World {
         if !self.may_resolve(row) {
             return None;
         }
-        let nearest = self.neighbours(row).iter().map(|near| near.row as usize).find(|&other| {
+        let nearest = self.neighbours(row).iter().map(|&other| other as usize).find(|&other| {
             agents.travel[other].stalled >= 0.5 * LOOKS && self.may_resolve(other) && self.opposed(row, other)
         });
         nearest.filter(|&other| {
@@ -110,7 +110,7 @@ impl World {
             self.agents.travel[row].take(Turn::First);
         }
         for (row, path) in agreement.aside {
-            self.agents.travel[row].take(Turn::Aside(Route::new(&path)));
+            self.agents.travel[row].step_aside(Route::new(&path));
         }
         self.tally.standoffs += 1;
         self.standoffs.push(standoff);
@@ -146,7 +146,7 @@ impl World {
         let first: Vec<AgentId> = standoff.first.iter().map(|first| first.agent).collect();
         for (row, path) in self.newcomers(&self.rows_of(&first), &self.rows_of(&standoff.aside)) {
             standoff.aside.push(self.id(row));
-            self.agents.travel[row].take(Turn::Aside(Route::new(&path)));
+            self.agents.travel[row].step_aside(Route::new(&path));
         }
     }
 

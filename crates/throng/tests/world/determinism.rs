@@ -54,9 +54,9 @@ fn the_busy_scene_has_everything_in_it() {
     for _ in 0..240 {
         world.step();
         let agents = world.agents();
-        detours += agents.travel.iter().filter(|travel| travel.detour_left > 0.0).count();
+        detours += agents.travel.iter().filter(|travel| travel.turned() != 0.0).count();
         waits += agents.status.iter().filter(|&&status| status == Status::Waiting).count();
-        later = later.max(agents.trip.iter().filter(|trip| trip.entered > 0.0).count());
+        later = later.max(agents.entered.iter().filter(|&entered| entered > 0.0).count());
     }
     let summary = world.summary();
     assert!(summary.agents > 200 && world.agents().len() > 128, "enough for more than one thread: {summary:?}");

@@ -123,7 +123,7 @@ fn vehicles_stop_at_their_goals() {
         world.add_agent(agent).unwrap();
         let free = f64::from(speed / max_acceleration) + (2.0 * braking + 10.0) / f64::from(speed);
         run(&mut world, 3.0 * free, |_| {});
-        let walked = world.agents().trip[0].walked;
+        let walked = world.agents().trip(0).walked;
         assert!(world.finished(), "{speed} m/s, {max_acceleration} m/s2: {walked} m in {} s", world.time());
     }
 }

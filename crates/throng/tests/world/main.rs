@@ -10,6 +10,7 @@ mod determinism;
 mod doors;
 mod entry;
 mod explain;
+mod instructions;
 mod journeys;
 mod limits;
 mod manners;
@@ -19,6 +20,7 @@ mod movers;
 mod narrow;
 mod obstacles;
 mod oracle;
+mod order;
 mod overlap;
 #[path = "../shared/polygons.rs"]
 mod polygons;

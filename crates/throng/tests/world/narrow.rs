@@ -203,7 +203,7 @@ fn the_higher_priority_goes_first() {
         }
         let mut arrived = Vec::new();
         run(&mut place.world, 40.0, |world| {
-            let there = (0..2).filter(|&row| world.agents().trip[row].arrived.is_some());
+            let there = (0..2).filter(|&row| world.agents().trip(row).arrived.is_some());
             arrived.extend(there.map(|row| world.agents().number[row] as u8));
         });
         assert_eq!(arrived.first(), Some(&first));
@@ -228,7 +228,7 @@ fn a_standoff_is_saved_and_knows_no_order() {
         place.world
     };
     let (mut original, mut other) = (build(0), build(3));
-    let aside = |world: &World| world.agents().travel.iter().any(|travel| matches!(travel.turn, Turn::Aside(_)));
+    let aside = |world: &World| world.agents().travel.iter().any(|travel| travel.turn == Turn::Aside);
     let mut loaded = None;
     for step in 0..600 {
         original.step();

@@ -28,7 +28,7 @@ fn an_added_wall_is_walked_round() {
         world.add_obstacle(wall(&[origin - side * 6.0, origin + side * 2.0])).unwrap();
         run(&mut world, 60.0, assert_free);
         assert!(world.finished(), "{angle}");
-        let walked = world.agents().trip[0].walked;
+        let walked = world.agents().trip(0).walked;
         assert!(walked > 20.3 && walked < 22.5, "round the near end: {walked} m");
     }
 }
@@ -43,7 +43,7 @@ fn a_removed_wall_is_walked_through() {
     assert!(!world.remove_obstacle(id), "it is gone");
     run(&mut world, 60.0, |_| {});
     assert!(world.finished());
-    assert!(world.agents().trip[0].walked < 25.0, "{}", world.agents().trip[0].walked);
+    assert!(world.agents().trip(0).walked < 25.0, "{}", world.agents().trip(0).walked);
 }
 
 #[test]

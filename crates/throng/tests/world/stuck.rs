@@ -9,7 +9,7 @@ use throng::{Agent, Goal, Group, GroupId, Journey, Obstacle, Stop, World};
 fn assert_all_arrive(world: &mut World, limit: f64, label: &str) {
     run(world, limit, assert_free);
     let left: Vec<_> = (0..world.agents().len())
-        .filter(|&row| world.agents().trip[row].arrived.is_none())
+        .filter(|&row| world.agents().trip(row).arrived.is_none())
         .map(|row| (world.agents().number[row], world.agents().position[row]))
         .collect();
     assert!(left.is_empty() && world.finished(), "{label}: not there after {limit} s: {left:?}");
@@ -129,7 +129,7 @@ fn the_fast_get_past_the_slow() {
         world.add_agent(Agent { preferred_speed: speed, max_speed: 1.3 * speed, group, ..plain }).unwrap();
     }
     run(&mut world, 25.0, assert_free);
-    let fast_arrived = (0..10).filter(|&row| row % 2 == 1 && world.agents().trip[row].arrived.is_some()).count();
+    let fast_arrived = (0..10).filter(|&row| row % 2 == 1 && world.agents().trip(row).arrived.is_some()).count();
     assert_eq!(fast_arrived, 5, "25 s are plenty for 20 m at 2 m/s");
     assert_all_arrive(&mut world, 160.0, "fast and slow");
 }
@@ -217,7 +217,7 @@ fn a_full_roundabout_turns() {
             world.add_agent(Agent { position, journey, radius: body as f32, ..Agent::default() }).unwrap();
         }
         run(&mut world, 30.0, assert_free);
-        let walked = world.agents().trip.iter().map(|trip| trip.walked).sum::<f64>() / f64::from(count);
+        let walked = world.agents().walked.iter().sum::<f64>() / f64::from(count);
         let label = format!("{count} of {body} m, {gap} apart");
         // 26 m and more; 39 m at preferred speed
         assert!(world.summary().stuck == 0 && walked > 20.0, "{label}: {walked} m in 30 s, {:?}", world.summary());

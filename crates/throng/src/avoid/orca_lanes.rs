@@ -1,0 +1,209 @@
+//! ORCA for many agents at once, a lane an agent: the same operations as [one by one](super::orca), with the same bits.
+//! Branches become both ways and a choice; lanes that have found no velocity, few in a relaxed crowd, are finished one
+//! by one.
+
+use super::half_plane::{Line, PARALLEL, least_violation};
+use super::lanes::{LANES, Vec2s, load};
+use super::orca::{Orca, RECOVERY};
+use fearless_simd::prelude::*;
+use glam::Vec2;
+
+/// Neighbours of an agent at most.
+pub(crate) const MOST: usize = crate::perceive::MOST_NEIGHBOURS;
+
+/// What as many agents see as there are lanes; see [`View`](super::View). No walls, discs only, on the ground.
+#[derive(Clone, Debug)]
+pub(crate) struct Views {
+    pub velocity: [[f32; LANES]; 2],
+    pub preferred: [[f32; LANES]; 2],
+    pub max_speed: [f32; LANES],
+    /// Where each is.
+    pub position: [[f32; LANES]; 2],
+    /// How many neighbours each has.
+    pub count: [f32; LANES],
+    /// The first neighbour of each, the second, ...
+    pub neighbours: [Others; MOST],
+}
+
+/// A neighbour of each; see [`Neighbour`](super::Neighbour).
+#[derive(Clone, Debug)]
+pub(crate) struct Others {
+    pub position: [[f32; LANES]; 2],
+    pub velocity: [[f32; LANES]; 2],
+    pub radii: [f32; LANES],
+    pub share: [f32; LANES],
+}
+
+impl Default for Views {
+    fn default() -> Self {
+        let (one, two) = ([0.0; LANES], [[0.0; LANES]; 2]);
+        let others = || Others { position: two, velocity: two, radii: one, share: [0.5; LANES] };
+        let neighbours = std::array::from_fn(|_| others());
+        Self { velocity: two, preferred: two, max_speed: one, position: two, count: one, neighbours }
+    }
+}
+
+/// Half-planes of every lane.
+#[derive(Clone, Copy)]
+struct Lines<S: Simd> {
+    point: Vec2s<S>,
+    direction: Vec2s<S>,
+    /// Which lanes have it.
+    there: S::mask32s,
+}
+
+/// What is chosen in each lane, and the lanes that one by one have to choose, as bits.
+pub(crate) struct Chosen<S: Simd> {
+    pub velocity: Vec2s<S>,
+    pub left: u64,
+}
+
+/// The velocities that many choose; `lanes` are those that matter, `fallback` is memory.
+#[inline(always)]
+pub(crate) fn choose<S: Simd>(
+    simd: S,
+    orca: &Orca,
+    views: &Views,
+    step: f32,
+    fallback: &mut [Vec<Line>; 2],
+) -> Chosen<S> {
+    let none: Vec2s<S> = Vec2s { x: S::f32s::splat(simd, 0.0), y: S::f32s::splat(simd, 0.0) };
+    let nobody = none.x.simd_lt(none.x);
+    let mut lines = [Lines { point: none, direction: none, there: nobody }; MOST];
+    let count = load(simd, &views.count);
+    let most = count.reduce_max() as usize;
+    let mut left = 0;
+    for (index, line) in lines[..most].iter_mut().enumerate() {
+        let there = count.simd_gt(S::f32s::splat(simd, index as f32));
+        let (made, coincident) = self::line(simd, orca, views, index, step);
+        *line = Lines { there, ..made };
+        left |= (coincident & there).to_bitmask();
+    }
+    let lines = &lines[..most];
+    let speed = load(simd, &views.max_speed);
+    let preferred = Vec2s::load(simd, &views.preferred);
+    let (mut velocity, failed) = closest_velocity(simd, lines, speed, preferred);
+    let mut finished = failed.lanes.to_bitmask() & !left;
+    while finished != 0 {
+        let lane = finished.trailing_zeros() as usize;
+        finished &= finished - 1;
+        let [all, workspace] = fallback;
+        all.clear();
+        let at = |v: Vec2s<S>| Vec2::new(v.x[lane], v.y[lane]);
+        all.extend(
+            lines[..views.count[lane] as usize]
+                .iter()
+                .map(|line| Line { point: at(line.point), direction: at(line.direction) }),
+        );
+        let best =
+            least_violation(all, 0, views.max_speed[lane], (failed.line[lane] as usize, at(velocity)), workspace);
+        (velocity.x[lane], velocity.y[lane]) = (best.x, best.y);
+    }
+    Chosen { velocity, left }
+}
+
+/// The half-plane that the neighbours of this index leave, as [`line`](super::orca::line), and which lanes have theirs
+/// in their own place.
+#[inline(always)]
+fn line<S: Simd>(simd: S, orca: &Orca, views: &Views, index: usize, step: f32) -> (Lines<S>, S::mask32s) {
+    let splat = |value: f32| S::f32s::splat(simd, value);
+    let zero = splat(0.0);
+    let others = &views.neighbours[index];
+    let velocity = Vec2s::load(simd, &views.velocity);
+    let offset: Vec2s<S> = Vec2s::load(simd, &others.position) - Vec2s::load(simd, &views.position);
+    let radii = load(simd, &others.radii);
+    let horizon = splat(orca.time_horizon);
+    let relative = velocity - Vec2s::load(simd, &others.velocity);
+    let distance_squared = offset.dot(offset);
+    let apart = distance_squared.simd_gt(radii * radii);
+    // who is too close parts within the recovery time
+    let time = apart.select(horizon, splat(step.max(RECOVERY)));
+    let w = relative - offset.over(time);
+    let along = w.dot(offset);
+    let w_squared = w.dot(w);
+    let on_tip = !apart | (along.simd_lt(zero) & (along * along).simd_gt(radii * radii * w_squared));
+    // nearest on the rounded tip
+    let length = w_squared.sqrt();
+    let tip_normal = w.over(length);
+    let tip_change = tip_normal * (radii / time - length);
+    let coincident = !apart & length.simd_le(splat(1e-6));
+    // nearest on a leg
+    let leg = (distance_squared - radii * radii).max(zero).sqrt();
+    let is_left = offset.perp_dot(w).simd_gt(zero);
+    let left = Vec2s { x: offset.x * leg - offset.y * radii, y: offset.x * radii + offset.y * leg };
+    let right = Vec2s { x: -(offset.x * leg + offset.y * radii), y: -(offset.y * leg - offset.x * radii) };
+    let direction = Vec2s::select(is_left, left, right).over(distance_squared);
+    let leg_change = direction * relative.dot(direction) - relative;
+    let normal = Vec2s::select(on_tip, tip_normal, direction.perp());
+    let change = Vec2s::select(on_tip, tip_change, leg_change);
+    let share = load(simd, &others.share);
+    let part = change.dot(normal).simd_gt(zero).select(share, splat(1.0) - share);
+    let point = velocity + change * part;
+    (Lines { point, direction: Vec2s { x: normal.y, y: -normal.x }, there: apart }, coincident)
+}
+
+/// The lanes in which no velocity is in all half-planes, and the first line of each that could not be kept.
+struct Failed<S: Simd> {
+    lanes: S::mask32s,
+    line: S::f32s,
+}
+
+/// As [`closest_velocity`](super::half_plane::closest_velocity) in every lane; where there is none, the best velocity
+/// before.
+#[inline(always)]
+fn closest_velocity<S: Simd>(
+    simd: S,
+    lines: &[Lines<S>],
+    speed: S::f32s,
+    preferred: Vec2s<S>,
+) -> (Vec2s<S>, Failed<S>) {
+    let zero = S::f32s::splat(simd, 0.0);
+    let mut v = preferred.clamp_length_max(speed);
+    let mut failed: Failed<S> = Failed { lanes: zero.simd_lt(zero), line: zero };
+    for (i, line) in lines.iter().enumerate() {
+        let violated = line.direction.perp_dot(line.point - v).simd_gt(zero) & line.there & !failed.lanes;
+        if violated.any_true() {
+            let (on, fails) = on_line(simd, &lines[..i], line, speed, preferred);
+            let fails = fails & violated;
+            v = Vec2s::select(violated & !fails, on, v);
+            failed.line = fails.select(S::f32s::splat(simd, i as f32), failed.line);
+            failed.lanes |= fails;
+        }
+    }
+    (v, failed)
+}
+
+/// The point nearest to `aim` on a line within the disc and the lines before it, and the lanes that have none. Who has a
+/// line has all before it.
+#[inline(always)]
+fn on_line<S: Simd>(
+    simd: S,
+    before: &[Lines<S>],
+    line: &Lines<S>,
+    speed: S::f32s,
+    aim: Vec2s<S>,
+) -> (Vec2s<S>, S::mask32s) {
+    let zero = S::f32s::splat(simd, 0.0);
+    let parallel = S::f32s::splat(simd, PARALLEL);
+    let Lines { point, direction, .. } = *line;
+    let along = point.dot(direction);
+    let discriminant = along * along + speed * speed - point.dot(point);
+    let mut fails = discriminant.simd_lt(zero);
+    let root = discriminant.sqrt();
+    let (mut low, mut high) = (-along - root, -along + root);
+    for other in before {
+        let denominator = direction.perp_dot(other.direction);
+        let numerator = other.direction.perp_dot(point - other.point);
+        let level = denominator.abs().simd_le(parallel);
+        fails |= level & numerator.simd_lt(zero);
+        let t = numerator / denominator;
+        let upper = denominator.simd_ge(zero);
+        high = (upper & !level).select(high.min(t), high);
+        low = (!upper & !level).select(low.max(t), low);
+    }
+    fails |= low.simd_gt(high);
+    let t = direction.dot(aim - point);
+    let t = t.simd_lt(low).select(low, t);
+    let t = t.simd_gt(high).select(high, t);
+    (point + direction * t, fails)
+}

@@ -1,0 +1,363 @@
+//! The nearest of many points at once: a lane a point.
+//!
+//! Points that lie side by side in the grid's order share their surroundings. A *tile* is as many of them as a vector has
+//! lanes. What lies near the tile is packed once; then every lane looks at each of it. A lane keeps the nearest as keys,
+//! the bits of the squared distance with the lowest replaced by the place in the pack: sorting them in is a chain of
+//! minimum and maximum, without branches. Where the bits that are left do not tell two points apart, the lane is left
+//! to the [plain search](super::nearest): the answer is always the exact one, the same for every instruction set.
+
+use super::grid::Grid;
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, Simd, dispatch};
+use glam::Vec2;
+use std::ops::Range;
+
+/// Bits of a key that hold a place in the pack.
+const PLACE_BITS: u32 = 9;
+const PLACE: u32 = (1 << PLACE_BITS) - 1;
+/// Points that a pack holds at most: beyond that it is tried with a smaller radius, then left to the plain search.
+const MOST: usize = 1 << PLACE_BITS;
+/// Lanes that a vector has at most.
+pub(super) const LANES: usize = 16;
+/// Keys a lane keeps: itself, its nearest, and one more that shows whether the last of them is told apart.
+const KEYS: usize = MOST_NEIGHBOURS + 2;
+/// Nearest that a tile can find for each lane.
+pub(crate) const MOST_NEIGHBOURS: usize = 10;
+
+/// What a thread keeps from tile to tile.
+#[derive(Clone, Debug)]
+pub(crate) struct Pack {
+    x: [f32; MOST + LANES],
+    y: [f32; MOST + LANES],
+    row: [u32; MOST + LANES],
+    /// Where to find what may be near the tile.
+    runs: Vec<(u32, u32)>,
+    /// The radius that was large enough for the last tile, squared: tiles side by side are alike.
+    radius_squared: f32,
+}
+
+impl Default for Pack {
+    fn default() -> Self {
+        let (x, y, row) = ([0.0; MOST + LANES], [0.0; MOST + LANES], [0; MOST + LANES]);
+        Self { x, y, row, runs: Vec::new(), radius_squared: f32::INFINITY }
+    }
+}
+
+impl Grid {
+    /// The `k` nearest of `count` points from `start` on in the order of cells, themselves left out, within `range`:
+    /// their rows, `k` places a point, nearest first, the end marked by the point's own row. Calls `left` with the
+    /// places of those that it can't tell; they are to be searched one by one.
+    ///
+    /// # Panics
+    /// If `k` is more than [`MOST_NEIGHBOURS`].
+    pub(crate) fn nearest_of_many(
+        &self,
+        level: Level,
+        places: Range<usize>,
+        (k, range): (usize, f32),
+        pack: &mut Pack,
+        found: &mut [u32],
+        left: impl FnMut(usize, &mut [u32]),
+    ) {
+        assert!(k <= MOST_NEIGHBOURS, "at most {MOST_NEIGHBOURS} neighbours");
+        dispatch!(level, simd => many(simd, self, places, (k, range), pack, found, left));
+    }
+}
+
+#[inline(always)]
+fn many<S: Simd>(
+    simd: S,
+    grid: &Grid,
+    places: Range<usize>,
+    (k, range): (usize, f32),
+    pack: &mut Pack,
+    found: &mut [u32],
+    mut left: impl FnMut(usize, &mut [u32]),
+) {
+    let mut start = places.start;
+    let mut most = S::f32s::LEN;
+    while start < places.end {
+        // a tile that went on in the next row of cells would be as wide as the grid
+        let end = (start + most).min(places.end).min(grid.end_of_row(start));
+        let out = &mut found[(start - places.start) * k..(end - places.start) * k];
+        let mut missing = match Tile::new(simd, grid, start, end).nearest(k, range, pack, out) {
+            Some(missing) => missing,
+            None if end - start > 1 => {
+                most = (end - start) / 2;
+                continue;
+            }
+            None => 1,
+        };
+        while missing != 0 {
+            let lane = missing.trailing_zeros() as usize;
+            missing &= missing - 1;
+            left(start + lane, &mut out[lane * k..(lane + 1) * k]);
+        }
+        start = end;
+        most = (2 * most).min(S::f32s::LEN);
+    }
+}
+
+/// Points side by side, and the box round them.
+struct Tile<'a, S: Simd> {
+    simd: S,
+    grid: &'a Grid,
+    start: usize,
+    count: usize,
+    x: S::f32s,
+    y: S::f32s,
+    low: Vec2,
+    high: Vec2,
+}
+
+impl<'a, S: Simd> Tile<'a, S> {
+    #[inline(always)]
+    fn new(simd: S, grid: &'a Grid, start: usize, end: usize) -> Self {
+        let count = end - start;
+        let column = |all: &[f32]| {
+            if count == S::f32s::LEN {
+                S::f32s::from_slice(simd, &all[start..start + S::f32s::LEN])
+            } else {
+                S::f32s::from_fn(simd, |lane| all[start + lane.min(count - 1)])
+            }
+        };
+        let (x, y) = (column(&grid.x), column(&grid.y));
+        let low = Vec2::new(x.reduce_min(), y.reduce_min());
+        let high = Vec2::new(x.reduce_max(), y.reduce_max());
+        Self { simd, grid, start, count, x, y, low, high }
+    }
+
+    /// Finds the nearest of all lanes; tells, as bits, which it can't. `None` if too many are near the tile.
+    #[inline(always)]
+    fn nearest(&self, k: usize, range: f32, pack: &mut Pack, out: &mut [u32]) -> Option<u64> {
+        let range_squared = range * range;
+        let mut radius_squared = pack.radius_squared.min(range_squared);
+        loop {
+            let Some(count) = self.pack(radius_squared, pack) else {
+                // where it is that crowded a smaller radius will do
+                pack.radius_squared = 0.25 * radius_squared;
+                return None;
+            };
+            let keys = self.keys(pack, count);
+            // who is nearer than the last is among the packed
+            let last = keys[k].reduce_max();
+            if last < (radius_squared.to_bits() & !PLACE) || radius_squared == range_squared {
+                let needed = f32::from_bits(last.min(range_squared.to_bits()));
+                if radius_squared > 1.6 * needed {
+                    pack.radius_squared = 1.3 * needed;
+                } else {
+                    pack.radius_squared = radius_squared;
+                }
+                let everybody = (1u64 << self.count) - 1;
+                return Some(self.list(k, range_squared, &keys, pack, out) & everybody);
+            }
+            let next = if last < f32::INFINITY.to_bits() {
+                f32::from_bits(last | PLACE) * 1.01
+            } else {
+                (radius_squared * 2.0).max(self.high.distance_squared(self.low))
+            };
+            radius_squared = next.min(range_squared);
+        }
+    }
+
+    /// Packs all points within a radius of the box round the tile; `None` if there are too many.
+    #[inline(always)]
+    fn pack(&self, radius_squared: f32, pack: &mut Pack) -> Option<usize> {
+        let Self { simd, grid, low, high, .. } = *self;
+        pack.runs.clear();
+        grid.runs_near(low, high, radius_squared, &mut pack.runs);
+        let lane = S::u32s::from_fn(simd, |lane| lane as u32);
+        let (left, right) = (S::f32s::splat(simd, low.x), S::f32s::splat(simd, high.x));
+        let (bottom, top) = (S::f32s::splat(simd, low.y), S::f32s::splat(simd, high.y));
+        let zero = S::f32s::splat(simd, 0.0);
+        let limit = S::f32s::splat(simd, radius_squared);
+        let mut count = 0;
+        for &(start, end) in &pack.runs {
+            let mut at = start as usize;
+            while at < end as usize {
+                let range = at..at + S::f32s::LEN;
+                let x = S::f32s::from_slice(simd, &grid.x[range.clone()]);
+                let y = S::f32s::from_slice(simd, &grid.y[range.clone()]);
+                let row = S::u32s::from_slice(simd, &grid.order[range]);
+                let dx = (left - x).max(x - right).max(zero);
+                let dy = (bottom - y).max(y - top).max(zero);
+                let near = (dx * dx + dy * dy).simd_le(limit);
+                let within = near & lane.simd_lt(S::u32s::splat(simd, end - at as u32));
+                if count > MOST {
+                    return None;
+                }
+                x.compress(within).store_slice(&mut pack.x[count..count + S::f32s::LEN]);
+                y.compress(within).store_slice(&mut pack.y[count..count + S::f32s::LEN]);
+                row.compress(within).store_slice(&mut pack.row[count..count + S::f32s::LEN]);
+                count += within.to_bitmask().count_ones() as usize;
+                at += S::f32s::LEN;
+            }
+        }
+        (count <= MOST).then_some(count)
+    }
+
+    /// The least keys of every lane, ascending.
+    #[inline(always)]
+    fn keys(&self, pack: &Pack, count: usize) -> [S::u32s; KEYS] {
+        let simd = self.simd;
+        let mut keys = [S::u32s::splat(simd, u32::MAX); KEYS];
+        for place in 0..count {
+            let (dx, dy) = (S::f32s::splat(simd, pack.x[place]) - self.x, S::f32s::splat(simd, pack.y[place]) - self.y);
+            let distance: S::u32s = (dx * dx + dy * dy).bitcast();
+            let mut key = distance & !PLACE | place as u32;
+            if key.simd_lt(keys[KEYS - 1]).any_true() {
+                for kept in &mut keys {
+                    let less = key.min(*kept);
+                    key = key.max(*kept);
+                    *kept = less;
+                }
+            }
+        }
+        keys
+    }
+
+    /// Lists the rows that keys stand for. Tells which lanes have two that the keys don't tell apart.
+    #[inline(always)]
+    fn list(&self, k: usize, range_squared: f32, keys: &[S::u32s; KEYS], pack: &Pack, out: &mut [u32]) -> u64 {
+        let simd = self.simd;
+        let limit = S::u32s::splat(simd, range_squared.to_bits() & !PLACE);
+        let mut alike = S::u32s::splat(simd, 0).simd_lt(0);
+        let mut counts = S::u32s::splat(simd, 0);
+        let one = S::u32s::splat(simd, 1);
+        for at in 0..=k {
+            let (key, next) = (keys[at] & !PLACE, keys[at + 1] & !PLACE);
+            let within = key.simd_lt(limit);
+            alike |= key.simd_eq(limit) | (within & key.simd_eq(next));
+            counts += within.select(one, S::u32s::splat(simd, 0));
+        }
+        let places: [[u32; LANES]; KEYS] = std::array::from_fn(|at| {
+            let mut all = [0; LANES];
+            (keys[at] & PLACE).store_slice(&mut all[..S::u32s::LEN]);
+            all
+        });
+        for (lane, list) in out.chunks_exact_mut(k).enumerate() {
+            for (at, row) in list.iter_mut().enumerate() {
+                *row = pack.row[places[at + 1][lane] as usize];
+            }
+            // its own key, the first, counts too
+            let count = counts[lane].saturating_sub(1) as usize;
+            if let Some(end) = list.get_mut(count) {
+                *end = self.grid.order[self.start + lane];
+            }
+        }
+        alike.to_bitmask()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::perceive::{Instructions, Near};
+    use proptest::prelude::*;
+
+    fn levels() -> impl Iterator<Item = Level> {
+        Instructions::ALL.into_iter().filter_map(Instructions::level)
+    }
+
+    /// Rows of the nearest of everybody, by the plain search.
+    fn plain(grid: &Grid, points: &[Vec2], k: usize, range: f32) -> Vec<Vec<u32>> {
+        let mut found = Vec::new();
+        let nearest = |(row, &from): (usize, &Vec2)| {
+            grid.nearest(from, k, range, |near| near.row as usize != row, &mut found);
+            found.iter().map(|near: &Near| near.row).collect()
+        };
+        points.iter().enumerate().map(nearest).collect()
+    }
+
+    /// The same by tiles, and how many they left.
+    fn tiles(level: Level, grid: &Grid, points: &[Vec2], k: usize, range: f32) -> (Vec<Vec<u32>>, usize) {
+        let mut lists = vec![Vec::new(); points.len()];
+        let (mut out, mut pack, mut left) = (vec![0; points.len() * k], Pack::default(), vec![false; points.len()]);
+        grid.nearest_of_many(level, 0..points.len(), (k, range), &mut pack, &mut out, |place, _| left[place] = true);
+        let mut found = Vec::new();
+        for (place, list) in out.chunks_exact(k).enumerate() {
+            let row = grid.order()[place];
+            lists[row as usize] = if left[place] {
+                grid.nearest(points[row as usize], k, range, |near| near.row != row, &mut found);
+                found.iter().map(|near: &Near| near.row).collect()
+            } else {
+                list.iter().copied().take_while(|&other| other != row).collect()
+            };
+        }
+        (lists, left.iter().filter(|&&left| left).count())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(200))]
+
+        #[test]
+        fn tiles_find_what_the_plain_search_finds(
+            points in prop::collection::vec((-20.0f32..20.0, -20.0f32..20.0), 1..600),
+            spot in 0usize..600, coarse in prop_oneof![Just(0.0f32), Just(0.25)], scale in 0.01f32..10.0,
+            cell in 0.1f32..20.0, k in 1usize..=MOST_NEIGHBOURS, range in 0.1f32..30.0,
+        ) {
+            let place = |(i, &(x, y)): (usize, &(f32, f32))| {
+                let p = Vec2::new(x, y) * if i < spot { scale } else { 1.0 };
+                if coarse > 0.0 { (p / coarse).round() * coarse } else { p }
+            };
+            let points: Vec<Vec2> = points.iter().enumerate().map(place).collect();
+            let numbers: Vec<u32> = (0..points.len() as u32).rev().collect();
+            let mut grid = Grid::default();
+            grid.rebuild(&points, &numbers, cell);
+            let expected = plain(&grid, &points, k, range);
+            let mut left = None;
+            for level in levels() {
+                let (found, count) = tiles(level, &grid, &points, k, range);
+                prop_assert_eq!(&found, &expected, "{:?}", level);
+                left = Some(count);
+            }
+            if coarse == 0.0 {
+                prop_assert!(left.unwrap_or(0) <= 4 + points.len() / 4, "{left:?} are left");
+            }
+        }
+    }
+
+    #[test]
+    #[ignore]
+    fn timing() {
+        let mut seed = 1u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed >> 40) as f32 / (1u64 << 24) as f32
+        };
+        for n in [10_000usize, 100_000, 1_000_000] {
+            let side = (n as f32 / 0.25).sqrt();
+            let points: Vec<Vec2> = (0..n).map(|_| Vec2::new(random(), random()) * side).collect();
+            let numbers: Vec<u32> = (0..n as u32).collect();
+            for cell in [3.0, 4.0, 5.0, 6.0, 8.0] {
+                let mut grid = Grid::default();
+                let mut best = f64::INFINITY;
+                for _ in 0..5 {
+                    let t = std::time::Instant::now();
+                    grid.rebuild(&points, &numbers, cell);
+                    best = best.min(t.elapsed().as_secs_f64());
+                }
+                let sorted: Vec<Vec2> = grid.order().iter().map(|&row| points[row as usize]).collect();
+                let mut best2 = f64::INFINITY;
+                for _ in 0..5 {
+                    let t = std::time::Instant::now();
+                    grid.rebuild(&sorted, &numbers, cell);
+                    best2 = best2.min(t.elapsed().as_secs_f64());
+                }
+                print!("n {n} cell {cell}: rebuild {:.1} sorted {:.1}", best * 1e9 / n as f64, best2 * 1e9 / n as f64);
+                for level in levels() {
+                    let (mut out, mut pack, mut left) = (vec![0; n * 10], Pack::default(), 0);
+                    let mut best = f64::INFINITY;
+                    for _ in 0..5 {
+                        let t = std::time::Instant::now();
+                        left = 0;
+                        grid.nearest_of_many(level, 0..n, (10, 5.0), &mut pack, &mut out, |_, _| left += 1);
+                        best = best.min(t.elapsed().as_secs_f64());
+                    }
+                    print!(" | {level:?} {:.1} left {:.4}", best * 1e9 / n as f64, left as f64 / n as f64);
+                }
+                println!();
+            }
+        }
+    }
+}

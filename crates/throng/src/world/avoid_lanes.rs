@@ -1,0 +1,163 @@
+//! Many agents avoid at once, a lane an agent: those whose model is a plain ORCA, in the open, on the ground. The same
+//! bits as [one by one](super::avoid), where everybody else goes.
+
+use super::World;
+use crate::avoid::{LANES, Line, MARGIN, MARGIN_LONG_STEP, MOST, Orca, Vec2s, Views, choose, load};
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
+use glam::{Vec2, Vec3};
+use std::ops::Range;
+
+/// What a thread keeps while it goes through agents.
+#[derive(Default)]
+pub(super) struct LaneScratch {
+    views: Views,
+    fallback: [Vec<Line>; 2],
+}
+
+/// What everybody has in common where many can avoid at once.
+#[derive(Clone, Copy)]
+pub(super) struct Common {
+    level: Level,
+    orca: Orca,
+    /// The radius, if all have the same.
+    radius: Option<f32>,
+    /// Whether all have the same priority.
+    equals: bool,
+    margin: f32,
+    step: f32,
+}
+
+impl World {
+    /// What everybody has in common, if many can avoid at once.
+    pub(super) fn common(&self, seconds: f32) -> Option<Common> {
+        let agents = &self.agents;
+        let plain = agents.all_discs()
+            && !agents.anybody_flies()
+            && agents.all_avoid()
+            && agents.script.uniform() == Some(None)
+            && agents.spin.uniform() == Some(0.0)
+            && agents.climb.uniform() == Some(0.0)
+            && agents.tracking_error.uniform() == Some(0.0)
+            && agents.max_turn_rate.uniform() == Some(f32::INFINITY)
+            && self.walls.is_empty()
+            && self.standoffs.is_empty()
+            && self.groups.iter().all(|group| group.neighbours <= MOST);
+        let mut orcas = self.groups.iter().map(|group| group.model.as_orca());
+        let orca = orcas.next().flatten()?;
+        let level = self.instructions.level()?;
+        (plain && orcas.all(|other| other == Some(orca))).then(|| Common {
+            level,
+            orca,
+            radius: agents.radius.uniform(),
+            equals: agents.priority.uniform().is_some(),
+            margin: 1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN },
+            step: seconds,
+        })
+    }
+
+    /// The velocities that a range of rows will have but for the guard. Calls `left` for those that go one by one.
+    pub(super) fn avoid_many(
+        &self,
+        common: &Common,
+        rows: Range<usize>,
+        scratch: &mut LaneScratch,
+        wishes: &mut [Vec3],
+        left: impl FnMut(usize) -> Vec3,
+    ) {
+        dispatch!(common.level, simd => self.many(simd, common, rows, scratch, wishes, left));
+    }
+
+    #[inline(always)]
+    fn many<S: Simd>(
+        &self,
+        simd: S,
+        common: &Common,
+        rows: Range<usize>,
+        scratch: &mut LaneScratch,
+        wishes: &mut [Vec3],
+        mut left: impl FnMut(usize) -> Vec3,
+    ) {
+        if let Some(radius) = common.radius {
+            let radii = (radius + radius) * common.margin;
+            scratch.views.neighbours.iter_mut().for_each(|others| others.radii = [radii; LANES]);
+        }
+        let lanes = S::f32s::LEN;
+        let first = rows.start;
+        for start in rows.clone().step_by(lanes) {
+            let part = start..(start + lanes).min(rows.end);
+            let out = &mut wishes[start - first..part.end - first];
+            let mut missing = self.view_many(common, part.clone(), &mut scratch.views);
+            let chosen = choose(simd, &common.orca, &scratch.views, common.step, &mut scratch.fallback);
+            missing |= chosen.left;
+            self.limit_many(simd, common, part.clone(), &scratch.views, chosen.velocity, out);
+            missing &= (1 << part.len()) - 1;
+            while missing != 0 {
+                let lane = missing.trailing_zeros() as usize;
+                missing &= missing - 1;
+                out[lane] = left(start + lane);
+            }
+        }
+    }
+
+    /// What a range of rows sees. Tells, as bits, who sees more than lanes can hold.
+    #[inline(always)]
+    fn view_many(&self, common: &Common, rows: Range<usize>, views: &mut Views) -> u64 {
+        let (agents, step) = (&self.agents, &self.step);
+        let mut missing = 0;
+        for (lane, row) in rows.enumerate() {
+            let set = |to: &mut [[f32; LANES]; 2], v: Vec2| (to[0][lane], to[1][lane]) = (v.x, v.y);
+            let preferred = step.preferred[row];
+            set(&mut views.position, agents.position[row]);
+            set(&mut views.velocity, agents.velocity[row]);
+            set(&mut views.preferred, preferred.truncate());
+            views.max_speed[lane] = agents.max_speed[row];
+            missing |= u64::from(preferred.z > 0.0) << lane;
+            let neighbours = step.near.of(row);
+            views.count[lane] = neighbours.len() as f32;
+            let way = &step.ways[row];
+            for (&other, others) in neighbours.iter().zip(&mut views.neighbours) {
+                let other = other as usize;
+                let position = agents.position[other];
+                let (mut yields, mut granted) = (0.0, Vec2::ZERO);
+                if !way.are_equals(&step.ways[other]) {
+                    yields = self.yields(row, other);
+                    granted = self.granted(row, other, yields);
+                }
+                others.share[lane] = 0.5 + yields;
+                if !common.equals {
+                    others.share[lane] = self.share(row, other, yields);
+                }
+                if common.radius.is_none() {
+                    others.radii[lane] = (agents.radius[row] + agents.radius[other]) * common.margin;
+                }
+                set(&mut others.position, position);
+                set(&mut others.velocity, agents.velocity[other] + granted);
+            }
+        }
+        missing
+    }
+
+    /// What bodies can do of chosen velocities.
+    #[inline(always)]
+    fn limit_many<S: Simd>(
+        &self,
+        simd: S,
+        common: &Common,
+        rows: Range<usize>,
+        views: &Views,
+        chosen: Vec2s<S>,
+        out: &mut [Vec3],
+    ) {
+        let mut most = [0.0; LANES];
+        for (most, row) in most.iter_mut().zip(rows) {
+            *most = self.agents.max_acceleration[row] * common.step;
+        }
+        let velocity = Vec2s::load(simd, &views.velocity);
+        let change = (chosen - velocity).clamp_length_max(load(simd, &most));
+        let limited = (velocity + change).clamp_length_max(load(simd, &views.max_speed));
+        for (lane, wish) in out.iter_mut().enumerate() {
+            *wish = Vec3::new(limited.x[lane], limited.y[lane], 0.0);
+        }
+    }
+}

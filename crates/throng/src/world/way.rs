@@ -1,0 +1,73 @@
+//! Ways: what others see of where somebody wants to go.
+
+use crate::agent::GoalId;
+use glam::Vec2;
+
+/// What others see of where somebody wants to go: 16 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Way {
+    /// Unit vector towards what it heads for, detours left aside; zero for who isn't walking.
+    pub direction: Vec2,
+    /// Metres still ahead, in space.
+    pub remaining: f32,
+    /// Index of the goal, and 1; 0 for none. The highest bits: flags.
+    key: u32,
+}
+
+const WALKS: u32 = 1 << 31;
+const STOPS: u32 = 1 << 30;
+const MAY_CHANGE: u32 = 1 << 29;
+const GOAL: u32 = MAY_CHANGE - 1;
+
+impl Way {
+    /// The way of who does not walk.
+    pub fn at_rest(goal: Option<GoalId>, remaining: f32) -> Self {
+        Self { direction: Vec2::ZERO, remaining, key: goal.map_or(0, |goal| goal.0 + 1) }
+    }
+
+    /// The way of who walks.
+    pub fn walking(goal: Option<GoalId>, direction: Vec2, remaining: f32) -> Self {
+        let way = Self::at_rest(goal, remaining);
+        Self { direction, key: way.key | WALKS, ..way }
+    }
+
+    /// To come to rest at the end.
+    pub fn stopping(self, stops: bool) -> Self {
+        Self { key: if stops { self.key | STOPS } else { self.key }, ..self }
+    }
+
+    /// With a status that may change in this sub-step.
+    pub fn changing(self, may_change: bool) -> Self {
+        Self { key: if may_change { self.key | MAY_CHANGE } else { self.key }, ..self }
+    }
+
+    /// Whether it is on its way.
+    pub fn walks(&self) -> bool {
+        self.key & WALKS != 0
+    }
+
+    /// Whether it has a goal.
+    pub fn has_goal(&self) -> bool {
+        self.key & GOAL != 0
+    }
+
+    /// Whether it is to come to rest at the end.
+    pub fn stops(&self) -> bool {
+        self.key & STOPS != 0
+    }
+
+    /// Whether its status may change in this sub-step.
+    pub fn may_change(&self) -> bool {
+        self.key & MAY_CHANGE != 0
+    }
+
+    /// Whether two have the same goal, or none both.
+    pub fn same_goal(&self, other: &Self) -> bool {
+        (self.key ^ other.key) & GOAL == 0
+    }
+
+    /// Whether both walk, to different goals: neither has the right of way.
+    pub fn are_equals(&self, other: &Self) -> bool {
+        self.key & other.key & WALKS != 0 && !self.same_goal(other)
+    }
+}
