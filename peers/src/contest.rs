@@ -67,10 +67,10 @@ pub fn measure(
             turns.push(contestant.steps(steps)?);
         }
     }
-    let outcome = |(contestant, turns): (&Box<dyn Contestant>, &Vec<Turn>)| Outcome {
-        name: contestant.name(),
+    let outcome = |(name, turns): (String, &Vec<Turn>)| Outcome {
+        name,
         ns: turns.iter().map(|turn| turn.cpu.as_secs_f64() * 1e9 / turn.agent_steps.max(1) as f64).collect(),
         cpu_per_second: median(turns.iter().map(|turn| turn.cpu.as_secs_f64() / turn.seconds).collect()),
     };
-    Ok(contestants.iter().zip(&turns).map(outcome).collect())
+    Ok(contestants.iter().map(|contestant| contestant.name()).zip(&turns).map(outcome).collect())
 }

@@ -88,7 +88,7 @@ fn an_agent_step_takes_no_more_instructions_than_it_did() {
     for (label, count) in counts {
         let bound = bounds.lines().find_map(|line| line.strip_prefix(&label)).expect("a bound; UPDATE=1 writes it");
         let bound: f64 = bound.trim().parse().unwrap();
-        println!("{label}: {count:.0} of {bound} instructions an agent-step");
+        eprintln!("{label}: {count:.0} of {bound} instructions an agent-step");
         assert!(count <= bound, "{label}: {count:.0} instructions an agent-step, more than the bound of {bound}");
     }
 }
