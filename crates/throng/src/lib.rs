@@ -28,6 +28,7 @@ pub mod agent;
 pub mod avoid;
 mod error;
 pub mod guard;
+mod lanes;
 pub mod motion;
 pub mod navigate;
 mod parallel;

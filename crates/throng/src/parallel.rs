@@ -113,3 +113,44 @@ pub(crate) fn rows<T: Send, S>(
         }
     });
 }
+
+/// Calls `work(part, state)` for every part of the rows. `rows`: how many there is work for, which tells whether it is
+/// worth dividing.
+pub(crate) fn parts<T: Send>(all: &mut [T], rows: usize, work: impl Fn(usize, &mut T) + Sync) {
+    #[cfg(feature = "parallel")]
+    {
+        use rayon::prelude::*;
+        if rayon::current_num_threads() > 1 && rows > CHUNK {
+            all.par_iter_mut().enumerate().for_each(|(part, state)| work(part, state));
+            return;
+        }
+    }
+    #[cfg(not(feature = "parallel"))]
+    let _ = rows;
+    for (part, state) in all.iter_mut().enumerate() {
+        work(part, state);
+    }
+}
+
+/// The same with the `size` elements of `out` that go with each part; of the last there may be fewer.
+pub(crate) fn parts_with<T: Send, U: Send>(
+    all: &mut [T],
+    (out, size): (&mut [U], usize),
+    rows: usize,
+    work: impl Fn(usize, &mut T, &mut [U]) + Sync,
+) {
+    #[cfg(feature = "parallel")]
+    {
+        use rayon::prelude::*;
+        if rayon::current_num_threads() > 1 && rows > CHUNK {
+            let both = all.par_iter_mut().zip(out.par_chunks_mut(size)).enumerate();
+            both.for_each(|(part, (state, out))| work(part, state, out));
+            return;
+        }
+    }
+    #[cfg(not(feature = "parallel"))]
+    let _ = rows;
+    for (part, (state, out)) in all.iter_mut().zip(out.chunks_mut(size)).enumerate() {
+        work(part, state, out);
+    }
+}

@@ -1,6 +1,7 @@
 //! The world: what is there, and the step that moves it on.
 
 mod advance;
+mod advance_lanes;
 mod agree;
 mod arrive;
 mod avoid;
@@ -8,6 +9,7 @@ mod avoid_lanes;
 mod build;
 mod explain;
 mod intend;
+mod measure;
 mod order;
 mod perceive;
 mod plan;
@@ -111,6 +113,8 @@ struct Slots {
 struct StepMemory {
     grid: Grid,
     long: perceive::Long,
+    /// Rows of two who were within a body's width of each other when that was asked last: a guess where to look first.
+    close_pair: Option<(usize, usize)>,
     near: perceive::Neighbours,
     ways: Vec<Way>,
     following: Vec<queue::Following>,
@@ -122,6 +126,7 @@ struct StepMemory {
     guarded: Column<bool>,
     contacts: Contacts,
     guard: Guard,
+    measured: Vec<measure::Measured>,
     /// How many have arrived at each goal.
     arrivals: Vec<u32>,
     /// Rows with their next status, where it may be another.
@@ -198,7 +203,7 @@ impl World {
         self.instructions = instructions;
     }
 
-    /// The agents' state, as columns; positions are relative to [`Settings::origin`].
+    /// The agents' state, as columns; positions are relative to [`Settings::origin`]. Rows change from step to step.
     pub fn agents(&self) -> &Columns {
         &self.agents
     }
@@ -208,13 +213,13 @@ impl World {
         Some(self.agents.position[self.row(id)?].as_dvec2() + self.settings.origin)
     }
 
-    /// The agent in a row of [`agents`](Self::agents).
+    /// The agent that is in a row of [`agents`](Self::agents) now.
     pub fn id(&self, row: usize) -> AgentId {
         let slot = self.agents.slot[row];
         AgentId { slot, generation: self.slots.generations[slot as usize] }
     }
 
-    /// The row of an agent in [`agents`](Self::agents); `None` if it has been removed.
+    /// The row of an agent in [`agents`](Self::agents), until the next step; `None` if it has been removed.
     pub fn row(&self, id: AgentId) -> Option<usize> {
         let &row = self.slots.rows.get(id.slot as usize)?;
         (row != u32::MAX && self.slots.generations[id.slot as usize] == id.generation).then_some(row as usize)

@@ -87,9 +87,9 @@ fn guarded(crowd: &Crowd, walls: &Walls) -> Vec<Pose> {
         guarded: &crowd.guarded,
     };
     let mut contacts = Contacts::default();
-    contacts.collect(&bodies, &numbers, &grid, walls, |_, _| true);
-    let mut targets = crowd.targets.clone();
-    Guard::default().certify(&bodies, &contacts, walls, &mut targets);
+    contacts.collect(&bodies, &numbers, &grid, walls, |_, _| true, |_| None);
+    let mut targets = Vec::new();
+    Guard::default().certify(&bodies, &contacts, walls, |row| crowd.targets[row], &mut targets);
     targets
 }
 

@@ -71,14 +71,14 @@ fn run(all: &mut [One], walls: &Walls, reach: f32) -> Result<(), TestCaseError> 
             guarded: &guarded,
         };
         let mut contacts = Contacts::default();
-        contacts.collect(&bodies, &numbers, &grid, walls, |_, _| true);
+        contacts.collect(&bodies, &numbers, &grid, walls, |_, _| true, |_| None);
         let wish = |one: &One| {
             let to = one.place + one.push * reach * if step % 3 == 2 { -1.0 } else { 1.0 };
             Pose { position: to.truncate(), altitude: to.z, heading: 0.0 }
         };
-        let mut targets: Vec<Pose> = all.iter().map(wish).collect();
-        let wished = targets.clone();
-        guard.certify(&bodies, &contacts, walls, &mut targets);
+        let wished: Vec<Pose> = all.iter().map(wish).collect();
+        let mut targets = Vec::new();
+        guard.certify(&bodies, &contacts, walls, |row| wished[row], &mut targets);
         for (a, target) in targets.iter().enumerate() {
             let one = &all[a];
             prop_assert!(target.place().distance(one.place) <= reach * 1.0001, "{} too far", a);

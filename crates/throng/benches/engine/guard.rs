@@ -66,7 +66,7 @@ impl Packed {
     }
 
     fn collect(&self, contacts: &mut Contacts) {
-        contacts.collect(&self.bodies(), &self.numbers, &self.grid, &Walls::default(), |_, _| true);
+        contacts.collect(&self.bodies(), &self.numbers, &self.grid, &Walls::default(), |_, _| true, |_| None);
     }
 }
 
@@ -81,8 +81,8 @@ fn certify(bencher: Bencher, count: usize) {
     let (packed, mut contacts, mut guard) = (Packed::new(count), Contacts::default(), Guard::default());
     packed.collect(&mut contacts);
     let (bodies, walls) = (packed.bodies(), Walls::default());
+    let mut targets = Vec::new();
     bencher
         .counter(ItemsCount::new(count))
-        .with_inputs(|| packed.targets.clone())
-        .bench_local_refs(|targets| guard.certify(&bodies, &contacts, &walls, targets));
+        .bench_local(|| guard.certify(&bodies, &contacts, &walls, |row| packed.targets[row], &mut targets));
 }

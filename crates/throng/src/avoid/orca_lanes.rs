@@ -3,8 +3,8 @@
 //! by one.
 
 use super::half_plane::{Line, PARALLEL, least_violation};
-use super::lanes::{LANES, Vec2s, load};
 use super::orca::{Orca, RECOVERY};
+use crate::lanes::{LANES, Vec2s, load};
 use fearless_simd::prelude::*;
 use glam::Vec2;
 

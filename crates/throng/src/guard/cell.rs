@@ -1,8 +1,9 @@
 //! Buffered Voronoi cells: where an agent can go whatever its neighbours do within theirs (Zhou, Wang, Bandyopadhyay,
 //! Schwager, RA-L 2017, who use them as a controller; here they are the last resort of the [guard](super)).
 
+use super::Pose;
+use super::certify::Scratch;
 use super::solid::Solid;
-use super::{Pose, Scratch};
 use crate::avoid::{Line, Plane, closest_velocity, closest_velocity_in_space};
 use crate::motion::wrap;
 use glam::{DVec2, DVec3};
@@ -14,7 +15,7 @@ const TURNS: [f32; 3] = [1.0, 0.5, 0.0];
 
 /// One side of a cell: no point of the body moves farther along `normal` than `gap` beyond where the body reached.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Side {
+pub(super) struct Side {
     normal: DVec3,
     gap: f64,
 }

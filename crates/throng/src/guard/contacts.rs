@@ -1,119 +1,193 @@
 //! Who and what each body could touch in this step: a complete list.
 
 use super::Bodies;
-use crate::parallel;
+use super::lists::Lists;
 use crate::perceive::Grid;
 use crate::space::{NearWalls, Walls};
-use glam::Vec2;
 
 /// For each body, the others and the walls within its reach and theirs.
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
-    own: Vec<Found>,
-    starts: Vec<u32>,
-    others: Vec<u32>,
+    others: Lists,
+    /// Nothing, or the number of edges, the edges, the discs.
+    walls: Lists<NearWalls>,
+    /// Bodies and those that tell them of contacts they do not look for.
+    told: Vec<(u32, u32)>,
 }
 
-/// What one body could touch; of a pair, the larger body lists the smaller.
-#[derive(Clone, Debug, Default)]
-struct Found {
-    smaller: Vec<(u32, u32)>,
-    edges: Vec<u32>,
-    discs: Vec<u32>,
+/// Ranges are a little wider than the sums, for the rounding of squares.
+const PAD: f32 = 1.0001;
+
+/// How bodies find each other: everybody looks as far as is needed for all who are not larger than usual or than they
+/// are; the few who are larger tell.
+#[derive(Clone, Copy)]
+struct Search<'a> {
+    bodies: &'a Bodies<'a>,
+    numbers: &'a [u32],
+    grid: &'a Grid,
+}
+
+impl Search<'_> {
+    /// How far from its centre a body can touch something in the step.
+    #[inline]
+    fn size(&self, row: usize) -> f32 {
+        self.bodies.bound(row) + self.bodies.reach[row]
+    }
+
+    /// Calls `found` for those who can touch `row` and are not larger than `limit`.
+    #[inline]
+    fn look(&self, row: usize, limit: f32, mut found: impl FnMut(usize)) {
+        let range = (self.size(row) + limit) * (PAD * PAD);
+        self.grid.within(self.bodies.positions[row], range, |near| {
+            let other = near.row as usize;
+            if other != row && self.size(other) <= limit && self.touch(row, other, near.distance_squared) {
+                found(other);
+            }
+        });
+    }
+
+    /// Adds to `found` those of the nearest who can touch `row`. Whether they are all there are, if who can touch it is
+    /// within `reach`.
+    #[inline]
+    fn take(&self, row: usize, reach: f32, nearest: &[u32], range: f32, found: &mut Vec<u32>) -> bool {
+        let at = self.bodies.positions[row];
+        for &other in nearest {
+            let distance_squared = at.distance_squared(self.bodies.positions[other as usize]);
+            if other as usize == row || distance_squared > reach * reach {
+                return other as usize != row || range > reach;
+            }
+            if self.touch(row, other as usize, distance_squared) {
+                found.push(other);
+            }
+        }
+        false
+    }
+
+    /// Whether two can touch whose centres are this far apart in the plan.
+    #[inline]
+    fn touch(&self, a: usize, b: usize, distance_squared: f32) -> bool {
+        let Self { bodies, numbers, .. } = self;
+        // rounded in the same way whoever asks
+        let rank = |row: usize| (bodies.bound(row), numbers[row]);
+        let (a, b) = if rank(a) < rank(b) { (b, a) } else { (a, b) };
+        let range = (bodies.bound(a) + bodies.bound(b) + bodies.reach[a] + bodies.reach[b]) * PAD;
+        let discs = bodies.is_disc(a) && bodies.is_disc(b);
+        let above = if discs { bodies.altitudes[b] - bodies.altitudes[a] } else { 0.0 };
+        distance_squared + above * above <= range * range
+    }
 }
 
 impl Contacts {
     /// Collects all pairs that could touch, by a grid over the bodies' positions, and all walls. `meets` tells
-    /// whether two rows are solid to each other.
-    pub fn collect(
+    /// whether two rows are solid to each other, the same whichever comes first. `nearest` may know the nearest of all
+    /// whom a row meets, nearest first, and within which distance it looked for them; where it found no more the row
+    /// itself ends the list.
+    pub fn collect<'a>(
         &mut self,
         bodies: &Bodies<'_>,
         numbers: &[u32],
         grid: &Grid,
         walls: &Walls,
         meets: impl Fn(usize, usize) -> bool + Sync,
+        nearest: impl Fn(usize) -> Option<(&'a [u32], f32)> + Sync,
     ) {
-        let n = bodies.positions.len();
-        self.own.resize_with(n, Found::default);
-        let is_disc = |row: usize| bodies.cores[row] == Vec2::ZERO;
-        let farthest = bodies.reach.values().iter().copied().fold(0.0, f32::max);
-        parallel::rows(&mut self.own, 1, NearWalls::default, |near, row, found| {
-            let found = &mut found[0];
-            found.smaller.clear();
-            let (at, radius, reach) = (bodies.positions[row], bodies.bound(row), bodies.reach[row]);
-            // a little farther than the sum, for the rounding of squares
-            let range = (2.0 * radius + reach + farthest) * 1.0001;
-            grid.within(at, range, |near| {
-                let other = near.row as usize;
-                let size = bodies.bound(other);
-                let rank = |row: usize| (bodies.bound(row), numbers[row]);
-                let range = (radius + size + reach + bodies.reach[other]) * 1.0001;
-                let above =
-                    if is_disc(row) && is_disc(other) { bodies.altitudes[other] - bodies.altitudes[row] } else { 0.0 };
-                let distance_squared = near.distance_squared + above * above;
-                if rank(other) < rank(row) && distance_squared <= range * range && meets(row, other) {
-                    found.smaller.push((near.number, near.row));
+        let search = Search { bodies, numbers, grid };
+        let (usual, largest) = self.tell(search, &meets);
+        let told = &self.told;
+        self.others.fill(bodies.positions.len(), |(), row, others| {
+            let start = others.len();
+            let size = search.size(row);
+            let reach = (size + largest) * (PAD * PAD);
+            let all = nearest(row).is_some_and(|(nearest, range)| search.take(row, reach, nearest, range, others));
+            if !all {
+                others.truncate(start);
+                search.look(row, size.max(usual), |other| {
+                    if meets(row, other) {
+                        others.push(other as u32);
+                    }
+                });
+                if !told.is_empty() {
+                    let first = told.partition_point(|&(of, _)| of < row as u32);
+                    others.extend(told[first..].iter().take_while(|&&(of, _)| of == row as u32).map(|&(_, by)| by));
                 }
-            });
-            found.edges.clear();
-            found.discs.clear();
-            if !walls.is_empty() {
-                walls.near(at.as_dvec2(), f64::from(radius + reach) * 1.0001, near);
-                found.edges.extend(near.edges.iter().map(|&(_, index)| index));
-                found.discs.extend(near.discs.iter().map(|&(_, index)| index));
+            }
+            if others.len() > start + 1 {
+                others[start..].sort_unstable_by_key(|&other| numbers[other as usize]);
             }
         });
-        self.make_symmetric(n, numbers);
+        self.collect_walls(bodies, walls);
     }
 
-    /// Lists every pair with both of its bodies, each body's partners in the order of their numbers.
-    fn make_symmetric(&mut self, n: usize, numbers: &[u32]) {
-        self.starts.clear();
-        self.starts.resize(n + 1, 0);
-        for (row, found) in self.own.iter().enumerate() {
-            self.starts[row + 1] += found.smaller.len() as u32;
-            for &(_, other) in &found.smaller {
-                self.starts[other as usize + 1] += 1;
-            }
+    /// Has those who are larger than usual tell those whom they can touch; gives the usual size, and the largest.
+    fn tell(&mut self, search: Search<'_>, meets: impl Fn(usize, usize) -> bool) -> (f32, f32) {
+        self.told.clear();
+        let Bodies { positions, cores, radii, reach, .. } = search.bodies;
+        let alike = cores.uniform().is_some() && radii.uniform().is_some() && reach.uniform().is_some();
+        let rows = if alike { positions.len().min(1) } else { positions.len() };
+        let sizes = || (0..rows).map(|row| search.size(row));
+        let largest = sizes().fold(0.0, f32::max);
+        let twice_the_mean = (2.0 * sizes().map(f64::from).sum::<f64>() / rows as f64) as f32;
+        if largest <= twice_the_mean {
+            return (largest, largest);
         }
-        for row in 0..n {
-            self.starts[row + 1] += self.starts[row];
-        }
-        self.others.resize(self.starts[n] as usize, 0);
-        for (row, found) in self.own.iter().enumerate() {
-            for &(_, other) in &found.smaller {
-                for (of, partner) in [(row, other), (other as usize, row as u32)] {
-                    let at = &mut self.starts[of];
-                    self.others[*at as usize] = partner;
-                    *at += 1;
+        let usual = sizes().filter(|&size| size <= twice_the_mean).fold(0.0, f32::max);
+        for row in (0..rows).filter(|&row| search.size(row) > usual) {
+            let size = search.size(row);
+            search.look(row, size, |other| {
+                if search.size(other) < size && meets(row, other) {
+                    self.told.push((other as u32, row as u32));
                 }
+            });
+        }
+        self.told.sort_unstable();
+        (usual, largest)
+    }
+
+    fn collect_walls(&mut self, bodies: &Bodies<'_>, walls: &Walls) {
+        if walls.is_empty() {
+            self.walls.clear();
+            return;
+        }
+        self.walls.fill(bodies.positions.len(), |near, row, found| {
+            let range = f64::from(bodies.bound(row) + bodies.reach[row]) * 1.0001;
+            walls.near(bodies.positions[row].as_dvec2(), range, near);
+            if !near.edges.is_empty() || !near.discs.is_empty() {
+                found.push(near.edges.len() as u32);
+                found.extend(near.edges.iter().chain(&near.discs).map(|&(_, index)| index));
             }
-        }
-        self.starts.rotate_right(1);
-        self.starts[0] = 0;
-        for row in 0..n {
-            let (start, end) = (self.starts[row] as usize, self.starts[row + 1] as usize);
-            self.others[start..end].sort_unstable_by_key(|&other| numbers[other as usize]);
-        }
+        });
     }
 
     /// Rows of the bodies that `row` could touch, in the order of their numbers.
+    #[inline]
     pub fn of(&self, row: usize) -> &[u32] {
-        &self.others[self.starts[row] as usize..self.starts[row + 1] as usize]
+        self.others.of(row)
     }
 
     /// Wall edges that `row` could touch, nearest first.
     pub fn edges_of(&self, row: usize) -> &[u32] {
-        &self.own[row].edges
+        self.walls_of(row).0
     }
 
     /// Solid discs that `row` could touch, nearest first.
     pub fn discs_of(&self, row: usize) -> &[u32] {
-        &self.own[row].discs
+        self.walls_of(row).1
+    }
+
+    fn walls_of(&self, row: usize) -> (&[u32], &[u32]) {
+        match self.walls.of(row) {
+            [edges, all @ ..] => all.split_at(*edges as usize),
+            [] => (&[], &[]),
+        }
+    }
+
+    /// Whether `row` can touch no wall.
+    pub fn is_off_walls(&self, row: usize) -> bool {
+        self.walls.of(row).is_empty()
     }
 
     /// Whether `row` can touch nothing.
     pub fn is_alone(&self, row: usize) -> bool {
-        self.of(row).is_empty() && self.edges_of(row).is_empty() && self.discs_of(row).is_empty()
+        self.of(row).is_empty() && self.is_off_walls(row)
     }
 }

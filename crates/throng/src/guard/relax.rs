@@ -1,12 +1,13 @@
 //! Parts pairs that would collide, before the guard certifies: symmetric, position-based, a few rounds.
 
 use super::Pose;
+use super::safe::passes;
 use super::solid::Solid;
 use super::sweep::Sweep;
-use crate::parallel;
 use glam::{DVec2, DVec3};
 
-const ITERATIONS: usize = 4;
+/// How often everybody who may have to is moved.
+pub(super) const ITERATIONS: usize = 4;
 /// Part of the sum of radii that relaxed pairs keep between them.
 const SKIN: f64 = 0.01;
 /// Two who are closer by this part of the sum of radii overlap; less is rounding.
@@ -14,50 +15,42 @@ const OVERLAP: f64 = 1e-4;
 /// Part of what two can move in a step by which those who overlap are parted in it: a bad start ends without a shove.
 const PART: f64 = 0.125;
 
-/// Moves `targets` apart; nobody's motion becomes longer than its reach.
-pub(super) fn relax(solid: Solid<'_>, targets: &mut Vec<Pose>, next: &mut Vec<Pose>) {
-    for _ in 0..ITERATIONS {
-        next.clone_from(targets);
-        parallel::rows(
-            next,
-            1,
-            || (),
-            |(), row, target| {
-                if !solid.contacts.is_alone(row) {
-                    target[0] = relaxed(row, solid, targets);
-                }
-            },
-        );
-        let settled = next == targets;
-        std::mem::swap(targets, next);
-        if settled {
-            break;
-        }
-    }
+/// Whether a quick look shows that `row` is relaxed and safe. It looks at discs away from walls only.
+pub(super) fn is_clear(row: usize, solid: Solid<'_>, targets: &[Pose]) -> bool {
+    let radius = f64::from(solid.bodies.radii[row]);
+    let motion = solid.motion(row, targets[row]);
+    solid.is_disc(row)
+        && solid.contacts.is_off_walls(row)
+        && solid.others(row).all(|other| {
+            let (offset, relative) = solid.relative(row, motion, other, targets);
+            let radii = radius + f64::from(solid.bodies.radii[other]);
+            solid.is_disc(other) && passes(offset, relative, radii * (1.0 + SKIN))
+        })
 }
 
-fn relaxed(row: usize, solid: Solid<'_>, targets: &[Pose]) -> Pose {
+/// Where `row` goes that the nearest to it come no closer than they may; its motion becomes no longer than its reach.
+pub(super) fn relaxed(row: usize, solid: Solid<'_>, targets: &[Pose]) -> Pose {
     let bodies = solid.bodies;
-    let (from, motion) = (bodies.place(row).as_dvec3(), solid.motion(row, targets[row]));
+    let motion = solid.motion(row, targets[row]);
     let radius = f64::from(bodies.radii[row]);
     let is_disc = solid.is_disc(row);
     let mut push = DVec3::ZERO;
     for other in solid.others(row) {
         let radii = radius + f64::from(bodies.radii[other]);
         let reach = f64::from(bodies.reach[row]) + f64::from(bodies.reach[other]);
-        push += 0.5
-            * if is_disc && solid.is_disc(other) {
-                let offset = from - bodies.place(other).as_dvec3();
-                let relative = motion - solid.motion(other, targets[other]);
-                parting(offset, relative, clearance(offset.length(), radii, reach))
-            } else {
-                let (own, theirs) = (solid.sweep(row, targets[row]), solid.sweep(other, targets[other]));
-                parting_cores(&own, &theirs, radii, reach).extend(0.0)
-            };
+        if is_disc && solid.is_disc(other) {
+            let (offset, relative) = solid.relative(row, motion, other, targets);
+            if !passes(offset, relative, radii * (1.0 + SKIN)) {
+                push += 0.5 * parting(offset, relative, clearance(offset.length(), radii, reach));
+            }
+        } else {
+            let (own, theirs) = (solid.sweep(row, targets[row]), solid.sweep(other, targets[other]));
+            push += 0.5 * parting_cores(&own, &theirs, radii, reach).extend(0.0);
+        }
     }
     let reach = f64::from(bodies.reach[row]);
     if is_disc {
-        let (plan, along) = (from.truncate(), motion.with_z(0.0));
+        let (plan, along) = (bodies.positions[row].as_dvec2(), motion.with_z(0.0));
         for edge in solid.edges(row) {
             let offset = plan - edge.nearest(plan);
             push += parting(offset.extend(0.0), along, clearance(offset.length(), radius, reach));
@@ -117,4 +110,36 @@ fn parting(offset: DVec3, motion: DVec3, clearance: f64) -> DVec3 {
     // through each other: part along the line they began on
     let normal = if nearest.dot(offset) > 0.0 { nearest / distance } else { offset.normalize_or_zero() };
     normal * (deficit / t.max(0.25)).min(deficit * 2.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::safe::{nearest_approach, needed};
+    use super::*;
+    use proptest::prelude::*;
+
+    fn vector(size: f32) -> impl Strategy<Value = DVec3> {
+        let altitude = prop_oneof![Just(0.0f32), -size..size];
+        (-size..size, -size..size, altitude).prop_map(|(x, y, z)| DVec3::new(x.into(), y.into(), z.into()))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        /// Those who pass are neither pushed nor unsafe, and those who do not come near or nearly so.
+        #[test]
+        fn a_quick_look_tells_who_passes(offset in vector(2.0), motion in vector(3.0), radii in 0.05f32..1.0, haste in 0.0f32..1.0) {
+            let (radii, motion) = (f64::from(radii), motion * f64::from(haste));
+            let clear = radii * (1.0 + SKIN);
+            let least = nearest_approach(offset, motion);
+            if passes(offset, motion, clear) {
+                prop_assert_eq!(parting(offset, motion, clearance(offset.length(), radii, 1.0)), DVec3::ZERO);
+                prop_assert!(least >= clear && least >= needed(radii, offset.length()));
+            } else {
+                // it looks along the line beyond the end of the motion, too
+                let line = nearest_approach(offset, motion * 1e9);
+                prop_assert!(line <= clear * (1.0 + 1e-6) + 1e-6, "{line} of {clear}");
+            }
+        }
+    }
 }

@@ -1,9 +1,10 @@
 //! What is solid to whom in a step.
 
+use super::cores::Cores;
 use super::sweep::Sweep;
 use super::{Bodies, Contacts, Pose};
 use crate::space::{Core, Disc, Edge, Walls};
-use glam::{DVec3, Vec2};
+use glam::DVec3;
 
 /// Everything that the guard holds apart.
 #[derive(Clone, Copy)]
@@ -11,16 +12,15 @@ pub(super) struct Solid<'a> {
     pub bodies: &'a Bodies<'a>,
     pub contacts: &'a Contacts,
     pub walls: &'a Walls,
-    /// Cores at the start of the step; of discs, any.
-    pub cores: &'a [Core],
+    pub cores: &'a Cores,
 }
 
 impl<'a> Solid<'a> {
     /// Those whom `row` could touch and is held apart from: of two, one at least must be guarded.
     pub fn others(self, row: usize) -> impl Iterator<Item = usize> + 'a {
-        let guarded = self.bodies.guarded;
         let others = self.contacts.of(row).iter().map(|&other| other as usize);
-        others.filter(move |&other| guarded[row] || guarded[other])
+        let guarded = self.bodies.guarded[row];
+        others.filter(move |&other| guarded || self.bodies.guarded[other])
     }
 
     /// Wall edges that `row` could touch and is held off.
@@ -43,17 +43,23 @@ impl<'a> Solid<'a> {
 
     /// Whether a body is a disc: centres and radii say everything about it.
     pub fn is_disc(self, row: usize) -> bool {
-        self.bodies.cores[row] == Vec2::ZERO
+        self.bodies.is_disc(row)
     }
 
     /// The core of a body at the start of the step.
     pub fn core(self, row: usize) -> Core {
-        self.cores[row]
+        self.cores.of(row, self.bodies)
     }
 
     /// How the centre of a body moves to `target`.
     pub fn motion(self, row: usize, target: Pose) -> DVec3 {
         target.place().as_dvec3() - self.bodies.place(row).as_dvec3()
+    }
+
+    /// From another to `row`, which moves by `motion`: the offset of their centres, and its change.
+    pub fn relative(self, row: usize, motion: DVec3, other: usize, targets: &[Pose]) -> (DVec3, DVec3) {
+        let offset = self.bodies.place(row).as_dvec3() - self.bodies.place(other).as_dvec3();
+        (offset, motion - self.motion(other, targets[other]))
     }
 
     /// Whether a body is on the ground and does not want to leave it.

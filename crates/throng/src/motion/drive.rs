@@ -5,6 +5,7 @@
 //! leaves the straight way for a while. It chooses only velocities that it can follow with at most its tracking error;
 //! and it is taken to be larger by that error, by itself and by all others.
 
+use super::angle::angle;
 use glam::Vec2;
 use std::f32::consts::{FRAC_PI_3, PI};
 
@@ -44,10 +45,10 @@ fn part(angle: f32) -> f32 {
 /// while it turns as fast as it can.
 pub(crate) fn follow(chosen: Vec2, heading: f32, max_turn_rate: f32, step: f32) -> Vec2 {
     let forward = Vec2::new(libm::cosf(heading), libm::sinf(heading));
-    let angle = libm::atan2f(forward.perp_dot(chosen), forward.dot(chosen));
+    let aside = angle(Vec2::new(forward.dot(chosen), forward.perp_dot(chosen)));
     let most = max_turn_rate * step;
-    let (sin, cos) = libm::sincosf(heading + angle.clamp(-most, most));
-    Vec2::new(cos, sin) * (chosen.length() * part(angle).max(0.0))
+    let (sin, cos) = libm::sincosf(heading + aside.clamp(-most, most));
+    Vec2::new(cos, sin) * (chosen.length() * part(aside).max(0.0))
 }
 
 #[cfg(test)]

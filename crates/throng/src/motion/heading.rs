@@ -1,5 +1,8 @@
 //! Headings: a body faces where it goes, turns smoothly, and keeps its heading at rest.
 
+use super::angle::{angle, angles};
+use crate::lanes::Vec2s;
+use fearless_simd::prelude::*;
 use glam::Vec2;
 use std::f32::consts::PI;
 
@@ -16,12 +19,43 @@ pub fn turn(heading: f32, velocity: Vec2, step: f32, max_turn_rate: f32) -> f32 
     if speed < REST {
         return heading;
     }
-    let certainty = ((speed - REST) / (WALK - REST)).min(1.0);
-    let away = wrap(libm::atan2f(velocity.y, velocity.x) - heading);
-    let most = max_turn_rate * step;
+    let away = wrap(angle(velocity) - heading);
+    if max_turn_rate.is_infinite() {
+        let certainty = ((speed - REST) / (WALK - REST)).min(1.0);
+        return wrap(heading + away * (certainty * part_of(step)));
+    }
     // a limited turn rate is obeyed by the motion already: then the heading is the direction of motion
-    let part = if max_turn_rate.is_finite() { 1.0 } else { certainty * (1.0 - libm::expf(-step / TIME)) };
-    wrap(heading + (away * part).clamp(-most, most))
+    let most = max_turn_rate * step;
+    wrap(heading + away.clamp(-most, most))
+}
+
+/// The part of the way to the direction of motion that a heading makes up in a step.
+fn part_of(step: f32) -> f32 {
+    1.0 - libm::expf(-step / TIME)
+}
+
+/// [`turn`] of those whose turn rate has no limit, many at a time.
+#[derive(Clone, Copy)]
+pub(crate) struct Turning {
+    part: f32,
+}
+
+impl Turning {
+    /// In a step of so many seconds.
+    pub fn of(step: f32) -> Self {
+        Self { part: part_of(step) }
+    }
+
+    /// The headings after it.
+    #[inline(always)]
+    pub fn turn<S: Simd>(self, simd: S, headings: S::f32s, velocity: Vec2s<S>) -> S::f32s {
+        let splat = |value: f32| S::f32s::splat(simd, value);
+        let speed = velocity.dot(velocity).sqrt();
+        let certainty = ((speed - splat(REST)) / splat(WALK - REST)).min(splat(1.0));
+        let away = wraps(simd, angles(simd, velocity) - headings);
+        let turned = wraps(simd, headings + away * (certainty * splat(self.part)));
+        speed.simd_lt(splat(REST)).select(headings, turned)
+    }
 }
 
 /// What a body turns to: its motion; one that turns slowly and stands turns on the spot to where it would like to go,
@@ -39,6 +73,14 @@ pub(crate) fn wrap(angle: f32) -> f32 {
     } else {
         angle
     }
+}
+
+/// [`wrap`] in every lane.
+#[inline(always)]
+fn wraps<S: Simd>(simd: S, angle: S::f32s) -> S::f32s {
+    let splat = |value: f32| S::f32s::splat(simd, value);
+    let low = angle.simd_lt(splat(-PI)).select(angle + splat(2.0 * PI), angle);
+    angle.simd_gt(splat(PI)).select(angle - splat(2.0 * PI), low)
 }
 
 #[cfg(test)]

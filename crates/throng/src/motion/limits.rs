@@ -1,5 +1,6 @@
 //! Limits of acceleration, speed and turning.
 
+use super::angle::angle;
 use glam::{Vec2, Vec3};
 
 /// What a body can do in one step.
@@ -24,11 +25,11 @@ pub fn limit(wish: Vec3, velocity: Vec3, heading: f32, limits: Limits) -> Vec3 {
 /// The part of `wish` that lies within `most` radians of `heading`.
 fn turned(wish: Vec2, heading: f32, most: f32) -> Vec2 {
     let forward = Vec2::new(libm::cosf(heading), libm::sinf(heading));
-    let angle = libm::atan2f(forward.perp_dot(wish), forward.dot(wish));
-    if angle.abs() <= most {
+    let aside = angle(Vec2::new(forward.dot(wish), forward.perp_dot(wish)));
+    if aside.abs() <= most {
         return wish;
     }
-    let angle = heading + angle.clamp(-most, most);
+    let angle = heading + aside.clamp(-most, most);
     let along = Vec2::new(libm::cosf(angle), libm::sinf(angle));
     along * wish.dot(along).max(0.0)
 }

@@ -2,7 +2,7 @@
 
 use super::block::{Block, LEAF, Points, divide};
 use super::nearest::Near;
-use super::tile::LANES;
+use crate::lanes::LANES;
 use glam::Vec2;
 
 /// Height of cells over the mean distance of points, at most.

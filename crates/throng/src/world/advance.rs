@@ -3,23 +3,20 @@
 use super::World;
 use crate::agent::Status;
 use crate::guard::{Bodies, Pose};
-use crate::motion::{faces, turn, wrap};
-use crate::space::Core;
+use crate::motion::{angle, faces, turn, wrap};
 use glam::{Vec2, Vec3};
 
 impl World {
     /// 4. What is certain: nobody overlaps.
     pub(super) fn guard(&mut self, seconds: f32, now: f64) {
-        let mut targets = std::mem::take(&mut self.step.targets);
-        targets.clear();
-        targets.extend((0..self.agents.len()).map(|row| Pose {
-            position: self.agents.position[row] + self.step.wishes[row].truncate() * seconds,
-            altitude: self.agents.altitude[row] + self.step.wishes[row].z * seconds,
-            heading: self.wished_heading(row, seconds, now),
-        }));
-        let Self { agents, step, groups, walls, tally, .. } = self;
+        let Self { agents, step, groups, .. } = self;
         step.reach.map_from(&agents.max_speed, |speed| speed * seconds);
         step.guarded.map_from(&agents.group, |group| groups[group.index()].guard);
+        // taken out, since wishes look at the world
+        let mut contacts = std::mem::take(&mut self.step.contacts);
+        let mut guard = std::mem::take(&mut self.step.guard);
+        let mut targets = std::mem::take(&mut self.step.targets);
+        let Self { agents, step, walls, .. } = &*self;
         let bodies = Bodies {
             positions: &agents.position,
             altitudes: &agents.altitude,
@@ -29,14 +26,30 @@ impl World {
             reach: &step.reach,
             guarded: &step.guarded,
         };
-        step.contacts.collect(&bodies, &agents.number, &step.grid, walls, |row, other| {
-            agents.avoids(row, other) || agents.avoids(other, row)
-        });
-        let report = step.guard.certify(&bodies, &step.contacts, walls, &mut targets);
-        step.targets = targets;
+        let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
+        contacts.collect(&bodies, &agents.number, &step.grid, walls, meets, self.seen());
+        let wished = |row: usize| Pose {
+            position: agents.position[row] + step.wishes[row].truncate() * seconds,
+            altitude: agents.altitude[row] + step.wishes[row].z * seconds,
+            heading: self.wished_heading(row, seconds, now),
+        };
+        let report = guard.certify(&bodies, &contacts, walls, wished, &mut targets);
+        let Self { agents, step, tally, .. } = self;
+        (step.contacts, step.guard, step.targets) = (contacts, guard, targets);
         tally.guard_changed += report.changed as u64;
         tally.agent_steps += agents.len() as u64;
         tally.sub_steps += 1;
+    }
+
+    /// The nearest that perceiving found and how far it looked, where it looks at everybody: where all are discs on the
+    /// ground and avoid each other.
+    fn seen<'a>(&'a self) -> impl Fn(usize) -> Option<(&'a [u32], f32)> {
+        let Self { agents, step, groups, .. } = self;
+        let sees_all = step.long.is_empty() && !agents.anybody_flies() && agents.all_avoid();
+        move |row| {
+            let group = &groups[agents.group[row].index()];
+            sees_all.then(|| (&step.near.with_end(row)[..group.neighbours], group.neighbour_distance))
+        }
     }
 
     /// The heading that an agent would like at the end of the sub-step, for those whose turning touches others: where
@@ -44,13 +57,14 @@ impl World {
     fn wished_heading(&self, row: usize, seconds: f32, now: f64) -> f32 {
         let agents = &self.agents;
         let (heading, most) = (agents.heading[row], agents.max_turn_rate[row]);
+        if agents.is_disc(row) {
+            return heading;
+        }
         if let Some(there) = self.scripted(row, now) {
             let most = most * seconds;
             let turn = there.heading - f64::from(heading);
             let turn = turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
             wrap(heading + (turn as f32).clamp(-most, most))
-        } else if agents.is_disc(row) {
-            heading
         } else {
             turn(
                 heading,
@@ -63,6 +77,16 @@ impl World {
 
     /// 5. Move: to where the guard said, then headings, arrivals, exits.
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
+        if !self.advance_many(seconds) {
+            self.advance_each(seconds);
+        }
+        self.agents.pass(seconds);
+        self.measure();
+        self.arrive(seconds, now);
+    }
+
+    /// Moves everybody, one by one.
+    fn advance_each(&mut self, seconds: f32) {
         let agents = &mut self.agents;
         for row in 0..agents.len() {
             let from = agents.position[row].extend(agents.altitude[row]);
@@ -90,9 +114,6 @@ impl World {
                 agents.walked[row] += f64::from((target.place() - from).length());
             }
         }
-        agents.pass(seconds);
-        self.measure();
-        self.arrive(seconds, now);
     }
 
     /// The velocity that the guard leaves to an agent that has yet to move.
@@ -100,51 +121,14 @@ impl World {
         let from = self.agents.position[row].extend(self.agents.altitude[row]);
         velocity(from, self.step.targets[row].place(), self.step.wishes[row], seconds)
     }
-
-    /// Notes how close bodies came to each other and to walls.
-    pub(super) fn measure(&mut self) {
-        let Self { agents, step, walls, tally, .. } = self;
-        for row in 0..agents.len() {
-            let at = agents.position[row].as_dvec2();
-            let radius = f64::from(agents.radius[row]);
-            let separation = |other: u32| agents.separation(row, other as usize);
-            for &other in step.contacts.of(row) {
-                if agents.number[other as usize] > agents.number[row] {
-                    let separation = separation(other);
-                    tally.least_separation = tally.least_separation.min(separation);
-                    tally.overlaps += u64::from(separation < 1.0 - 1e-4);
-                }
-            }
-            // those who can't touch yet: the nearest that was perceived
-            if let Some(&near) = step.near.of(row).first() {
-                tally.least_separation = tally.least_separation.min(separation(near));
-            }
-            let core = (!agents.is_disc(row)).then(|| agents.core_of(row));
-            let edges = step.contacts.edges_of(row).iter().map(|&i| walls.edges()[i as usize]);
-            let edges = edges.map(|edge| match &core {
-                None => edge.nearest(at).distance(at),
-                Some(core) => core.separation(&Core::segment(edge.start, edge.end)).distance,
-            });
-            let discs = step.contacts.discs_of(row).iter().map(|&i| walls.discs()[i as usize]);
-            let discs = discs.map(|disc| match &core {
-                None => disc.center.distance(at) - disc.radius,
-                Some(core) => core.separation(&Core::point(disc.center)).distance - disc.radius,
-            });
-            if let Some(distance) = edges.chain(discs).min_by(f64::total_cmp) {
-                let separation = distance / radius;
-                tally.least_wall_separation = tally.least_wall_separation.min(separation);
-                tally.overlaps += u64::from(separation < 1.0 - 1e-4);
-            }
-        }
-    }
 }
 
 /// Below this speed, m/s, a velocity has no direction that could be seen.
-const SEEN: f32 = 0.1;
+pub(super) const SEEN: f32 = 0.1;
 
 /// The angle between two velocities, radians, if both can be seen.
 fn angle_between(a: Vec2, b: Vec2) -> f32 {
-    if a.length() < SEEN || b.length() < SEEN { 0.0 } else { libm::atan2f(a.perp_dot(b), a.dot(b)).abs() }
+    if a.length() < SEEN || b.length() < SEEN { 0.0 } else { angle(Vec2::new(a.dot(b), a.perp_dot(b))).abs() }
 }
 
 /// The velocity of a motion. What was certified as it was wished is the wish: the motion may be far below what

@@ -2,7 +2,8 @@
 //! bits as [one by one](super::avoid), where everybody else goes.
 
 use super::World;
-use crate::avoid::{LANES, Line, MARGIN, MARGIN_LONG_STEP, MOST, Orca, Vec2s, Views, choose, load};
+use crate::avoid::{Line, MARGIN, MARGIN_LONG_STEP, MOST, Orca, Views, choose};
+use crate::lanes::{LANES, Vec2s, load};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use glam::{Vec2, Vec3};

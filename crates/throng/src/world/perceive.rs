@@ -31,16 +31,33 @@ impl World {
     fn is_crowded(&mut self) -> bool {
         let agents = &self.agents;
         let widest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max) * 2.0;
+        let anybody_flies = agents.anybody_flies();
+        let close = |row: usize, other: usize, distance_squared: f32| {
+            let above = if anybody_flies { agents.above(row, other) } else { 0.0 };
+            row != other && distance_squared + above * above <= 4.0 * widest * widest
+        };
+        // who was close before most likely still is
+        if let Some((row, other)) = self.step.close_pair
+            && row.max(other) < agents.len()
+        {
+            let d = agents.position[other] - agents.position[row];
+            if close(row, other, d.x * d.x + d.y * d.y) {
+                return true;
+            }
+        }
         self.step.grid.rebuild(&agents.position, &agents.number, widest.max(0.1) * 2.0);
-        let (grid, anybody_flies) = (&self.step.grid, agents.anybody_flies());
-        (0..agents.len()).any(|row| {
-            let mut near = 0;
-            grid.within(agents.position[row], widest * 2.0, |other| {
-                let above = if anybody_flies { agents.above(row, other.row as usize) } else { 0.0 };
-                near += u32::from(other.distance_squared + above * above <= 4.0 * widest * widest);
+        let grid = &self.step.grid;
+        self.step.close_pair = (0..agents.len()).find_map(|row| {
+            let mut partner = None;
+            grid.within(agents.position[row], widest * 2.0, |near| {
+                let other = near.row as usize;
+                if close(row, other, near.distance_squared) {
+                    partner = Some((row, other));
+                }
             });
-            near > 1
-        })
+            partner
+        });
+        self.step.close_pair.is_some()
     }
 
     /// Sorts everybody into cells; gives how far anybody looks.
@@ -79,7 +96,7 @@ impl World {
             };
             let at = agents.position[row];
             grid.nearest(at, group.neighbours, group.neighbour_distance, accept, found);
-            if !long.rows.is_empty() {
+            if !long.is_empty() {
                 long.add(agents, grid, row, (group.neighbours, group.neighbour_distance), accept, found);
             }
             for (entry, near) in list.iter_mut().zip(&*found) {
@@ -143,10 +160,15 @@ impl Neighbours {
 
     /// Rows of the neighbours of a row, nearest first.
     pub(super) fn of(&self, row: usize) -> &[u32] {
-        let start = self.places[row] as usize * self.most;
-        let list = &self.lists[start..start + self.most];
+        let list = self.with_end(row);
         let count = list.iter().position(|&other| other as usize == row).unwrap_or(self.most);
         &list[..count]
+    }
+
+    /// The same, and more: the row itself where they end, if there is room for it.
+    pub(super) fn with_end(&self, row: usize) -> &[u32] {
+        let start = self.places[row] as usize * self.most;
+        &self.lists[start..start + self.most]
     }
 }
 
@@ -167,6 +189,11 @@ pub(super) struct Long {
 }
 
 impl Long {
+    /// Whether all bodies are discs.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
     fn rebuild(&mut self, agents: &Columns, cell: f32) {
         self.rows.clear();
         if !agents.all_discs() {

@@ -4,6 +4,9 @@
 use fearless_simd::prelude::*;
 use std::ops::{Add, Mul, Sub};
 
+/// Lanes that a vector has at most.
+pub(crate) const LANES: usize = 16;
+
 /// A vector of the plane in every lane.
 #[derive(Clone, Copy)]
 pub(crate) struct Vec2s<S: Simd> {
@@ -84,6 +87,3 @@ impl<S: Simd> Mul<S::f32s> for Vec2s<S> {
 pub(crate) fn load<S: Simd>(simd: S, all: &[f32; LANES]) -> S::f32s {
     S::f32s::from_slice(simd, &all[..S::f32s::LEN])
 }
-
-/// Lanes that a vector has at most.
-pub(crate) const LANES: usize = 16;

@@ -1,0 +1,237 @@
+//! The guard itself: who is looked at when.
+//!
+//! Relaxing and clamping change few, and what is found about a row depends on its own target and on those of the rows
+//! it could touch only. So a pass looks at those rows only for which one of these changed since they were looked at
+//! last; everybody else would be found as before.
+
+use super::cores::Cores;
+use super::safe::is_safe;
+use super::solid::Solid;
+use super::{Bodies, Contacts, Pose, cell, relax};
+use crate::avoid::{Line, Plane};
+use crate::parallel;
+use crate::space::Walls;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Rounds of certification after which everybody who is still free is clamped.
+pub(super) const ROUNDS: usize = 8;
+/// Rows in a part: a bit of a word each.
+const ROWS: usize = u64::BITS as usize;
+
+/// What the guard did.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Report {
+    /// Agents whose displacement it changed by more than a hundredth.
+    pub changed: usize,
+    /// Agents it clamped to their cells.
+    pub clamped: usize,
+    /// Rounds of certification.
+    pub rounds: usize,
+}
+
+/// The guard, with the memory it keeps from step to step.
+#[derive(Clone, Debug, Default)]
+pub struct Guard {
+    parts: Vec<Part>,
+    waiting: Vec<Waiting>,
+    cores: Cores,
+}
+
+/// What is known of a part of the rows. A set of rows is a word, a bit a row.
+#[derive(Clone, Debug, Default)]
+struct Part {
+    /// Who gets a new target in this pass.
+    moving: u64,
+    /// Their new targets.
+    targets: Vec<Pose>,
+    /// Who was ever looked at.
+    seen: u64,
+    /// Whose target ever changed.
+    moved: u64,
+    clamped: u64,
+    /// Whose motion is not what was wished.
+    changed: u64,
+    scratch: Scratch,
+}
+
+/// Memory for one agent's cell.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    pub lines: Vec<Line>,
+    pub planes: Vec<Plane>,
+    pub sides: Vec<cell::Side>,
+}
+
+/// The rows of a part that the next pass looks at; any thread may add to them.
+#[derive(Debug, Default)]
+struct Waiting(AtomicU64);
+
+impl Waiting {
+    fn add(&self, rows: u64) {
+        // most are there already
+        if self.0.load(Ordering::Relaxed) & rows != rows {
+            self.0.fetch_or(rows, Ordering::Relaxed);
+        }
+    }
+}
+
+impl Clone for Waiting {
+    fn clone(&self) -> Self {
+        Self(AtomicU64::new(self.0.load(Ordering::Relaxed)))
+    }
+}
+
+impl Guard {
+    /// Puts into `targets` what is certain: the motion to where each row `wished`, changed as little as can be.
+    /// `contacts` must hold every pair and every wall that the bodies' reach lets meet.
+    pub fn certify(
+        &mut self,
+        bodies: &Bodies<'_>,
+        contacts: &Contacts,
+        walls: &Walls,
+        wished: impl Fn(usize) -> Pose + Sync,
+        targets: &mut Vec<Pose>,
+    ) -> Report {
+        let count = bodies.positions.len();
+        let Self { parts, waiting, cores } = self;
+        cores.rebuild(bodies);
+        let solid = Solid { bodies, contacts, walls, cores };
+        targets.resize(count, Pose::default());
+        parts.resize_with(count.div_ceil(ROWS), Part::default);
+        waiting.clear();
+        waiting.resize_with(parts.len(), Waiting::default);
+        parallel::parts_with(parts, (targets, ROWS), count, |at, part, targets| {
+            (part.seen, part.moved, part.clamped, part.changed) = (0, 0, 0, 0);
+            for (row, target) in (at * ROWS..).zip(targets) {
+                let wish = wished(row);
+                *target = within_reach(row, bodies, wish);
+                part.changed |= u64::from(differs(row, bodies, wish, *target)) * bit(row);
+            }
+        });
+        let mut passes = Passes { contacts, parts, waiting, targets };
+        let alone = |row| contacts.is_alone(row);
+        passes.look_at(|_, row, targets| !alone(row) && !relax::is_clear(row, solid, targets));
+        for _ in 0..relax::ITERATIONS {
+            passes.run(|_, row, targets| Some(relax::relaxed(row, solid, targets)));
+        }
+        passes.look_at(|part, row, _| part.seen & bit(row) != 0);
+        let mut report = Report::default();
+        for round in 1..=ROUNDS + 1 {
+            let last = round > ROUNDS;
+            if last {
+                passes.look_at(|_, row, _| !alone(row));
+            }
+            let clamped = passes.run(|part, row, targets| {
+                let free = part.clamped & bit(row) == 0;
+                (free && (last || !is_safe(row, solid, targets))).then(|| {
+                    part.clamped |= bit(row);
+                    cell::clamp(row, solid, targets[row], &mut part.scratch)
+                })
+            });
+            if clamped == 0 {
+                break;
+            }
+            report.rounds = round;
+        }
+        let moved = parts.iter().map(|part| part.moved.count_ones() as usize).sum();
+        parallel::parts_with(parts, (targets, ROWS), moved, |at, part, targets| {
+            for row in rows(at, part.moved) {
+                part.changed &= !bit(row);
+                part.changed |= u64::from(differs(row, bodies, wished(row), targets[row % ROWS])) * bit(row);
+            }
+        });
+        for part in parts {
+            report.changed += part.changed.count_ones() as usize;
+            report.clamped += part.clamped.count_ones() as usize;
+        }
+        report
+    }
+}
+
+/// All parts and their targets.
+struct Passes<'a> {
+    contacts: &'a Contacts,
+    parts: &'a mut [Part],
+    waiting: &'a mut [Waiting],
+    targets: &'a mut [Pose],
+}
+
+impl Passes<'_> {
+    /// Has the next pass look at those whom `is_meant` names, too.
+    fn look_at(&mut self, is_meant: impl Fn(&Part, usize, &[Pose]) -> bool + Sync) {
+        let targets = &*self.targets;
+        parallel::parts_with(self.parts, (self.waiting, 1), targets.len(), |at, part, waiting| {
+            let all = at * ROWS..targets.len().min((at + 1) * ROWS);
+            let meant = all.filter(|&row| is_meant(part, row, targets));
+            *waiting[0].0.get_mut() |= meant.fold(0, |meant, row| meant | bit(row));
+        });
+    }
+
+    /// Looks at all who wait, moves those for whom `target` has a new target, and has the next pass look at them again
+    /// and at those whom they could touch. Gives how many have a new target, be it the same as before.
+    fn run(&mut self, target: impl Fn(&mut Part, usize, &[Pose]) -> Option<Pose> + Sync) -> usize {
+        let Self { contacts, parts, waiting, targets } = self;
+        let rows_waiting = waiting.iter_mut().map(|waiting| waiting.0.get_mut().count_ones() as usize).sum();
+        parallel::parts_with(parts, (waiting, 1), rows_waiting, |at, part, waiting| {
+            let looked_at = std::mem::take(waiting[0].0.get_mut());
+            part.seen |= looked_at;
+            part.moving = 0;
+            part.targets.clear();
+            for row in rows(at, looked_at) {
+                if let Some(pose) = target(part, row, targets) {
+                    part.moving |= bit(row);
+                    part.targets.push(pose);
+                }
+            }
+        });
+        let moving = parts.iter().map(|part| part.moving.count_ones() as usize).sum();
+        parallel::parts_with(parts, (targets, ROWS), moving, |at, part, targets| {
+            for (row, &pose) in rows(at, part.moving).zip(&part.targets) {
+                let target = &mut targets[row % ROWS];
+                if *target != pose {
+                    part.moved |= bit(row);
+                    for row in [row as u32].iter().chain(contacts.of(row)).map(|&row| row as usize) {
+                        waiting[row / ROWS].add(bit(row));
+                    }
+                }
+                *target = pose;
+            }
+        });
+        moving
+    }
+}
+
+/// The bit of a row in the sets of its part.
+fn bit(row: usize) -> u64 {
+    1 << (row % ROWS)
+}
+
+/// The rows of a set, lowest first.
+fn rows(part: usize, mut set: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let at = set.trailing_zeros() as usize;
+        set &= set.wrapping_sub(1);
+        (at < ROWS).then_some(part * ROWS + at)
+    })
+}
+
+/// The wish of a row, as far as it can go in a step. One that is not a number is no wish at all; the heading of a disc
+/// is left alone.
+pub(super) fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose {
+    let (from, to) = (bodies.place(row), wish.place());
+    let place = if to.is_finite() { from + (to - from).clamp_length_max(bodies.reach[row]) } else { from };
+    let turns = wish.heading.is_finite() && !bodies.is_disc(row);
+    let heading = if turns { wish.heading } else { bodies.headings[row] };
+    Pose { heading, ..wish }.with_place(place)
+}
+
+/// Whether a target is off the wish by more than a hundredth of the way, or of a thousandth of the body.
+fn differs(row: usize, bodies: &Bodies<'_>, wish: Pose, target: Pose) -> bool {
+    let (to, certain) = (wish.place(), target.place());
+    let turned = !bodies.is_disc(row) && wish.heading != target.heading;
+    turned
+        || to != certain && {
+            let tolerance = to.distance(bodies.place(row)).max(1e-3 * bodies.radii[row]) * 1e-2;
+            !to.is_finite() || to.distance(certain) > tolerance
+        }
+}

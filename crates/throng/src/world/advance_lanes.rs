@@ -1,0 +1,135 @@
+//! Many agents move at once, a lane an agent: discs on the ground that turn as they like. The same bits as [one by
+//! one](super::advance).
+
+use super::World;
+use super::advance::SEEN;
+use super::way::Way;
+use crate::guard::Pose;
+use crate::lanes::{LANES, Vec2s, load};
+use crate::motion::{Turning, angles};
+use crate::parallel::{self, Parts};
+use fearless_simd::dispatch;
+use fearless_simd::prelude::*;
+use glam::{Vec2, Vec3};
+
+/// What moving changes, of some rows.
+struct Moving<'a> {
+    position: &'a mut [Vec2],
+    velocity: &'a mut [Vec2],
+    heading: &'a mut [f32],
+    turned: &'a mut [f64],
+    course_turned: &'a mut [f64],
+    walked: &'a mut [f64],
+}
+
+impl Parts for Moving<'_> {
+    fn rows(&self) -> usize {
+        self.position.len()
+    }
+
+    fn split(self, row: usize) -> (Self, Self) {
+        let (position, velocity, heading) =
+            (self.position.split_at_mut(row), self.velocity.split_at_mut(row), self.heading.split_at_mut(row));
+        let (turned, course_turned, walked) =
+            (self.turned.split_at_mut(row), self.course_turned.split_at_mut(row), self.walked.split_at_mut(row));
+        let part = |position, velocity, heading, turned, course_turned, walked| Moving {
+            position,
+            velocity,
+            heading,
+            turned,
+            course_turned,
+            walked,
+        };
+        (
+            part(position.0, velocity.0, heading.0, turned.0, course_turned.0, walked.0),
+            part(position.1, velocity.1, heading.1, turned.1, course_turned.1, walked.1),
+        )
+    }
+}
+
+impl World {
+    /// Moves everybody; does nothing and tells so if some can only move one by one.
+    pub(super) fn advance_many(&mut self, seconds: f32) -> bool {
+        let Self { agents, step, instructions, .. } = self;
+        let plain = agents.all_discs()
+            && !agents.anybody_flies()
+            && agents.climb.uniform() == Some(0.0)
+            && agents.max_turn_rate.uniform() == Some(f32::INFINITY)
+            && step.targets.iter().all(|target| target.altitude == 0.0);
+        let Some(level) = instructions.level().filter(|_| plain) else { return false };
+        let (targets, wishes, ways) = (&step.targets, &step.wishes, &step.ways);
+        let moving = Moving {
+            position: &mut agents.position,
+            velocity: &mut agents.velocity,
+            heading: &mut agents.heading,
+            turned: &mut agents.turned,
+            course_turned: &mut agents.course_turned,
+            walked: &mut agents.walked,
+        };
+        let turning = Turning::of(seconds);
+        parallel::ranges(
+            moving,
+            || (),
+            |(), rows, mut moving| {
+                let (targets, wishes, ways) = (&targets[rows.clone()], &wishes[rows.clone()], &ways[rows]);
+                dispatch!(level, simd => move_all(simd, &mut moving, (targets, wishes, ways), turning, seconds));
+            },
+        );
+        true
+    }
+}
+
+#[inline(always)]
+fn move_all<S: Simd>(
+    simd: S,
+    moving: &mut Moving<'_>,
+    (targets, wishes, ways): (&[Pose], &[Vec3], &[Way]),
+    turning: Turning,
+    seconds: f32,
+) {
+    let splat = |value: f32| S::f32s::splat(simd, value);
+    for start in (0..targets.len()).step_by(S::f32s::LEN) {
+        let rows = start..(start + S::f32s::LEN).min(targets.len());
+        let all = rows.clone().zip(0..);
+        let (mut from, mut to, mut wish, mut before) =
+            ([[0.0; LANES]; 2], [[0.0; LANES]; 2], [[0.0; LANES]; 2], [[0.0; LANES]; 2]);
+        let (mut headings, mut walks) = ([0.0; LANES], [0.0; LANES]);
+        for (row, lane) in all.clone() {
+            set(&mut from, lane, moving.position[row]);
+            set(&mut to, lane, targets[row].position);
+            set(&mut wish, lane, wishes[row].truncate());
+            set(&mut before, lane, moving.velocity[row]);
+            headings[lane] = moving.heading[row];
+            walks[lane] = if ways[row].walks() { 1.0 } else { 0.0 };
+        }
+        let [from, to, wish, before]: [Vec2s<S>; 4] = [from, to, wish, before].map(|all| Vec2s::load(simd, &all));
+        let motion = to - from;
+        // as `velocity` one by one
+        let off = to - (from + wish * splat(seconds));
+        let limit = to.x.abs().max(to.y.abs()) * splat(f32::EPSILON);
+        let unchanged = off.dot(off).sqrt().simd_le(limit);
+        let velocity = Vec2s::select(unchanged, wish, motion.over(splat(seconds)));
+        let heading = load(simd, &headings);
+        let facing = turning.turn(simd, heading, velocity);
+        // what the trip so far grows by
+        let seen = |v: Vec2s<S>| v.dot(v).sqrt().simd_ge(splat(SEEN));
+        let course = angles(simd, Vec2s { x: before.dot(velocity), y: before.perp_dot(velocity) }).abs();
+        let course = (seen(before) & seen(velocity)).select(course, splat(0.0));
+        let walks = load(simd, &walks);
+        let turned = (facing - heading).abs() * walks;
+        let (course, walked) = (course * walks, motion.dot(motion).sqrt() * walks);
+        for (row, lane) in all {
+            moving.position[row] = targets[row].position;
+            moving.velocity[row] = Vec2::new(velocity.x[lane], velocity.y[lane]);
+            moving.heading[row] = facing[lane];
+            let turned = f64::from(turned[lane]);
+            moving.turned[row] += turned.min(std::f64::consts::TAU - turned);
+            moving.course_turned[row] += f64::from(course[lane]);
+            moving.walked[row] += f64::from(walked[lane]);
+        }
+    }
+}
+
+fn set(all: &mut [[f32; LANES]; 2], lane: usize, v: Vec2) {
+    (all[0][lane], all[1][lane]) = (v.x, v.y);
+}

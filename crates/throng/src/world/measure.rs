@@ -1,0 +1,92 @@
+//! How close bodies came to each other and to walls.
+
+use super::World;
+use crate::agent::Columns;
+use crate::parallel;
+use crate::space::{Core, Walls};
+
+/// Rows that are measured together.
+const ROWS: usize = 256;
+
+/// What was measured, as in [`Tally`](crate::summary::Tally).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Measured {
+    least_separation: f64,
+    least_wall_separation: f64,
+    overlaps: u64,
+}
+
+impl World {
+    /// Notes how close bodies came to each other and to walls.
+    #[inline(never)]
+    pub(super) fn measure(&mut self) {
+        let Self { agents, step, walls, tally, .. } = self;
+        let before = Measured {
+            least_separation: tally.least_separation,
+            least_wall_separation: tally.least_wall_separation,
+            overlaps: 0,
+        };
+        step.measured.clear();
+        step.measured.resize(agents.len().div_ceil(ROWS), before);
+        let (contacts, near) = (&step.contacts, &step.near);
+        let discs_only = step.long.is_empty();
+        parallel::parts(&mut step.measured, agents.len(), |part, measured| {
+            for row in part * ROWS..agents.len().min((part + 1) * ROWS) {
+                for other in contacts.of(row).iter().map(|&other| other as usize).filter(|&other| other > row) {
+                    if !discs_only || measured.is_near(agents, row, other) {
+                        let separation = agents.separation(row, other);
+                        measured.least_separation = measured.least_separation.min(separation);
+                        measured.overlaps += u64::from(separation < TOUCH);
+                    }
+                }
+                // those who can't touch yet: the nearest that was perceived
+                if let Some(nearest) = near.with_end(row).first().map(|&nearest| nearest as usize)
+                    && nearest != row
+                    && (!discs_only || measured.is_near(agents, row, nearest))
+                {
+                    measured.least_separation = measured.least_separation.min(agents.separation(row, nearest));
+                }
+                if !contacts.is_off_walls(row) {
+                    measured.walls(agents, row, walls, (contacts.edges_of(row), contacts.discs_of(row)));
+                }
+            }
+        });
+        for measured in &step.measured {
+            tally.least_separation = tally.least_separation.min(measured.least_separation);
+            tally.least_wall_separation = tally.least_wall_separation.min(measured.least_wall_separation);
+            tally.overlaps += measured.overlaps;
+        }
+    }
+}
+
+impl Measured {
+    /// Whether two discs may overlap, or be nearer than any before: most are not, which is seen in the plan, without a
+    /// root or a quotient, with room for rounding.
+    fn is_near(&self, agents: &Columns, row: usize, other: usize) -> bool {
+        let limit = (agents.radius[row] + agents.radius[other]) * (self.least_separation.max(1.0) as f32 * 1.0001);
+        agents.position[row].distance_squared(agents.position[other]) <= limit * limit
+    }
+
+    fn walls(&mut self, agents: &Columns, row: usize, walls: &Walls, (edges, discs): (&[u32], &[u32])) {
+        let at = agents.position[row].as_dvec2();
+        let core = (!agents.is_disc(row)).then(|| agents.core_of(row));
+        let edges = edges.iter().map(|&i| walls.edges()[i as usize]);
+        let edges = edges.map(|edge| match &core {
+            None => edge.nearest(at).distance(at),
+            Some(core) => core.separation(&Core::segment(edge.start, edge.end)).distance,
+        });
+        let discs = discs.iter().map(|&i| walls.discs()[i as usize]);
+        let discs = discs.map(|disc| match &core {
+            None => disc.center.distance(at) - disc.radius,
+            Some(core) => core.separation(&Core::point(disc.center)).distance - disc.radius,
+        });
+        if let Some(distance) = edges.chain(discs).min_by(f64::total_cmp) {
+            let separation = distance / f64::from(agents.radius[row]);
+            self.least_wall_separation = self.least_wall_separation.min(separation);
+            self.overlaps += u64::from(separation < TOUCH);
+        }
+    }
+}
+
+/// Bodies that are nearer than this overlap; less is rounding.
+const TOUCH: f64 = 1.0 - 1e-4;
