@@ -87,3 +87,36 @@ impl<S: Simd> Mul<S::f32s> for Vec2s<S> {
 pub(crate) fn load<S: Simd>(simd: S, all: &[f32; LANES]) -> S::f32s {
     S::f32s::from_slice(simd, &all[..S::f32s::LEN])
 }
+
+/// Two vectors of each lane that lie side by side in memory.
+#[inline(always)]
+pub(crate) fn load_pairs<S: Simd>(simd: S, all: &[[f32; 4]; LANES]) -> [Vec2s<S>; 2] {
+    let (flat, lanes) = (all.as_flattened(), S::f32s::LEN);
+    let part = |at: usize| S::f32s::from_slice(simd, &flat[at * lanes..(at + 1) * lanes]);
+    // x and y of the first and the second vector take turns
+    let (a, b) = part(0).deinterleave(part(1));
+    let (c, d) = part(2).deinterleave(part(3));
+    let ((ax, bx), (ay, by)) = (a.deinterleave(c), b.deinterleave(d));
+    [Vec2s { x: ax, y: ay }, Vec2s { x: bx, y: by }]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::perceive::Instructions;
+    use fearless_simd::dispatch;
+
+    #[test]
+    fn pairs_come_to_their_lanes() {
+        let all: [[f32; 4]; LANES] = std::array::from_fn(|lane| std::array::from_fn(|at| (4 * lane + at) as f32));
+        for level in Instructions::ALL.into_iter().filter_map(Instructions::level) {
+            dispatch!(level, simd => {
+                let [a, b] = load_pairs(simd, &all);
+                let lanes = a.x.as_slice().iter().zip(a.y.as_slice()).zip(b.x.as_slice().iter().zip(b.y.as_slice()));
+                for (((&ax, &ay), (&bx, &by)), expected) in lanes.zip(&all) {
+                    assert_eq!([ax, ay, bx, by], *expected, "{level:?}");
+                }
+            });
+        }
+    }
+}

@@ -4,7 +4,7 @@
 
 use super::half_plane::{Line, PARALLEL, least_violation};
 use super::orca::{Orca, RECOVERY};
-use crate::lanes::{LANES, Vec2s, load};
+use crate::lanes::{LANES, Vec2s, load, load_pairs};
 use fearless_simd::prelude::*;
 use glam::Vec2;
 
@@ -28,8 +28,8 @@ pub(crate) struct Views {
 /// A neighbour of each; see [`Neighbour`](super::Neighbour).
 #[derive(Clone, Debug)]
 pub(crate) struct Others {
-    pub position: [[f32; LANES]; 2],
-    pub velocity: [[f32; LANES]; 2],
+    /// Position and velocity of each.
+    pub motion: [[f32; 4]; LANES],
     pub radii: [f32; LANES],
     pub share: [f32; LANES],
 }
@@ -37,7 +37,7 @@ pub(crate) struct Others {
 impl Default for Views {
     fn default() -> Self {
         let (one, two) = ([0.0; LANES], [[0.0; LANES]; 2]);
-        let others = || Others { position: two, velocity: two, radii: one, share: [0.5; LANES] };
+        let others = || Others { motion: [[0.0; 4]; LANES], radii: one, share: [0.5; LANES] };
         let neighbours = std::array::from_fn(|_| others());
         Self { velocity: two, preferred: two, max_speed: one, position: two, count: one, neighbours }
     }
@@ -110,9 +110,10 @@ fn line<S: Simd>(simd: S, orca: &Orca, views: &Views, index: usize, step: f32) -
     let zero = splat(0.0);
     let others = &views.neighbours[index];
     let velocity = Vec2s::load(simd, &views.velocity);
-    let offset: Vec2s<S> = Vec2s::load(simd, &others.position) - Vec2s::load(simd, &views.position);
+    let [position, other_velocity] = load_pairs(simd, &others.motion);
+    let offset: Vec2s<S> = position - Vec2s::load(simd, &views.position);
     let radii = load(simd, &others.radii);
-    let relative = velocity - Vec2s::load(simd, &others.velocity);
+    let relative = velocity - other_velocity;
     let distance_squared = offset.dot(offset);
     let apart = distance_squared.simd_gt(radii * radii);
     // who is too close parts within the recovery time

@@ -15,6 +15,17 @@ pub struct Contacts {
     told: Vec<(u32, u32)>,
 }
 
+/// What a row has seen of those whom it meets.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<'a> {
+    /// The nearest, nearest first.
+    pub nearest: &'a [u32],
+    /// Within which distance it looked.
+    pub range: f32,
+    /// Whether these are all that are within the range.
+    pub all: bool,
+}
+
 /// Ranges are a little wider than the sums, for the rounding of squares.
 const PAD: f32 = 1.0001;
 
@@ -46,21 +57,21 @@ impl Search<'_> {
         });
     }
 
-    /// Adds to `found` those of the nearest who can touch `row`. Whether they are all there are, if who can touch it is
-    /// within `reach`.
+    /// Adds to `found` those who can touch `row` of those it has seen. Whether they are all there are, if who can touch
+    /// it is within `reach`.
     #[inline]
-    fn take(&self, row: usize, reach: f32, nearest: &[u32], range: f32, found: &mut Vec<u32>) -> bool {
+    fn take(&self, row: usize, reach: f32, seen: Seen<'_>, found: &mut Vec<u32>) -> bool {
         let at = self.bodies.positions[row];
-        for &other in nearest {
+        for &other in seen.nearest {
             let distance_squared = at.distance_squared(self.bodies.positions[other as usize]);
-            if other as usize == row || distance_squared > reach * reach {
-                return other as usize != row || range > reach;
+            if distance_squared > reach * reach {
+                return true;
             }
             if self.touch(row, other as usize, distance_squared) {
                 found.push(other);
             }
         }
-        false
+        seen.all && seen.range > reach
     }
 
     /// Whether two can touch whose centres are this far apart in the plan.
@@ -79,9 +90,8 @@ impl Search<'_> {
 
 impl Contacts {
     /// Collects all pairs that could touch, by a grid over the bodies' positions, and all walls. `meets` tells
-    /// whether two rows are solid to each other, the same whichever comes first. `nearest` may know the nearest of all
-    /// whom a row meets, nearest first, and within which distance it looked for them; where it found no more the row
-    /// itself ends the list.
+    /// whether two rows are solid to each other, the same whichever comes first. `seen` may know the nearest of all
+    /// whom a row meets.
     pub fn collect<'a>(
         &mut self,
         bodies: &Bodies<'_>,
@@ -89,7 +99,7 @@ impl Contacts {
         grid: &Grid,
         walls: &Walls,
         meets: impl Fn(usize, usize) -> bool + Sync,
-        nearest: impl Fn(usize) -> Option<(&'a [u32], f32)> + Sync,
+        seen: impl Fn(usize) -> Option<Seen<'a>> + Sync,
     ) {
         let search = Search { bodies, numbers, grid };
         let (usual, largest) = self.tell(search, &meets);
@@ -98,7 +108,7 @@ impl Contacts {
             let start = others.len();
             let size = search.size(row);
             let reach = (size + largest) * (PAD * PAD);
-            let all = nearest(row).is_some_and(|(nearest, range)| search.take(row, reach, nearest, range, others));
+            let all = seen(row).is_some_and(|seen| search.take(row, reach, seen, others));
             if !all {
                 others.truncate(start);
                 search.look(row, size.max(usual), |other| {

@@ -57,7 +57,7 @@ mod sweep;
 
 pub(crate) use certify::unguarded;
 pub use certify::{Guard, Report};
-pub use contacts::Contacts;
+pub use contacts::{Contacts, Seen};
 pub use safe::{SLACK, nearest_approach};
 
 use crate::agent::Column;

@@ -5,7 +5,7 @@ use super::certify::{ROUNDS, Scratch, within_reach};
 use super::cores::Cores;
 use super::safe::is_safe;
 use super::solid::Solid;
-use super::{Bodies, Contacts, Guard, Pose, Report, cell, relax};
+use super::{Bodies, Contacts, Guard, Pose, Report, Seen, cell, relax};
 use crate::Obstacle;
 use crate::perceive::Grid;
 use crate::space::Walls;
@@ -146,11 +146,13 @@ proptest! {
             let others = (0..all.len()).filter(|&other| other != row && meets(row, other)).map(|other| other as u32);
             let mut near: Vec<u32> = others.filter(|other| distance(other) <= 2.25).collect();
             near.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-            near.push(row as u32);
-            near.truncate(8);
+            near.truncate(7);
             near
         }).collect();
-        let known = |row: usize| (knows && row % 2 == 0).then_some((&nearest[row][..], 1.5));
+        let known = |row: usize| {
+            let nearest = &nearest[row][..];
+            (knows && row % 2 == 0).then_some(Seen { nearest, range: 1.5, all: nearest.len() < 7 })
+        };
         let mut contacts = Contacts::default();
         contacts.collect(&bodies, &numbers, &grid, &walls, meets, known);
         for row in 0..all.len() {

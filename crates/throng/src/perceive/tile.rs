@@ -46,7 +46,7 @@ impl Default for Pack {
 
 impl Grid {
     /// The `k` nearest of `count` points from `start` on in the order of cells, themselves left out, within `range`:
-    /// their rows, `k` places a point, nearest first, the end marked by the point's own row. Calls `left` with the
+    /// `k + 1` places a point: how many, and their rows, nearest first. Calls `left` with the
     /// places of those that it can't tell; they are to be searched one by one.
     ///
     /// # Panics
@@ -80,7 +80,7 @@ fn many<S: Simd>(
     while start < places.end {
         // a tile that went on in the next row of cells would be as wide as the grid
         let end = (start + most).min(places.end).min(grid.end_of_row(start));
-        let out = &mut found[(start - places.start) * k..(end - places.start) * k];
+        let out = &mut found[(start - places.start) * (k + 1)..(end - places.start) * (k + 1)];
         let mut missing = match Tile::new(simd, grid, start, end).nearest(k, range, pack, out) {
             Some(missing) => missing,
             None if end - start > 1 => {
@@ -92,7 +92,7 @@ fn many<S: Simd>(
         while missing != 0 {
             let lane = missing.trailing_zeros() as usize;
             missing &= missing - 1;
-            left(start + lane, &mut out[lane * k..(lane + 1) * k]);
+            left(start + lane, &mut out[lane * (k + 1)..(lane + 1) * (k + 1)]);
         }
         start = end;
         most = (2 * most).min(S::f32s::LEN);
@@ -103,7 +103,6 @@ fn many<S: Simd>(
 struct Tile<'a, S: Simd> {
     simd: S,
     grid: &'a Grid,
-    start: usize,
     count: usize,
     x: S::f32s,
     y: S::f32s,
@@ -125,7 +124,7 @@ impl<'a, S: Simd> Tile<'a, S> {
         let (x, y) = (column(&grid.x), column(&grid.y));
         let low = Vec2::new(x.reduce_min(), y.reduce_min());
         let high = Vec2::new(x.reduce_max(), y.reduce_max());
-        Self { simd, grid, start, count, x, y, low, high }
+        Self { simd, grid, count, x, y, low, high }
     }
 
     /// Finds the nearest of all lanes; tells, as bits, which it can't. `None` if too many are near the tile.
@@ -237,14 +236,11 @@ impl<'a, S: Simd> Tile<'a, S> {
             (keys[at] & PLACE).store_slice(&mut all[..S::u32s::LEN]);
             all
         });
-        for (lane, list) in out.chunks_exact_mut(k).enumerate() {
-            for (at, row) in list.iter_mut().enumerate() {
-                *row = pack.row[places[at + 1][lane] as usize];
-            }
+        for (lane, list) in out.chunks_exact_mut(k + 1).enumerate() {
             // its own key, the first, counts too
-            let count = counts[lane].saturating_sub(1) as usize;
-            if let Some(end) = list.get_mut(count) {
-                *end = self.grid.order[self.start + lane];
+            list[0] = counts[lane].saturating_sub(1);
+            for (at, row) in list.iter_mut().enumerate().skip(1) {
+                *row = pack.row[places[at][lane] as usize];
             }
         }
         alike.to_bitmask()
@@ -274,16 +270,17 @@ mod tests {
     /// The same by tiles, and how many they left.
     fn tiles(level: Level, grid: &Grid, points: &[Vec2], k: usize, range: f32) -> (Vec<Vec<u32>>, usize) {
         let mut lists = vec![Vec::new(); points.len()];
-        let (mut out, mut pack, mut left) = (vec![0; points.len() * k], Pack::default(), vec![false; points.len()]);
+        let (mut out, mut pack, mut left) =
+            (vec![0; points.len() * (k + 1)], Pack::default(), vec![false; points.len()]);
         grid.nearest_of_many(level, 0..points.len(), (k, range), &mut pack, &mut out, |place, _| left[place] = true);
         let mut found = Vec::new();
-        for (place, list) in out.chunks_exact(k).enumerate() {
+        for (place, list) in out.chunks_exact(k + 1).enumerate() {
             let row = grid.order()[place];
             lists[row as usize] = if left[place] {
                 grid.nearest(points[row as usize], k, range, |near| near.row != row, &mut found);
                 found.iter().map(|near: &Near| near.row).collect()
             } else {
-                list.iter().copied().take_while(|&other| other != row).collect()
+                list[1..=list[0] as usize].to_vec()
             };
         }
         (lists, left.iter().filter(|&&left| left).count())

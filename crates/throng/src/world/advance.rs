@@ -2,7 +2,7 @@
 
 use super::World;
 use crate::agent::Status;
-use crate::guard::{self, Bodies, Pose, Report};
+use crate::guard::{self, Bodies, Pose, Report, Seen};
 use crate::motion::{angle, faces, turn, wrap};
 use glam::{Vec2, Vec3};
 
@@ -49,12 +49,14 @@ impl World {
 
     /// The nearest that perceiving found and how far it looked, where it looks at everybody: where all are discs on the
     /// ground and avoid each other.
-    fn seen<'a>(&'a self) -> impl Fn(usize) -> Option<(&'a [u32], f32)> {
+    fn seen<'a>(&'a self) -> impl Fn(usize) -> Option<Seen<'a>> {
         let Self { agents, step, groups, .. } = self;
         let sees_all = step.long.is_empty() && !agents.anybody_flies() && agents.all_avoid();
         move |row| {
             let group = &groups[agents.group[row].index()];
-            sees_all.then(|| (&step.near.with_end(row)[..group.neighbours], group.neighbour_distance))
+            let nearest = step.near.of(row);
+            let all = nearest.len() < group.neighbours;
+            sees_all.then_some(Seen { nearest, range: group.neighbour_distance, all })
         }
     }
 

@@ -123,7 +123,6 @@ impl World {
             let way = &step.ways[row];
             for (&other, others) in neighbours.iter().zip(&mut views.neighbours) {
                 let other = other as usize;
-                let position = agents.position[other];
                 let (mut yields, mut granted) = (0.0, Vec2::ZERO);
                 if !way.are_equals(&step.ways[other]) {
                     yields = self.yields(row, other);
@@ -136,8 +135,8 @@ impl World {
                 if common.radius.is_none() {
                     others.radii[lane] = (agents.radius[row] + agents.radius[other]) * common.margin;
                 }
-                set(&mut others.position, position);
-                set(&mut others.velocity, agents.velocity[other] + granted);
+                let (position, velocity) = (agents.position[other], agents.velocity[other] + granted);
+                others.motion[lane] = [position.x, position.y, velocity.x, velocity.y];
             }
         }
         missing

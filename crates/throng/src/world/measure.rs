@@ -31,9 +31,10 @@ impl World {
         let (contacts, near) = (&step.contacts, &step.near);
         // where nobody is guarded contacts are not collected, and who is perceived has to do
         let guarded = step.guarded.uniform() != Some(false);
-        let most = |all: &[f32]| all.iter().copied().fold(0.0, f32::max);
-        let (radius, reach) = (most(agents.radius.values()), most(step.reach.values()));
         let discs_only = step.long.is_empty();
+        let most = |all: &[f32]| all.iter().copied().fold(0.0, f32::max);
+        let reach = if discs_only { most(step.reach.values()) } else { f32::INFINITY };
+        let radius = most(agents.radius.values());
         parallel::parts(&mut step.measured, agents.len(), |part, measured| {
             for row in part * ROWS..agents.len().min((part + 1) * ROWS) {
                 if guarded {
@@ -44,15 +45,17 @@ impl World {
                     // nearest first, before they moved
                     let farthest = radius + agents.radius[row] + 4.0 * reach;
                     let at = agents.position[row];
-                    let close = |&&other: &&u32| at.distance(agents.position[other as usize]) <= farthest;
-                    let once = |&&other: &&u32| agents.number[other as usize] > agents.number[row];
-                    near.of(row).iter().take_while(close).filter(once).for_each(|&other| {
-                        measured.pair(agents, row, other as usize, discs_only);
-                    });
+                    let others = near.of(row).iter().map(|&other| other as usize);
+                    let close =
+                        |&other: &usize| at.distance_squared(agents.position[other]) <= farthest * farthest * 1.0001;
+                    for other in others.take_while(close) {
+                        if agents.number[other] > agents.number[row] {
+                            measured.pair(agents, row, other, discs_only);
+                        }
+                    }
                 }
                 // those who can't touch yet: the nearest that was perceived
-                if let Some(nearest) = near.with_end(row).first().map(|&nearest| nearest as usize)
-                    && nearest != row
+                if let Some(nearest) = near.of(row).first().map(|&nearest| nearest as usize)
                     && (!discs_only || measured.is_near(agents, row, nearest))
                 {
                     measured.least_separation = measured.least_separation.min(agents.separation(row, nearest));

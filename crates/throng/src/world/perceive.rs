@@ -101,34 +101,32 @@ impl World {
             if !long.is_empty() {
                 long.add(agents, grid, row, (group.neighbours, group.neighbour_distance), accept, found);
             }
-            for (entry, near) in list.iter_mut().zip(&*found) {
+            list[0] = found.len() as u32;
+            for (entry, near) in list[1..].iter_mut().zip(&*found) {
                 *entry = near.row;
             }
-            end(list, found.len(), row);
         };
         // who looks less far, or at fewer
         let shorten = |place: usize, list: &mut [u32]| {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
             let (at, range) = (agents.position[row], group.neighbour_distance);
-            let counts = |&&other: &&u32| {
-                other as usize != row && agents.position[other as usize].distance_squared(at) <= range * range
-            };
-            let count = list.iter().take(group.neighbours).take_while(counts).count();
-            end(list, count, row);
+            let counts = |&&other: &&u32| agents.position[other as usize].distance_squared(at) <= range * range;
+            let seen = &list[1..=group.neighbours.min(list[0] as usize)];
+            list[0] = seen.iter().take_while(counts).count() as u32;
         };
         let many =
             level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
         let scratch = || (Pack::default(), Vec::new());
-        let lists = Lists { all: &mut step.near.lists, stride: most };
+        let lists = Lists { all: &mut step.near.lists, stride: most + 1 };
         parallel::ranges(lists, scratch, |(pack, found), places, Lists { all: lists, .. }| {
             let Some(level) = many else {
-                return places.zip(lists.chunks_mut(most)).for_each(|(place, list)| plain(found, place, list));
+                return places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| plain(found, place, list));
             };
             let left = |place: usize, list: &mut [u32]| plain(found, place, list);
             grid.nearest_of_many(level, places.clone(), (most, range), pack, lists, left);
             if !alike {
-                places.zip(lists.chunks_mut(most)).for_each(|(place, list)| shorten(place, list));
+                places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| shorten(place, list));
             }
         });
     }
@@ -155,7 +153,7 @@ impl World {
 /// The nearest neighbours of everybody.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Neighbours {
-    /// As many places a row as anybody looks at, filled from the front, in the order of the grid.
+    /// For each row how many it sees, and places for as many as anybody looks at; in the order of the grid.
     lists: Vec<u32>,
     most: usize,
     /// Where the list of each row is.
@@ -165,7 +163,7 @@ pub(super) struct Neighbours {
 impl Neighbours {
     fn resize(&mut self, order: &[u32], most: usize) {
         self.most = most;
-        self.lists.resize(order.len() * most, 0);
+        self.lists.resize(order.len() * (most + 1), 0);
         self.places.resize(order.len(), 0);
         for (place, &row) in (0..).zip(order) {
             self.places[row as usize] = place;
@@ -173,23 +171,10 @@ impl Neighbours {
     }
 
     /// Rows of the neighbours of a row, nearest first.
+    #[inline]
     pub(super) fn of(&self, row: usize) -> &[u32] {
-        let list = self.with_end(row);
-        let count = list.iter().position(|&other| other as usize == row).unwrap_or(self.most);
-        &list[..count]
-    }
-
-    /// The same, and more: the row itself where they end, if there is room for it.
-    pub(super) fn with_end(&self, row: usize) -> &[u32] {
-        let start = self.places[row] as usize * self.most;
-        &self.lists[start..start + self.most]
-    }
-}
-
-/// Marks the end of a list: nobody is their own neighbour.
-fn end(list: &mut [u32], count: usize, row: usize) {
-    if let Some(end) = list.get_mut(count) {
-        *end = row as u32;
+        let list = &self.lists[self.places[row] as usize * (self.most + 1)..];
+        &list[1..=list[0] as usize]
     }
 }
 
