@@ -5,6 +5,7 @@
 //! last; everybody else would be found as before.
 
 use super::cores::Cores;
+use super::lists::ROWS;
 use super::safe::is_safe;
 use super::solid::Solid;
 use super::{Bodies, Contacts, Pose, cell, relax};
@@ -15,8 +16,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Rounds of certification after which everybody who is still free is clamped.
 pub(super) const ROUNDS: usize = 8;
-/// Rows in a part: a bit of a word each.
-const ROWS: usize = u64::BITS as usize;
 
 /// What the guard did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -109,17 +108,19 @@ impl Guard {
             }
         });
         let mut passes = Passes { contacts, parts, waiting, targets };
-        let alone = |row| contacts.is_alone(row);
-        passes.look_at(|_, row, targets| !alone(row) && !relax::is_clear(row, solid, targets));
+        passes.look_at(|at, _, targets| {
+            let touching = rows(at, contacts.touching(at));
+            touching.filter(|&row| !relax::is_clear(row, solid, targets)).fold(0, |some, row| some | bit(row))
+        });
         for _ in 0..relax::ITERATIONS {
             passes.run(|_, row, targets| Some(relax::relaxed(row, solid, targets)));
         }
-        passes.look_at(|part, row, _| part.seen & bit(row) != 0);
+        passes.look_at(|_, part, _| part.seen);
         let mut report = Report::default();
         for round in 1..=ROUNDS + 1 {
             let last = round > ROUNDS;
             if last {
-                passes.look_at(|_, row, _| !alone(row));
+                passes.look_at(|at, _, _| contacts.touching(at));
             }
             let clamped = passes.run(|part, row, targets| {
                 let free = part.clamped & bit(row) == 0;
@@ -157,13 +158,11 @@ struct Passes<'a> {
 }
 
 impl Passes<'_> {
-    /// Has the next pass look at those whom `is_meant` names, too.
-    fn look_at(&mut self, is_meant: impl Fn(&Part, usize, &[Pose]) -> bool + Sync) {
+    /// Has the next pass look at those of each part that `whom` gives, too.
+    fn look_at(&mut self, whom: impl Fn(usize, &Part, &[Pose]) -> u64 + Sync) {
         let targets = &*self.targets;
         parallel::parts_with(self.parts, (self.waiting, 1), targets.len(), |at, part, waiting| {
-            let all = at * ROWS..targets.len().min((at + 1) * ROWS);
-            let meant = all.filter(|&row| is_meant(part, row, targets));
-            *waiting[0].0.get_mut() |= meant.fold(0, |meant, row| meant | bit(row));
+            *waiting[0].0.get_mut() |= whom(at, part, targets);
         });
     }
 
@@ -202,6 +201,7 @@ impl Passes<'_> {
 }
 
 /// The bit of a row in the sets of its part.
+#[inline]
 fn bit(row: usize) -> u64 {
     1 << (row % ROWS)
 }
@@ -217,6 +217,7 @@ fn rows(part: usize, mut set: u64) -> impl Iterator<Item = usize> {
 
 /// The wish of a row, as far as it can go in a step. One that is not a number is no wish at all; the heading of a disc
 /// is left alone.
+#[inline]
 pub(super) fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose {
     let (from, to) = (bodies.place(row), wish.place());
     let place = if to.is_finite() { from + (to - from).clamp_length_max(bodies.reach[row]) } else { from };
@@ -226,6 +227,7 @@ pub(super) fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose 
 }
 
 /// Whether a target is off the wish by more than a hundredth of the way, or of a thousandth of the body.
+#[inline]
 fn differs(row: usize, bodies: &Bodies<'_>, wish: Pose, target: Pose) -> bool {
     let (to, certain) = (wish.place(), target.place());
     let turned = !bodies.is_disc(row) && wish.heading != target.heading;

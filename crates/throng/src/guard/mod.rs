@@ -95,6 +95,7 @@ impl Bodies<'_> {
     }
 
     /// The centre of a body, in space.
+    #[inline]
     fn place(&self, row: usize) -> Vec3 {
         self.positions[row].extend(self.altitudes[row])
     }
@@ -113,11 +114,13 @@ pub struct Pose {
 
 impl Pose {
     /// Its centre, in space.
+    #[inline]
     pub fn place(&self) -> Vec3 {
         self.position.extend(self.altitude)
     }
 
     /// The pose with its centre here, on the ground if that is below it.
+    #[inline]
     pub(crate) fn with_place(self, place: Vec3) -> Self {
         Self { position: place.truncate(), altitude: place.z.max(0.0), ..self }
     }

@@ -25,8 +25,11 @@ fn certify(bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, wishes: &[Po
     let mut clamped = vec![false; wishes.len()];
     let mut report = Report::default();
     for round in 1.. {
-        let clamps =
-            |row: usize| !clamped[row] && (round > ROUNDS && !contacts.is_alone(row) || !is_safe(row, solid, &now));
+        let clamps = |row: usize| {
+            !clamped[row]
+                && (round > ROUNDS && !(contacts.of(row).is_empty() && contacts.is_off_walls(row))
+                    || !is_safe(row, solid, &now))
+        };
         let unsafe_ones: Vec<usize> = rows.clone().filter(|&row| clamps(row)).collect();
         if unsafe_ones.is_empty() {
             break;
