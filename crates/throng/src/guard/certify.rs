@@ -12,6 +12,7 @@ use super::{Bodies, Contacts, Pose, cell, relax};
 use crate::avoid::{Line, Plane};
 use crate::parallel;
 use crate::space::Walls;
+use glam::Vec3;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Rounds of certification after which everybody who is still free is clamped.
@@ -219,9 +220,16 @@ fn rows(part: usize, mut set: u64) -> impl Iterator<Item = usize> {
 /// is left alone.
 #[inline]
 pub(super) fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose {
-    let (from, to) = (bodies.place(row), wish.place());
-    let place = if to.is_finite() { from + (to - from).clamp_length_max(bodies.reach[row]) } else { from };
-    let turns = wish.heading.is_finite() && !bodies.is_disc(row);
+    let (from, to, reach) = (bodies.place(row), wish.place(), bodies.reach[row]);
+    let motion = to - from;
+    let place = if motion.length_squared() <= reach * reach {
+        from + motion
+    } else if to.is_finite() {
+        from + motion.clamp_length_max(reach)
+    } else {
+        from
+    };
+    let turns = !bodies.is_disc(row) && wish.heading.is_finite();
     let heading = if turns { wish.heading } else { bodies.headings[row] };
     Pose { heading, ..wish }.with_place(place)
 }
@@ -229,11 +237,13 @@ pub(super) fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose 
 /// Whether a target is off the wish by more than a hundredth of the way, or of a thousandth of the body.
 #[inline]
 fn differs(row: usize, bodies: &Bodies<'_>, wish: Pose, target: Pose) -> bool {
-    let (to, certain) = (wish.place(), target.place());
     let turned = !bodies.is_disc(row) && wish.heading != target.heading;
-    turned
-        || to != certain && {
-            let tolerance = to.distance(bodies.place(row)).max(1e-3 * bodies.radii[row]) * 1e-2;
-            !to.is_finite() || to.distance(certain) > tolerance
-        }
+    // most are where they wished to be
+    turned || wish.place() != target.place() && is_off(row, bodies, wish.place(), target.place())
+}
+
+#[cold]
+fn is_off(row: usize, bodies: &Bodies<'_>, wish: Vec3, target: Vec3) -> bool {
+    let tolerance = wish.distance(bodies.place(row)).max(1e-3 * bodies.radii[row]) * 1e-2;
+    !wish.is_finite() || wish.distance(target) > tolerance
 }
