@@ -42,6 +42,12 @@
 //!
 //! Before certifying, a few symmetric relaxations (`relax.rs`) part the pairs that would collide: position-based, as
 //! Weiss et al. (MIG 2017) resolve contacts. They make clamping rare; nothing depends on them.
+//!
+//! # What it costs
+//! What relaxing or a round finds about an agent depends on its own target, on those of whom it could touch (`contacts.rs`),
+//! and on nothing else that changes. So who can touch nobody is never looked at; nor is who is seen at a glance to pass
+//! everybody, nor later anybody for whom none of these targets has changed since the last look (`certify.rs`). The
+//! result is that of looking at everybody every time, bit for bit.
 
 mod cell;
 mod certify;

@@ -54,13 +54,13 @@ impl<'a> Solid<'a> {
     }
 
     /// How the centre of a body moves to `target`.
-    #[inline]
+    #[inline(always)]
     pub fn motion(self, row: usize, target: Pose) -> DVec3 {
         target.place().as_dvec3() - self.bodies.place(row).as_dvec3()
     }
 
     /// From another to `row`, which moves by `motion`: the offset of their centres, and its change.
-    #[inline]
+    #[inline(always)]
     pub fn relative(self, row: usize, motion: DVec3, other: usize, targets: &[Pose]) -> (DVec3, DVec3) {
         let offset = self.bodies.place(row).as_dvec3() - self.bodies.place(other).as_dvec3();
         (offset, motion - self.motion(other, targets[other]))
