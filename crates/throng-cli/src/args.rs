@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::bench::args::{self as bench, BenchArgs};
 use crate::compare::{COMPARE, COMPARE_SHORT, CompareArgs};
 use crate::explain::args::{self as explain, ExplainArgs};
 use crate::look::LookArgs;
@@ -26,6 +27,7 @@ Examples:
   throng check plan.toml             is it right, and what would it do?
   throng show doorway                a picture of the start, doorway.png
   throng explain circle --agent 3    why agent 3 goes where it goes, circle-agent-3.svg
+  throng bench                       how long steps take on this machine
 
 Exit codes: 0 done; 1 the scene did not show what its [expect] says; 2 an error; 130 interrupted.";
 
@@ -41,6 +43,9 @@ pub enum Command {
     /// seeds; docs/compare.md says what the figures mean.
     #[command(after_help = COMPARE_SHORT, after_long_help = COMPARE)]
     Compare(Box<CompareArgs>),
+    /// Measures how long steps take, stage by stage, on the reference works and on scenes
+    #[command(after_help = bench::SHORT, after_long_help = bench::LONG)]
+    Bench(Box<BenchArgs>),
     /// Lists the scenes of the gallery
     List(ListArgs),
     /// Validates a scene and says what it would do

@@ -1,8 +1,9 @@
 //! The program `throng`: runs scenes, writes video, pictures and trajectories.
 
 mod args;
+mod bench;
 mod check;
-mod clock;
+mod columns;
 mod compare;
 mod completions;
 mod explain;
@@ -27,13 +28,20 @@ mod threads;
 use args::{Arguments, Command};
 use clap::Parser;
 use out::Out;
+use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
+use std::alloc::System;
 use std::process::ExitCode;
+
+/// Counts what is allocated, so that `throng bench` can say how many bytes an agent takes.
+#[global_allocator]
+static MEMORY: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let mut out = Out::new();
     let result = match &arguments.command {
         Command::Run(args) => run::run(args, &mut out),
+        Command::Bench(args) => bench::bench(args, &mut out),
         Command::Compare(args) => compare::compare(args, &mut out),
         Command::List(args) => list::list(args, &mut out),
         Command::Check(args) => check::check(args, &mut out),

@@ -129,15 +129,6 @@ fn rate(summary: &Summary, stepping: Duration) -> f64 {
 }
 
 /// A number; null for one that is infinite or none.
-fn number(value: f64) -> Value {
+pub fn number(value: f64) -> Value {
     if value.is_finite() { json!(value) } else { Value::Null }
-}
-
-/// Processor time of this program so far, all threads; `None` where the system does not tell.
-pub fn cpu_time() -> Option<Duration> {
-    // Fields 14 and 15, in hundredths of a second (proc(5)); the name in parentheses may hold anything.
-    let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
-    let mut fields = stat.rsplit_once(')')?.1.split_whitespace().skip(11);
-    let (user, system): (u64, u64) = (fields.next()?.parse().ok()?, fields.next()?.parse().ok()?);
-    Some(Duration::from_millis((user + system) * 10))
 }

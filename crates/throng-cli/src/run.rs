@@ -5,11 +5,12 @@ use crate::failure::Failure;
 use crate::files::{Files, Plan};
 use crate::out::{Out, complain};
 use crate::progress::{Progress, share};
-use crate::report::{Report, cpu_time};
+use crate::report::Report;
 use crate::source::Loaded;
 use crate::{interrupt, moment, threads};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
+use throng_bench::clock::process_time;
 use throng_scene::{Expect, Watch};
 
 /// Runs a scene, writes its files and its summary, and checks its `[expect]`.
@@ -90,7 +91,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         stranded: world.stranded().iter().map(|(number, why)| (*number, why.to_string())).collect(),
         wall: begin.elapsed(),
         stepping,
-        cpu: cpu_time(),
+        cpu: process_time(),
         interrupted: interrupt::asked(),
         files: paths,
     })

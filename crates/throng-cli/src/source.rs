@@ -16,6 +16,14 @@ pub struct SceneArgs {
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
 
+    /// What of it is changed.
+    #[command(flatten)]
+    pub changes: Changes,
+}
+
+/// What of a scene is changed.
+#[derive(Args, Debug)]
+pub struct Changes {
     /// The seed of everything random, instead of the scene's
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
     pub seed: Option<u64>,
@@ -74,34 +82,40 @@ impl Loaded {
 }
 
 impl SceneArgs {
-    /// Reads the scene and applies `--seed` and `--set`.
+    /// Reads the scene and changes it.
+    ///
+    /// # Errors
+    /// Those of [`Changes::load`].
+    pub fn load(&self) -> Result<Loaded, Failure> {
+        self.changes.load(&self.scene)
+    }
+}
+
+impl Changes {
+    /// Reads a scene and applies `--seed` and `--set`.
     ///
     /// # Errors
     /// There is no such scene, it is no scene, or a change cannot be applied.
-    pub fn load(&self) -> Result<Loaded, Failure> {
-        let (mut scene, notes) = self.read()?;
+    pub fn load(&self, path: &Path) -> Result<Loaded, Failure> {
+        let (mut scene, notes) = self.read(path)?;
         for (key, value) in &self.set {
             scene.set(key, value)?;
         }
         if let Some(seed) = self.seed {
             scene.seed = seed;
         }
-        Ok(Loaded { name: self.name(), scene, notes, path: self.scene.clone(), plan: self.is_plan() })
+        Ok(Loaded { name: name(path), scene, notes, path: path.to_path_buf(), plan: is_plan(path) })
     }
 
-    fn is_plan(&self) -> bool {
-        self.scene.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("wkt"))
-    }
-
-    fn read(&self) -> Result<(Scene, Vec<String>), Failure> {
-        if self.is_plan()
+    fn read(&self, path: &Path) -> Result<(Scene, Vec<String>), Failure> {
+        if is_plan(path)
             && let (Some(exit), Some(people)) = (self.exit, self.people)
         {
             if exit[2] <= 0.0 || exit[3] <= 0.0 {
                 let text = format!("--exit: the exit is {} m wide and {} m high", exit[2], exit[3]);
                 return Err(Failure::hint(text, "give x,y,width,height, the last two greater than 0"));
             }
-            let scene = import::wkt::evacuation(&self.scene, exit, people).map_err(|mut error| {
+            let scene = import::wkt::evacuation(path, exit, people).map_err(|mut error| {
                 if error.kind == Kind::GoalInWall {
                     error.hint = Some("change --exit: x,y,width,height, x and y of the lower left corner".into());
                 }
@@ -109,28 +123,32 @@ impl SceneArgs {
             })?;
             return Ok((scene, vec![]));
         }
-        if !self.is_plan() && (self.exit.is_some() || self.people.is_some()) {
-            let text = format!("--exit and --people are for floor plans (.wkt), not for {}", self.scene.display());
+        if !is_plan(path) && (self.exit.is_some() || self.people.is_some()) {
+            let text = format!("--exit and --people are for floor plans (.wkt), not for {}", path.display());
             return Err(Failure::hint(text, "change the goal and the count with --set, or in the scene file"));
         }
-        let imported = throng_scene::open(&self.scene)?;
+        let imported = throng_scene::open(path)?;
         Ok((imported.scene, imported.notes))
     }
+}
 
-    fn name(&self) -> String {
-        let path: &Path = &self.scene;
-        let whole = path.to_str().filter(|name| gallery::text(name).is_some() && !path.exists());
-        match whole {
-            Some(name) => name.to_owned(),
-            // `folder/.` and `..` have no stem of their own.
-            None => path
-                .canonicalize()
-                .ok()
-                .as_deref()
-                .unwrap_or(path)
-                .file_stem()
-                .map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned()),
-        }
+fn is_plan(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("wkt"))
+}
+
+/// The stem of the names of files made from a scene.
+fn name(path: &Path) -> String {
+    let whole = path.to_str().filter(|name| gallery::text(name).is_some() && !path.exists());
+    match whole {
+        Some(name) => name.to_owned(),
+        // `folder/.` and `..` have no stem of their own.
+        None => path
+            .canonicalize()
+            .ok()
+            .as_deref()
+            .unwrap_or(path)
+            .file_stem()
+            .map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned()),
     }
 }
 

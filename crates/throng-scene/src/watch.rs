@@ -27,8 +27,8 @@ pub struct Watch {
     expect: Expect,
     /// When enough had arrived.
     reached: Option<f64>,
-    /// Sum and number of the speeds of those on their way.
-    speed: (f64, u64),
+    /// Sum in nanometres a second, and number, of the speeds of those on their way.
+    speed: (u128, u64),
     /// Where everybody was, by number; not finite before they entered.
     positions: Vec<DVec2>,
     flows: Vec<Flow>,
@@ -84,7 +84,7 @@ impl Watch {
             flows: expect.flow.iter().map(flow).collect(),
             expect: expect.clone(),
             reached: None,
-            speed: (0.0, 0),
+            speed: (0, 0),
             positions: Vec::new(),
         };
         watch.arrivals(world);
@@ -99,7 +99,7 @@ impl Watch {
         if self.expect.mean_speed.is_some() {
             let agents = world.agents();
             for row in (0..agents.len()).filter(|&row| agents.status[row] == Status::Walking) {
-                self.speed.0 += f64::from(agents.speed(row));
+                self.speed.0 += nanometres(agents.speed(row));
                 self.speed.1 += 1;
             }
         }
@@ -159,10 +159,10 @@ impl Watch {
             let arrived = summary.arrived;
             check("arrived".into(), Figure::Count(needed), Some(Figure::Count(arrived)), arrived >= needed);
         }
-        let mean_speed = self.speed.0 / self.speed.1 as f64; // NaN for nobody on the way: no bound holds
+        let mean_speed = self.speed.0 as f64 * 1e-9 / self.speed.1 as f64; // NaN for nobody on the way: no bound holds
         let agents = world.agents();
-        let speeds = (0..agents.len()).map(|row| f64::from(agents.speed(row)));
-        let final_speed = speeds.sum::<f64>() / agents.len().max(1) as f64;
+        let speeds = (0..agents.len()).map(|row| nanometres(agents.speed(row)));
+        let final_speed = speeds.sum::<u128>() as f64 * 1e-9 / agents.len().max(1) as f64;
         let bounds = [
             ("within", expect.within, self.reached.unwrap_or(f64::INFINITY), at_most as Holds),
             ("least_separation", expect.least_separation, summary.least_separation, at_least),
@@ -198,6 +198,11 @@ impl Watch {
         }
         Verdict { passed: checks.iter().all(|check| check.passed), checks }
     }
+}
+
+/// A speed in whole nanometres a second: whole numbers have the same sum in any order, and rows are in none.
+fn nanometres(speed: f32) -> u128 {
+    (f64::from(speed) * 1e9).round() as u128
 }
 
 /// Whether what was found is within a bound.

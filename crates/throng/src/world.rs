@@ -111,8 +111,12 @@ struct Slots {
 /// What one step hands from stage to stage; kept so that a step allocates nothing.
 #[derive(Clone, Debug, Default)]
 struct StepMemory {
+    /// Which groups have agents.
+    groups: Vec<bool>,
     grid: Grid,
     long: perceive::Long,
+    /// Rows of two who were within a body's width of each other when that was asked last: a guess where to look first.
+    close_pair: Option<(usize, usize)>,
     near: perceive::Neighbours,
     ways: Vec<Way>,
     following: Vec<queue::Following>,
@@ -201,7 +205,7 @@ impl World {
         self.instructions = instructions;
     }
 
-    /// The agents' state, as columns; positions are relative to [`Settings::origin`].
+    /// The agents' state, as columns; positions are relative to [`Settings::origin`]. Rows change from step to step.
     pub fn agents(&self) -> &Columns {
         &self.agents
     }
@@ -211,13 +215,13 @@ impl World {
         Some(self.agents.position[self.row(id)?].as_dvec2() + self.settings.origin)
     }
 
-    /// The agent in a row of [`agents`](Self::agents).
+    /// The agent that is in a row of [`agents`](Self::agents) now.
     pub fn id(&self, row: usize) -> AgentId {
         let slot = self.agents.slot[row];
         AgentId { slot, generation: self.slots.generations[slot as usize] }
     }
 
-    /// The row of an agent in [`agents`](Self::agents); `None` if it has been removed.
+    /// The row of an agent in [`agents`](Self::agents), until the next step; `None` if it has been removed.
     pub fn row(&self, id: AgentId) -> Option<usize> {
         let &row = self.slots.rows.get(id.slot as usize)?;
         (row != u32::MAX && self.slots.generations[id.slot as usize] == id.generation).then_some(row as usize)

@@ -1,4 +1,5 @@
 //! How much memory an agent takes: its state, and what a step keeps for it.
+#![allow(clippy::print_stdout)]
 
 use glam::DVec2;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};

@@ -2,7 +2,6 @@
 //! are free.
 
 use super::variant;
-use crate::clock::thread_time;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::moment;
@@ -15,6 +14,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 use throng::World;
+use throng_bench::clock::thread_time;
 use throng_record::series::Series;
 use throng_record::{Frame, Pool};
 use throng_scene::{Built, Model, Time};

@@ -2,6 +2,7 @@
 
 use super::figures::{FIGURES, Figure, Results, Spread, spread};
 use super::race::{Outcome, Plan};
+use crate::columns::aligned;
 use std::fmt::Write;
 
 /// A row: a name and a cell for each of [`FIGURES`].
@@ -81,18 +82,7 @@ pub fn text(plan: &Plan, results: &Results, all: bool) -> String {
             lines.push(std::iter::once(String::new()).chain(ranges).collect());
         }
     }
-    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..=FIGURES.len()).map(width).collect();
-    let mut out = format!("{}: {}\n", results.scene, caption(plan, results));
-    for line in &lines {
-        let mut text = format!("  {:<1$}", line[0], widths[0]);
-        for (cell, width) in line.iter().zip(&widths).skip(1) {
-            let _ = write!(text, "  {cell:>width$}");
-        }
-        out.push_str(text.trim_end());
-        out.push('\n');
-    }
-    out
+    format!("{}: {}\n{}", results.scene, caption(plan, results), aligned(&lines))
 }
 
 /// The table in Markdown; ranges stand behind the medians.

@@ -246,6 +246,8 @@ const CASES: &[Case] = &[
         code: 1,
     },
     Case { what: "An agent that is not there", files: &[], command: "throng explain circle --agent 99", code: 2 },
+    Case { what: "A measurement of nobody", files: &[], command: "throng bench --agents 0", code: 2 },
+    Case { what: "A work that does not exist", files: &[], command: "throng bench crosing", code: 2 },
     Case { what: "An option that does not exist", files: &[], command: "throng run circle --frames 10", code: 2 },
 ];
 

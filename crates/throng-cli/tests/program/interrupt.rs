@@ -66,3 +66,15 @@ fn an_interrupted_run_finishes_its_files() {
 fn holds(bytes: &[u8], part: &[u8]) -> bool {
     bytes.windows(part.len()).any(|window| window == part)
 }
+
+#[test]
+fn an_interrupted_measurement_writes_what_it_has() {
+    let folder = folder();
+    let begin = Instant::now();
+    let arguments = "bench crossing --agents 50 --threads 1 --steps 1000 --repeat 1000 --json -o a.md";
+    // long enough for a repeat on a busy machine, and far from all of them
+    let runs = interrupted(folder.path(), arguments, || begin.elapsed() > Duration::from_secs(3));
+    let repeats = runs[0]["repeats"].as_u64().unwrap();
+    assert!((1..1000).contains(&repeats), "{runs}");
+    assert_eq!(names(folder.path()), ["a.md"]);
+}

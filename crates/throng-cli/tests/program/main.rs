@@ -1,5 +1,6 @@
 //! Tests of the program `throng`, as a user runs it.
 
+mod bench;
 mod commands;
 mod compare;
 #[cfg(target_os = "linux")]

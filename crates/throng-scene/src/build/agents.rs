@@ -73,6 +73,7 @@ pub(super) fn shared(group: &Group, name: String) -> throng::Group {
         neighbours: neighbours as usize,
         keep_right: group.keep_right.to_radians() as f32,
         detour: group.detour,
+        queue: group.queue,
         resolve: group.resolve,
         guard: group.is_guarded(),
         ..throng::Group::default()

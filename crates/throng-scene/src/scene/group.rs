@@ -64,6 +64,8 @@ pub struct Group {
     /// Whether an agent whom others block steps aside for a moment.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
     pub detour: bool,
+    /// Whether they go no faster than those right ahead who go the same way.
+    pub queue: bool,
     /// Whether agents that cannot pass each other agree who steps aside.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
     pub resolve: bool,
@@ -100,6 +102,7 @@ impl Default for Group {
             avoids: None,
             keep_right: default_keep_right(),
             detour: true,
+            queue: true,
             resolve: true,
             avoid: Avoid::default(),
             guard: None,

@@ -1,9 +1,7 @@
 //! What is measured: crowds that never end, so that every step is like the one before, and floors of rooms.
 
 use glam::{DVec2, Vec2};
-use std::sync::Arc;
-use throng::avoid::LocalModel;
-use throng::{Agent, Goal, Group, Journey, JourneyId, Obstacle, Settings, Stop, SubSteps, Walkable, World};
+use throng::{Agent, Goal, Journey, JourneyId, Obstacle, Settings, Stop, Walkable, World};
 
 /// A small generator of numbers that look random (splitmix64).
 pub struct Dice(pub u64);
@@ -62,24 +60,6 @@ pub fn open(count: usize, density: f64) -> World {
         world.add_agent(Agent { position, journey, ..Agent::default() }).expect("there is room");
     }
     settle(&mut world, 10.0);
-    world
-}
-
-/// The reference work that crowd simulators are compared on: 0.25 people per m2 in the open, of radius 0.25 m, each
-/// bound for a place far away in a random direction, in undivided steps of 0.1 s.
-pub fn crossing(count: usize, model: Arc<dyn LocalModel>) -> World {
-    let mut dice = Dice(9);
-    let settings = Settings { step: 0.1, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
-    let mut world = World::new(settings).expect("these are valid");
-    let group = world.add_group(Group { model, ..Group::default() }).expect("a valid group");
-    for position in crowd(count, 0.25) {
-        let away = DVec2::from_angle(dice.between(0.0, std::f64::consts::TAU)) * 5_000.0;
-        let journey = round(&mut world, [point(position + away)]);
-        let preferred_speed = dice.between(1.3, 1.5) as f32;
-        let body = Agent { radius: 0.25, preferred_speed, max_speed: 2.0, ..Agent::default() };
-        world.add_agent(Agent { position, journey, group, ..body }).expect("there is room");
-    }
-    settle(&mut world, 2.0);
     world
 }
 

@@ -19,6 +19,8 @@ pub struct Group {
     pub keep_right: f32,
     /// Whether an agent whom others block steps aside for a moment (MODELS 1.10).
     pub detour: bool,
+    /// Whether an agent goes no faster than those right ahead who go the same way: who queues does not push.
+    pub queue: bool,
     /// Whether agents that block each other's ways agree who steps aside (MODELS 1.10, narrow places).
     pub resolve: bool,
     /// Whether the [guard](crate::guard) keeps its agents from overlapping others and walls. Two who are both of
@@ -35,6 +37,7 @@ impl Default for Group {
             neighbours: 10,
             keep_right: 5.0_f32.to_radians(),
             detour: true,
+            queue: true,
             resolve: true,
             guard: true,
         }

@@ -112,34 +112,51 @@ fn line<S: Simd>(simd: S, orca: &Orca, views: &Views, index: usize, step: f32) -
     let velocity = Vec2s::load(simd, &views.velocity);
     let offset: Vec2s<S> = Vec2s::load(simd, &others.position) - Vec2s::load(simd, &views.position);
     let radii = load(simd, &others.radii);
-    let horizon = splat(orca.time_horizon);
     let relative = velocity - Vec2s::load(simd, &others.velocity);
     let distance_squared = offset.dot(offset);
     let apart = distance_squared.simd_gt(radii * radii);
     // who is too close parts within the recovery time
-    let time = apart.select(horizon, splat(step.max(RECOVERY)));
-    let w = relative - offset.over(time);
+    let (offset_cut, radii_cut) = over_time(simd, (orca.time_horizon, step.max(RECOVERY)), apart, offset, radii);
+    let w = relative - offset_cut;
     let along = w.dot(offset);
     let w_squared = w.dot(w);
     let on_tip = !apart | (along.simd_lt(zero) & (along * along).simd_gt(radii * radii * w_squared));
-    // nearest on the rounded tip
-    let length = w_squared.sqrt();
-    let tip_normal = w.over(length);
-    let tip_change = tip_normal * (radii / time - length);
-    let coincident = !apart & length.simd_le(splat(1e-6));
-    // nearest on a leg
-    let leg = (distance_squared - radii * radii).max(zero).sqrt();
-    let is_left = offset.perp_dot(w).simd_gt(zero);
-    let left = Vec2s { x: offset.x * leg - offset.y * radii, y: offset.x * radii + offset.y * leg };
-    let right = Vec2s { x: -(offset.x * leg + offset.y * radii), y: -(offset.y * leg - offset.x * radii) };
-    let direction = Vec2s::select(is_left, left, right).over(distance_squared);
-    let leg_change = direction * relative.dot(direction) - relative;
-    let normal = Vec2s::select(on_tip, tip_normal, direction.perp());
+    // of the way out to the rounded tip, or along a leg: each needs one root and one quotient
+    let root = on_tip.select(w_squared, distance_squared - radii * radii).max(zero).sqrt();
+    let coincident = !apart & root.simd_le(splat(1e-6));
+    let left = Vec2s { x: offset.x * root - offset.y * radii, y: offset.x * radii + offset.y * root };
+    let right = Vec2s { x: -(offset.x * root + offset.y * radii), y: -(offset.y * root - offset.x * radii) };
+    let along_leg = Vec2s::select(offset.perp_dot(w).simd_gt(zero), left, right);
+    let unit = Vec2s::select(on_tip, w, along_leg).over(on_tip.select(root, distance_squared));
+    let tip_change = unit * (radii_cut - root);
+    let leg_change = unit * relative.dot(unit) - relative;
+    let normal = Vec2s::select(on_tip, unit, unit.perp());
     let change = Vec2s::select(on_tip, tip_change, leg_change);
     let share = load(simd, &others.share);
     let part = change.dot(normal).simd_gt(zero).select(share, splat(1.0) - share);
     let point = velocity + change * part;
     (Lines { point, direction: Vec2s { x: normal.y, y: -normal.x }, there: apart }, coincident)
+}
+
+/// An offset and radii over a time in each lane: the first of two for those apart, else the second. Where one over a time
+/// is exact, as of powers of two, a product has the same bits as the quotient.
+#[inline(always)]
+fn over_time<S: Simd>(
+    simd: S,
+    times: (f32, f32),
+    apart: S::mask32s,
+    offset: Vec2s<S>,
+    radii: S::f32s,
+) -> (Vec2s<S>, S::f32s) {
+    let lanes = |first: f32, second: f32| apart.select(S::f32s::splat(simd, first), S::f32s::splat(simd, second));
+    let is_exact = |time: f32| time.to_bits() & ((1 << (f32::MANTISSA_DIGITS - 1)) - 1) == 0;
+    if is_exact(times.0) && is_exact(times.1) {
+        let inverse = lanes(times.0.recip(), times.1.recip());
+        (offset * inverse, radii * inverse)
+    } else {
+        let time = lanes(times.0, times.1);
+        (offset.over(time), radii / time)
+    }
 }
 
 /// The lanes in which no velocity is in all half-planes, and the first line of each that could not be kept.

@@ -150,6 +150,20 @@ impl Guard {
     }
 }
 
+/// Puts into `targets` where each row wished to go, as far as it gets: nobody is held apart.
+pub(crate) fn unguarded(bodies: &Bodies<'_>, wished: impl Fn(usize) -> Pose + Sync, targets: &mut Vec<Pose>) {
+    targets.resize(bodies.positions.len(), Pose::default());
+    parallel::ranges(
+        &mut targets[..],
+        || (),
+        |(), rows, targets| {
+            for (row, target) in rows.zip(targets) {
+                *target = within_reach(row, bodies, wished(row));
+            }
+        },
+    );
+}
+
 /// All parts and their targets.
 struct Passes<'a> {
     contacts: &'a Contacts,

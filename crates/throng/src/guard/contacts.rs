@@ -168,6 +168,12 @@ impl Contacts {
         (usual, largest)
     }
 
+    /// Forgets them: nobody is known to touch anything.
+    pub fn clear(&mut self) {
+        self.others.clear();
+        self.walls.clear();
+    }
+
     fn collect_walls(&mut self, bodies: &Bodies<'_>, walls: &Walls) {
         if walls.is_empty() {
             self.walls.clear();

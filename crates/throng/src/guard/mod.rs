@@ -61,6 +61,7 @@ mod safe;
 mod solid;
 mod sweep;
 
+pub(crate) use certify::unguarded;
 pub use certify::{Guard, Report};
 pub use contacts::Contacts;
 pub use safe::{SLACK, nearest_approach};

@@ -15,7 +15,8 @@ use super::path::Path;
 use super::triangulate::NONE;
 use glam::DVec2;
 use std::cmp::Ordering;
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, HashMap};
+use std::hash::{BuildHasherDefault, Hasher};
 
 /// A corner this near to the edge of a view counts as on it, metres.
 const GRAZE: f64 = 1e-9;
@@ -27,12 +28,12 @@ pub struct Search {
     nodes: Vec<Node>,
     finals: Vec<Final>,
     open: BinaryHeap<Entry>,
-    /// Marks entries of the tables below as of this query.
+    /// Marks entries of the table below as of this query.
     query: u32,
     /// Per vertex: the query, and the length of the shortest path to it that is known.
     roots: Vec<(u32, f64)>,
-    /// Per edge of a triangle: the query, and the latest node entering there.
-    edges: Vec<(u32, u32)>,
+    /// Per edge of a triangle and root: the latest node that enters there and sees from there.
+    latest: HashMap<u64, u32, BuildHasherDefault<Mixer>>,
     start_triangles: Vec<u32>,
     /// Triangles of a goal point, and their places among the bridges.
     pub(super) goal: (Vec<u32>, Vec<u32>),
@@ -51,7 +52,7 @@ struct Node {
     /// The triangle ahead, and its edge that holds the interval.
     triangle: u32,
     edge: u8,
-    /// The node that entered by the same edge before.
+    /// The node that entered by the same edge before, seen from the same root.
     sibling: u32,
 }
 
@@ -59,6 +60,25 @@ struct Node {
 struct Final {
     parent: u32,
     way: Way,
+}
+
+/// Mixes the bits of a key: quick, and the same everywhere.
+#[derive(Clone, Copy, Debug, Default)]
+struct Mixer(u64);
+
+impl Hasher for Mixer {
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|&byte| self.write_u64(byte.into()));
+    }
+
+    fn write_u64(&mut self, key: u64) {
+        let product = u128::from(self.0 ^ key) * 0x9e37_79b9_7f4a_7c15;
+        self.0 = (product >> 64) as u64 ^ product as u64;
+    }
+
+    fn finish(&self) -> u64 {
+        self.0
+    }
 }
 
 /// Ordered by the bound, then by age.
@@ -103,13 +123,12 @@ impl Search {
         self.finals.clear();
         self.open.clear();
         self.expanded = 0;
-        let (vertices, edges) = (mesh.vertices.len(), mesh.triangles.len() * 3);
-        if self.query == u32::MAX || self.roots.len() < vertices || self.edges.len() < edges {
+        self.latest.clear();
+        let vertices = mesh.vertices.len();
+        if self.query == u32::MAX || self.roots.len() < vertices {
             self.query = 0;
             self.roots.clear();
-            self.edges.clear();
             self.roots.resize(vertices, (0, 0.0));
-            self.edges.resize(edges, (0, NONE));
         }
         self.query += 1;
     }
@@ -227,21 +246,18 @@ impl Search {
         if self.is_longer(mesh, next, back, root, length, &view) {
             return;
         }
-        let slot = &mut self.edges[next as usize * 3 + back];
-        if slot.0 != self.query {
-            *slot = (self.query, NONE);
-        }
-        let mut sibling = slot.1;
+        let latest = self.latest.entry(u64::from(next * 3 + back as u32) << 32 | u64::from(root)).or_insert(NONE);
+        let mut sibling = *latest;
         while sibling != NONE {
             let other = &self.nodes[sibling as usize];
-            if other.root == root && other.length <= length + GRAZE && covers(&other.view, &view) {
+            if other.length <= length + GRAZE && covers(&other.view, &view) {
                 return;
             }
             sibling = other.sibling;
         }
         let index = self.nodes.len() as u32;
-        let node = Node { view, root, length, parent, triangle: next, edge: back as u8, sibling: slot.1 };
-        slot.1 = index;
+        let node = Node { view, root, length, parent, triangle: next, edge: back as u8, sibling: *latest };
+        *latest = index;
         self.nodes.push(node);
         self.enter(length + target.bound(&view), index, false);
     }

@@ -20,6 +20,8 @@ const PLACE: u32 = (1 << PLACE_BITS) - 1;
 const MOST: usize = 1 << PLACE_BITS;
 /// Keys a lane keeps: itself, its nearest, and one more that shows whether the last of them is told apart.
 const KEYS: usize = MOST_NEIGHBOURS + 2;
+/// By how much the square of the radius tried first is larger than what the tile before needed.
+const MORE: f32 = 1.1;
 /// Nearest that a tile can find for each lane.
 pub(crate) const MOST_NEIGHBOURS: usize = 10;
 
@@ -131,22 +133,19 @@ impl<'a, S: Simd> Tile<'a, S> {
     fn nearest(&self, k: usize, range: f32, pack: &mut Pack, out: &mut [u32]) -> Option<u64> {
         let range_squared = range * range;
         let mut radius_squared = pack.radius_squared.min(range_squared);
+        let (mut inner, mut count) = (None, 0);
+        let mut keys = [S::u32s::splat(self.simd, u32::MAX); KEYS];
         loop {
-            let Some(count) = self.pack(radius_squared, pack) else {
+            let Some(packed) = self.pack(count, inner, radius_squared, pack) else {
                 // where it is that crowded a smaller radius will do
                 pack.radius_squared = 0.25 * radius_squared;
                 return None;
             };
-            let keys = self.keys(pack, count);
+            self.sort_in(&mut keys, pack, count..packed);
             // who is nearer than the last is among the packed
             let last = keys[k].reduce_max();
             if last < (radius_squared.to_bits() & !PLACE) || radius_squared == range_squared {
-                let needed = f32::from_bits(last.min(range_squared.to_bits()));
-                if radius_squared > 1.6 * needed {
-                    pack.radius_squared = 1.3 * needed;
-                } else {
-                    pack.radius_squared = radius_squared;
-                }
+                pack.radius_squared = MORE * f32::from_bits(last.min(range_squared.to_bits()));
                 let everybody = (1u64 << self.count) - 1;
                 return Some(self.list(k, range_squared, &keys, pack, out) & everybody);
             }
@@ -155,13 +154,15 @@ impl<'a, S: Simd> Tile<'a, S> {
             } else {
                 (radius_squared * 2.0).max(self.high.distance_squared(self.low))
             };
+            (inner, count) = (Some(radius_squared), packed);
             radius_squared = next.min(range_squared);
         }
     }
 
-    /// Packs all points within a radius of the box round the tile; `None` if there are too many.
+    /// Packs, from a place on, all points that are farther from the box round the tile than an inner radius and within an
+    /// outer one; `None` if there are too many.
     #[inline(always)]
-    fn pack(&self, radius_squared: f32, pack: &mut Pack) -> Option<usize> {
+    fn pack(&self, mut count: usize, inner: Option<f32>, radius_squared: f32, pack: &mut Pack) -> Option<usize> {
         let Self { simd, grid, low, high, .. } = *self;
         pack.runs.clear();
         grid.runs_near(low, high, radius_squared, &mut pack.runs);
@@ -170,7 +171,7 @@ impl<'a, S: Simd> Tile<'a, S> {
         let (bottom, top) = (S::f32s::splat(simd, low.y), S::f32s::splat(simd, high.y));
         let zero = S::f32s::splat(simd, 0.0);
         let limit = S::f32s::splat(simd, radius_squared);
-        let mut count = 0;
+        let packed = S::f32s::splat(simd, inner.unwrap_or(-1.0));
         for &(start, end) in &pack.runs {
             let mut at = start as usize;
             while at < end as usize {
@@ -180,7 +181,8 @@ impl<'a, S: Simd> Tile<'a, S> {
                 let row = S::u32s::from_slice(simd, &grid.order[range]);
                 let dx = (left - x).max(x - right).max(zero);
                 let dy = (bottom - y).max(y - top).max(zero);
-                let near = (dx * dx + dy * dy).simd_le(limit);
+                let distance = dx * dx + dy * dy;
+                let near = distance.simd_le(limit) & distance.simd_gt(packed);
                 let within = near & lane.simd_lt(S::u32s::splat(simd, end - at as u32));
                 if count > MOST {
                     return None;
@@ -195,24 +197,25 @@ impl<'a, S: Simd> Tile<'a, S> {
         (count <= MOST).then_some(count)
     }
 
-    /// The least keys of every lane, ascending.
+    /// Sorts packed points into the least keys of every lane, ascending.
     #[inline(always)]
-    fn keys(&self, pack: &Pack, count: usize) -> [S::u32s; KEYS] {
+    fn sort_in(&self, keys: &mut [S::u32s; KEYS], pack: &Pack, places: Range<usize>) {
         let simd = self.simd;
-        let mut keys = [S::u32s::splat(simd, u32::MAX); KEYS];
-        for place in 0..count {
+        // in registers
+        let mut least = *keys;
+        for place in places {
             let (dx, dy) = (S::f32s::splat(simd, pack.x[place]) - self.x, S::f32s::splat(simd, pack.y[place]) - self.y);
             let distance: S::u32s = (dx * dx + dy * dy).bitcast();
             let mut key = distance & !PLACE | place as u32;
-            if key.simd_lt(keys[KEYS - 1]).any_true() {
-                for kept in &mut keys {
+            if key.simd_lt(least[KEYS - 1]).any_true() {
+                for kept in &mut least {
                     let less = key.min(*kept);
                     key = key.max(*kept);
                     *kept = less;
                 }
             }
         }
-        keys
+        *keys = least;
     }
 
     /// Lists the rows that keys stand for. Tells which lanes have two that the keys don't tell apart.
@@ -312,50 +315,6 @@ mod tests {
             }
             if coarse == 0.0 {
                 prop_assert!(left.unwrap_or(0) <= 4 + points.len() / 4, "{left:?} are left");
-            }
-        }
-    }
-
-    #[test]
-    #[ignore]
-    fn timing() {
-        let mut seed = 1u64;
-        let mut random = || {
-            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-            (seed >> 40) as f32 / (1u64 << 24) as f32
-        };
-        for n in [10_000usize, 100_000, 1_000_000] {
-            let side = (n as f32 / 0.25).sqrt();
-            let points: Vec<Vec2> = (0..n).map(|_| Vec2::new(random(), random()) * side).collect();
-            let numbers: Vec<u32> = (0..n as u32).collect();
-            for cell in [3.0, 4.0, 5.0, 6.0, 8.0] {
-                let mut grid = Grid::default();
-                let mut best = f64::INFINITY;
-                for _ in 0..5 {
-                    let t = std::time::Instant::now();
-                    grid.rebuild(&points, &numbers, cell);
-                    best = best.min(t.elapsed().as_secs_f64());
-                }
-                let sorted: Vec<Vec2> = grid.order().iter().map(|&row| points[row as usize]).collect();
-                let mut best2 = f64::INFINITY;
-                for _ in 0..5 {
-                    let t = std::time::Instant::now();
-                    grid.rebuild(&sorted, &numbers, cell);
-                    best2 = best2.min(t.elapsed().as_secs_f64());
-                }
-                print!("n {n} cell {cell}: rebuild {:.1} sorted {:.1}", best * 1e9 / n as f64, best2 * 1e9 / n as f64);
-                for level in levels() {
-                    let (mut out, mut pack, mut left) = (vec![0; n * 10], Pack::default(), 0);
-                    let mut best = f64::INFINITY;
-                    for _ in 0..5 {
-                        let t = std::time::Instant::now();
-                        left = 0;
-                        grid.nearest_of_many(level, 0..n, (10, 5.0), &mut pack, &mut out, |_, _| left += 1);
-                        best = best.min(t.elapsed().as_secs_f64());
-                    }
-                    print!(" | {level:?} {:.1} left {:.4}", best * 1e9 / n as f64, left as f64 / n as f64);
-                }
-                println!();
             }
         }
     }

@@ -51,6 +51,18 @@ impl Cells {
         row * self.columns + column
     }
 
+    /// The rows of cells that a box touches, each with its lower side.
+    pub fn rows_of(&self, from: DVec2, to: DVec2) -> impl Iterator<Item = (f64, usize)> + use<> {
+        let (low, width) = (self.low.y, self.width);
+        (self.place(from).1..=self.place(to).1).map(move |row| (low + row as f64 * width, row))
+    }
+
+    /// The columns of cells between two places along x.
+    pub fn columns_of(&self, left: f64, right: f64) -> std::ops::RangeInclusive<usize> {
+        let column = |x: f64| self.place(DVec2::new(x, self.low.y)).0;
+        column(left)..=column(right)
+    }
+
     /// The cells that a box touches, row by row.
     pub fn touched(&self, from: DVec2, to: DVec2) -> impl Iterator<Item = usize> + use<> {
         let ((left, bottom), (right, top)) = (self.place(from), self.place(to));

@@ -29,6 +29,14 @@ impl Edge {
     pub fn nearest(&self, p: DVec2) -> DVec2 {
         nearest_on_segment(self.start, self.end, p)
     }
+
+    /// From where to where along x the part of the edge goes that lies between two heights.
+    fn span(&self, (bottom, top): (f64, f64)) -> (f64, f64) {
+        let along = self.end - self.start;
+        let at = |y: f64| self.start.x + along.x * ((y - self.start.y) / along.y).clamp(0.0, 1.0);
+        let (a, b) = if along.y == 0.0 { (self.start.x, self.end.x) } else { (at(bottom), at(top)) };
+        (a.min(b), a.max(b))
+    }
 }
 
 /// A solid disc.
@@ -53,9 +61,12 @@ pub fn nearest_on_segment(a: DVec2, b: DVec2, p: DVec2) -> DVec2 {
 pub struct Walls {
     edges: Vec<Edge>,
     discs: Vec<Disc>,
-    /// Edges, then discs (numbered on).
+    /// The walls within `REACH` of each cell: edges, then discs (numbered on).
     cells: Cells,
 }
+
+/// How far from a cell the walls lie that it lists, metres: what pedestrians look for needs one cell only.
+const REACH: f64 = 2.0;
 
 /// Width of the cells that walls are sorted into, metres.
 const CELL: f64 = 2.0;
@@ -167,13 +178,29 @@ impl Walls {
             cell *= 2.0;
         }
         let mut cells = Cells::new(low, high, cell);
-        let touched = |item: usize| {
-            let (low, high) = self.bounds(item);
-            cells.touched(low, high).map(move |cell| (cell as u32, item as u32))
-        };
-        let pairs = (0..count).flat_map(touched).collect();
+        let mut pairs = Vec::new();
+        for item in 0..count {
+            self.touch(&cells, item, &mut pairs);
+        }
         cells.fill(pairs);
         self.cells = cells;
+    }
+
+    /// Notes the cells that an item is within reach of: row by row, for long slanting edges.
+    fn touch(&self, cells: &Cells, item: usize, pairs: &mut Vec<(u32, u32)>) {
+        // a little farther, for the rounding of cells
+        let reach = DVec2::splat(REACH + 1e-6);
+        let (low, high) = self.bounds(item);
+        for (bottom, row) in cells.rows_of(low - reach, high + reach) {
+            let band = (bottom - reach.y, bottom + cells.width + reach.y);
+            let (left, right) = match self.edges.get(item) {
+                Some(edge) => edge.span(band),
+                None => (low.x, high.x),
+            };
+            for column in cells.columns_of(left - reach.x, right + reach.x) {
+                pairs.push(((row * cells.columns + column) as u32, item as u32));
+            }
+        }
     }
 
     /// Finds the walls within `range` of `from`: nearest first, ties by index. `near` is emptied first.
@@ -183,26 +210,36 @@ impl Walls {
         if self.is_empty() {
             return;
         }
-        for cell in self.cells.touched(from - range, from + range) {
-            for &item in self.cells.items(cell) {
-                let item = item as usize;
-                if let Some(edge) = self.edges.get(item) {
-                    let d = edge.nearest(from).distance(from);
-                    if d <= range {
-                        near.edges.push((d, item as u32));
-                    }
-                } else {
-                    let index = item - self.edges.len();
-                    let d = self.discs[index].center.distance(from) - self.discs[index].radius;
-                    if d <= range {
-                        near.discs.push((d, index as u32));
-                    }
-                }
+        // a cell on the way to each of them, short of it by what cells reach, lists it
+        let away = range - REACH;
+        if away <= 0.0 {
+            self.near_in(self.cells.cell_of(from), from, range, near);
+        } else {
+            for cell in self.cells.touched(from - away, from + away) {
+                self.near_in(cell, from, range, near);
             }
         }
-        for list in [&mut near.edges, &mut near.discs] {
+        for list in [&mut near.edges, &mut near.discs].into_iter().filter(|list| list.len() > 1) {
             list.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             list.dedup();
+        }
+    }
+
+    fn near_in(&self, cell: usize, from: DVec2, range: f64, near: &mut NearWalls) {
+        for &item in self.cells.items(cell) {
+            let item = item as usize;
+            if let Some(edge) = self.edges.get(item) {
+                let d = edge.nearest(from).distance(from);
+                if d <= range {
+                    near.edges.push((d, item as u32));
+                }
+            } else {
+                let index = item - self.edges.len();
+                let d = self.discs[index].center.distance(from) - self.discs[index].radius;
+                if d <= range {
+                    near.discs.push((d, index as u32));
+                }
+            }
         }
     }
 
@@ -221,4 +258,51 @@ pub struct NearWalls {
     pub edges: Vec<(f64, u32)>,
     /// Discs; the distance is to their rim, negative inside.
     pub discs: Vec<(f64, u32)>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn point(reach: f64) -> impl Strategy<Value = DVec2> {
+        (-reach..reach, -reach..reach).prop_map(DVec2::from)
+    }
+
+    /// Walls short and long, along the axes and slanting, and pillars.
+    fn obstacle() -> impl Strategy<Value = Obstacle> {
+        let long = (point(30.0), point(30.0)).prop_map(|(a, b)| Obstacle::Wall { points: vec![a, b] });
+        let short = (point(30.0), point(1.5)).prop_map(|(a, d)| Obstacle::Wall { points: vec![a, a + d] });
+        let straight = (point(30.0), -20.0f64..20.0, any::<bool>()).prop_map(|(a, length, flat)| {
+            let d = if flat { DVec2::new(length, 0.0) } else { DVec2::new(0.0, length) };
+            Obstacle::Wall { points: vec![a, a + d] }
+        });
+        let pillar = (point(30.0), 0.1f64..4.0).prop_map(|(center, radius)| Obstacle::Circle { center, radius });
+        prop_oneof![long, short, straight, pillar]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+
+        #[test]
+        fn near_walls_are_those_of_a_search_through_all(
+            obstacles in prop::collection::vec(obstacle(), 0..12),
+            eyes in prop::collection::vec((point(40.0), prop_oneof![0.0f64..REACH, REACH..12.0]), 1..40),
+        ) {
+            let walls = Walls::new(&[], &obstacles, DVec2::ZERO);
+            let mut near = NearWalls::default();
+            for (eye, range) in eyes {
+                walls.near(eye, range, &mut near);
+                let sorted = |distances: Vec<f64>| {
+                    let mut all: Vec<(f64, u32)> = distances.into_iter().zip(0..).filter(|wall| wall.0 <= range).collect();
+                    all.sort_by(|a, b| a.partial_cmp(b).unwrap());
+                    all
+                };
+                let edges = walls.edges().iter().map(|edge| edge.nearest(eye).distance(eye)).collect();
+                prop_assert_eq!(&near.edges, &sorted(edges));
+                let discs = walls.discs().iter().map(|disc| disc.center.distance(eye) - disc.radius).collect();
+                prop_assert_eq!(&near.discs, &sorted(discs));
+            }
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::World;
 use crate::agent::Status;
-use crate::guard::{Bodies, Pose};
+use crate::guard::{self, Bodies, Pose, Report};
 use crate::motion::{angle, faces, turn, wrap};
 use glam::{Vec2, Vec3};
 
@@ -26,14 +26,20 @@ impl World {
             reach: &step.reach,
             guarded: &step.guarded,
         };
-        let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
-        contacts.collect(&bodies, &agents.number, &step.grid, walls, meets, self.seen());
         let wished = |row: usize| Pose {
             position: agents.position[row] + step.wishes[row].truncate() * seconds,
             altitude: agents.altitude[row] + step.wishes[row].z * seconds,
             heading: self.wished_heading(row, seconds, now),
         };
-        let report = guard.certify(&bodies, &contacts, walls, wished, &mut targets);
+        let report = if step.guarded.uniform() == Some(false) {
+            contacts.clear();
+            guard::unguarded(&bodies, wished, &mut targets);
+            Report::default()
+        } else {
+            let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
+            contacts.collect(&bodies, &agents.number, &step.grid, walls, meets, self.seen());
+            guard.certify(&bodies, &contacts, walls, wished, &mut targets)
+        };
         let Self { agents, step, tally, .. } = self;
         (step.contacts, step.guard, step.targets) = (contacts, guard, targets);
         tally.guard_changed += report.changed as u64;

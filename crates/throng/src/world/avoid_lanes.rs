@@ -21,6 +21,8 @@ pub(super) struct LaneScratch {
 pub(super) struct Common {
     level: Level,
     orca: Orca,
+    /// Whether everybody goes by it.
+    alike: bool,
     /// The radius, if all have the same.
     radius: Option<f32>,
     /// Whether all have the same priority.
@@ -43,13 +45,13 @@ impl World {
             && agents.max_turn_rate.uniform() == Some(f32::INFINITY)
             && self.walls.is_empty()
             && self.standoffs.is_empty()
-            && self.groups.iter().all(|group| group.neighbours <= MOST);
-        let mut orcas = self.groups.iter().map(|group| group.model.as_orca());
-        let orca = orcas.next().flatten()?;
+            && self.groups_in_use().all(|group| group.neighbours <= MOST);
+        let orca = self.groups_in_use().find_map(|group| group.model.as_orca())?;
         let level = self.instructions.level()?;
-        (plain && orcas.all(|other| other == Some(orca))).then(|| Common {
+        plain.then(|| Common {
             level,
             orca,
+            alike: self.groups_in_use().all(|group| group.model.as_orca() == Some(orca)),
             radius: agents.radius.uniform(),
             equals: agents.priority.uniform().is_some(),
             margin: 1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN },
@@ -113,7 +115,9 @@ impl World {
             set(&mut views.velocity, agents.velocity[row]);
             set(&mut views.preferred, preferred.truncate());
             views.max_speed[lane] = agents.max_speed[row];
-            missing |= u64::from(preferred.z > 0.0) << lane;
+            let model = || &self.groups[agents.group[row].index()].model;
+            let fits = preferred.z <= 0.0 && (common.alike || model().as_orca() == Some(common.orca));
+            missing |= u64::from(!fits) << lane;
             let neighbours = step.near.of(row);
             views.count[lane] = neighbours.len() as f32;
             let way = &step.ways[row];

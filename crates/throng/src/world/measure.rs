@@ -31,14 +31,26 @@ impl World {
         step.measured.clear();
         step.measured.resize(agents.len().div_ceil(ROWS), before);
         let (contacts, near) = (&step.contacts, &step.near);
+        // where nobody is guarded contacts are not collected, and who is perceived has to do
+        let guarded = step.guarded.uniform() != Some(false);
+        let most = |all: &[f32]| all.iter().copied().fold(0.0, f32::max);
+        let (radius, reach) = (most(agents.radius.values()), most(step.reach.values()));
         let discs_only = step.long.is_empty();
         parallel::parts(&mut step.measured, agents.len(), |part, measured| {
             for row in part * ROWS..agents.len().min((part + 1) * ROWS) {
-                for other in contacts.of(row).iter().map(|&other| other as usize).filter(|&other| other > row) {
-                    if !discs_only || measured.is_near(agents, row, other) {
-                        let separation = measured.separation(agents, row, other);
-                        measured.overlaps += u64::from(separation < TOUCH);
-                    }
+                if guarded {
+                    contacts.of(row).iter().filter(|&&other| other as usize > row).for_each(|&other| {
+                        measured.pair(agents, row, other as usize, discs_only);
+                    });
+                } else {
+                    // nearest first, before they moved
+                    let farthest = radius + agents.radius[row] + 4.0 * reach;
+                    let at = agents.position[row];
+                    let close = |&&other: &&u32| at.distance(agents.position[other as usize]) <= farthest;
+                    let once = |&&other: &&u32| agents.number[other as usize] > agents.number[row];
+                    near.of(row).iter().take_while(close).filter(once).for_each(|&other| {
+                        measured.pair(agents, row, other as usize, discs_only);
+                    });
                 }
                 // those who can't touch yet: the nearest that was perceived
                 if let Some(&nearest) = near.with_end(row).first()
@@ -61,6 +73,14 @@ impl World {
 }
 
 impl Measured {
+    /// Notes the separation of two, and whether they overlap.
+    fn pair(&mut self, agents: &Columns, row: usize, other: usize, discs_only: bool) {
+        if !discs_only || self.is_near(agents, row, other) {
+            let separation = self.separation(agents, row, other);
+            self.overlaps += u64::from(separation < TOUCH);
+        }
+    }
+
     /// Whether two discs may overlap, or be nearer than any before: most are not, which is seen in the plan, without a
     /// root or a quotient.
     #[inline]

@@ -2,7 +2,7 @@
 
 use super::World;
 use crate::SubSteps;
-use crate::agent::Columns;
+use crate::agent::{Columns, Group};
 use crate::parallel::{self, Lists};
 use crate::perceive::{Grid, MOST_NEIGHBOURS, Near, Pack};
 
@@ -31,21 +31,39 @@ impl World {
     fn is_crowded(&mut self) -> bool {
         let agents = &self.agents;
         let widest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max) * 2.0;
+        let anybody_flies = agents.anybody_flies();
+        let close = |row: usize, other: usize, distance_squared: f32| {
+            let above = if anybody_flies { agents.above(row, other) } else { 0.0 };
+            row != other && distance_squared + above * above <= 4.0 * widest * widest
+        };
+        // who was close before most likely still is
+        if let Some((row, other)) = self.step.close_pair
+            && row.max(other) < agents.len()
+        {
+            let d = agents.position[other] - agents.position[row];
+            if close(row, other, d.x * d.x + d.y * d.y) {
+                return true;
+            }
+        }
         self.step.grid.rebuild(&agents.position, &agents.number, widest.max(0.1) * 2.0);
-        let (grid, anybody_flies) = (&self.step.grid, agents.anybody_flies());
-        (0..agents.len()).any(|row| {
-            let mut near = 0;
-            grid.within(agents.position[row], widest * 2.0, |other| {
-                let above = if anybody_flies { agents.above(row, other.row as usize) } else { 0.0 };
-                near += u32::from(other.distance_squared + above * above <= 4.0 * widest * widest);
+        let grid = &self.step.grid;
+        self.step.close_pair = (0..agents.len()).find_map(|row| {
+            let mut partner = None;
+            grid.within(agents.position[row], widest * 2.0, |near| {
+                let other = near.row as usize;
+                if close(row, other, near.distance_squared) {
+                    partner = Some((row, other));
+                }
             });
-            near > 1
-        })
+            partner
+        });
+        self.step.close_pair.is_some()
     }
 
     /// Sorts everybody into cells; gives how far anybody looks.
     pub(super) fn rebuild_grid(&mut self) -> f32 {
-        let range = self.groups.iter().map(|group| group.neighbour_distance).fold(0.0, f32::max);
+        self.note_groups();
+        let range = self.groups_in_use().map(|group| group.neighbour_distance).fold(0.0, f32::max);
         self.step.grid.rebuild(&self.agents.position, &self.agents.number, range);
         range
     }
@@ -54,8 +72,9 @@ impl World {
     pub(super) fn perceive(&mut self) {
         let range = self.rebuild_grid();
         self.sort_rows_if_scattered();
+        let most = self.groups_in_use().map(|group| group.neighbours).max().unwrap_or(1);
+        let alike = self.groups_in_use().all(|group| group.neighbours == most && group.neighbour_distance == range);
         let Self { agents, groups, step, .. } = self;
-        let most = groups.iter().map(|group| group.neighbours).max().unwrap_or(1);
         step.long.rebuild(agents, range);
         step.near.resize(step.grid.order(), most);
         let (grid, long, level) = (&step.grid, &step.long, self.instructions.level());
@@ -98,7 +117,6 @@ impl World {
             let count = list.iter().take(group.neighbours).take_while(counts).count();
             end(list, count, row);
         };
-        let alike = groups.iter().all(|group| group.neighbours == most && group.neighbour_distance == range);
         let many =
             level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
         let scratch = || (Pack::default(), Vec::new());
@@ -113,6 +131,19 @@ impl World {
                 places.zip(lists.chunks_mut(most)).for_each(|(place, list)| shorten(place, list));
             }
         });
+    }
+
+    /// Notes which groups have agents.
+    fn note_groups(&mut self) {
+        let Self { agents, groups, step, .. } = self;
+        step.groups.clear();
+        step.groups.resize(groups.len(), false);
+        agents.group.values().iter().for_each(|group| step.groups[group.index()] = true);
+    }
+
+    /// The groups that have agents.
+    pub(super) fn groups_in_use(&self) -> impl Iterator<Item = &Group> {
+        self.groups.iter().zip(&self.step.groups).filter(|&(_, &in_use)| in_use).map(|(group, _)| group)
     }
 
     /// Rows of the neighbours of an agent, nearest first.

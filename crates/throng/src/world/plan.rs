@@ -209,9 +209,12 @@ impl World {
     }
 }
 
-/// A way to plan, and what came of it: the route unless it is straight, its length, and how near counts as there.
+/// A way to plan, and what came of it.
 struct Planned {
     row: usize,
     leg: u32,
-    outcome: Option<Result<(Option<Route>, f64, f32), Unreachable>>,
+    outcome: Option<Result<Found, Unreachable>>,
 }
+
+/// A way: the route unless it is straight, its length, and how near counts as there.
+type Found = (Option<Route>, f64, f32);

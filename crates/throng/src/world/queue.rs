@@ -64,6 +64,11 @@ impl World {
     pub(super) fn follow_others(&mut self) {
         let mut following = std::mem::take(&mut self.step.following);
         following.resize(self.agents.len(), Following::NOBODY);
+        if self.groups_in_use().all(|group| !group.queue) {
+            following.fill(Following::NOBODY);
+            self.step.following = following;
+            return;
+        }
         let world = &*self;
         parallel::rows(&mut following, 1, || (), |(), row, out| out[0] = world.following(row));
         free_rings(&mut following, &mut self.step.seen);
@@ -74,12 +79,17 @@ impl World {
     /// does not push, nor mill about. In counterflow nobody queues: there one squeezes by.
     fn following(&self, row: usize) -> Following {
         let agents = &self.agents;
-        let direction = self.step.ways[row].direction;
-        let others = || self.level_neighbours(row);
-        if others().any(|other| self.step.ways[other].direction.dot(direction) < -SAME_WAY) {
+        let (ways, direction) = (&self.step.ways, self.step.ways[row].direction);
+        if direction == Vec2::ZERO || !self.groups[agents.group[row].index()].queue {
             return Following::NOBODY;
         }
-        let all = others().filter_map(|other| {
+        // without branches: which of them comes the other way cannot be foreseen
+        let along = |other: usize| ways[other].direction.dot(direction);
+        let least = self.level_neighbours(row).fold(0.0, |least: f32, other| least.min(along(other)));
+        if least < -SAME_WAY {
+            return Following::NOBODY;
+        }
+        let all = self.level_neighbours(row).filter_map(|other| {
             let radii = agents.radius[row] + agents.radius[other];
             let offset = agents.offset(row, other);
             let aside = offset.perp_dot(direction).abs();

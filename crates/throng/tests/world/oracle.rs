@@ -58,7 +58,7 @@ impl Snapshot {
         let origin = world.settings().origin;
         Self {
             positions: agents.position.iter().map(|p| p.as_dvec2() + origin).collect(),
-            radii: agents.radius.iter().map(|r| f64::from(r)).collect(),
+            radii: agents.radius.iter().map(f64::from).collect(),
             layers: agents.layers.iter().zip(agents.avoids.iter()).collect(),
             numbers: agents.number.clone(),
         }

@@ -1,0 +1,35 @@
+//! The reference work with every local model. An item is an agent moved by one step.
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use std::sync::Arc;
+use throng::Group;
+use throng::avoid::{Avo, ClearPath, Hrvo, LocalModel, Orca, Orca3d, Rvo, RvoLab, Search, Unavoiding, Vo};
+use throng_bench::{Crowd, lap, work};
+
+fn main() {
+    divan::main();
+}
+
+const MODELS: [&str; 10] =
+    ["none", "orca", "orca_3d", "avo", "hrvo", "clearpath", "vo", "rvo", "rvo, 250 drawn", "rvo_lab"];
+
+#[divan::bench(args = MODELS, sample_count = 10, sample_size = 1)]
+fn crossing_of_10000(bencher: Bencher, name: &str) {
+    let model: Arc<dyn LocalModel> = match name {
+        "orca" => Arc::new(Orca::default()),
+        "orca_3d" => Arc::new(Orca3d::default()),
+        "avo" => Arc::new(Avo::default()),
+        "hrvo" => Arc::new(Hrvo::default()),
+        "clearpath" => Arc::new(ClearPath::default()),
+        "vo" => Arc::new(Vo::default()),
+        "rvo" => Arc::new(Rvo::default()),
+        "rvo, 250 drawn" => Arc::new(Rvo { search: Search::Random { candidates: 250 }, ..Rvo::default() }),
+        "rvo_lab" => Arc::new(RvoLab),
+        _ => Arc::new(Unavoiding),
+    };
+    let crowd = work("crossing").expect("a work").crowd(10_000);
+    let mut world = crowd.world(Group { model, ..Crowd::manners() }, 5.0).expect("these are valid");
+    lap(&mut world, 20, || true);
+    bencher.counter(ItemsCount::new(crowd.people.len())).bench_local(|| world.step());
+}

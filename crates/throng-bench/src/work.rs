@@ -1,0 +1,150 @@
+//! The reference works by name.
+
+use crate::place::{bricks, sort, uniform};
+use crate::{Crowd, Dice, Person, floor};
+use glam::DVec2;
+use throng::{Agent, Error, Group, World};
+
+/// A crowd that speed is measured on, of any size.
+pub struct Work {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is, in a line.
+    pub about: &'static str,
+    /// The sizes it is measured with if no others are asked for.
+    pub sizes: &'static [usize],
+    crowd: fn(usize) -> Crowd,
+    /// Whether people have throng's manners, and bodies that take time to change their velocity.
+    manners: bool,
+}
+
+/// All works.
+pub const WORKS: &[Work] = &[
+    Work {
+        name: "crossing",
+        about: "0.25 per m2, everybody bound far away in a random direction; added in spatial order",
+        sizes: &[1_000, 10_000, 100_000],
+        crowd: |count| crossing(count, true),
+        manners: false,
+    },
+    Work {
+        name: "crossing-shuffled",
+        about: "the same, added in random order",
+        sizes: &[1_000, 10_000, 100_000],
+        crowd: |count| crossing(count, false),
+        manners: false,
+    },
+    Work {
+        name: "crossing-manners",
+        about: "the same with keeping right, detours, standoffs and accelerations, as throng does by default",
+        sizes: &[10_000],
+        crowd: |count| crossing(count, false),
+        manners: true,
+    },
+    density("density-0.1", "0.1 per m2, bodies of 0.2 m, bound far away in random directions", |n| packed(n, 0.1)),
+    density("density-0.25", "the same, 0.25 per m2", |n| packed(n, 0.25)),
+    density("density-0.5", "the same, 0.5 per m2", |n| packed(n, 0.5)),
+    density("density-1", "the same, 1 per m2", |n| packed(n, 1.0)),
+    density("density-2", "the same, 2 per m2", |n| packed(n, 2.0)),
+    density("density-4", "the same, 4 per m2", |n| packed(n, 4.0)),
+    density("density-6", "the same, 6 per m2", |n| packed(n, 6.0)),
+    Work {
+        name: "one-spot",
+        about: "everybody within 5 cm, bound far away in random directions",
+        sizes: &[1_000],
+        crowd: one_spot,
+        manners: false,
+    },
+    Work {
+        name: "at-rest",
+        about: "1 per m2, everybody stands and wants to",
+        sizes: &[10_000],
+        crowd: at_rest,
+        manners: false,
+    },
+    Work {
+        name: "hall",
+        about: "to and fro in an empty hall with 20 m2 for five people, with manners",
+        sizes: &[500],
+        crowd: floor::hall,
+        manners: true,
+    },
+    Work {
+        name: "rooms",
+        about: "the same on a floor of rooms of 20 m2, with doors, desks and pillars",
+        sizes: &[500],
+        crowd: floor::rooms,
+        manners: true,
+    },
+];
+
+/// The work of this name.
+pub fn work(name: &str) -> Option<&'static Work> {
+    WORKS.iter().find(|work| work.name == name)
+}
+
+impl Work {
+    /// Its people; the same for the same count.
+    pub fn crowd(&self, count: usize) -> Crowd {
+        (self.crowd)(count)
+    }
+
+    /// Its world, with or without the guard.
+    ///
+    /// # Errors
+    /// Those of [`Crowd::world`]: the ground of very many people reaches farther than a world does.
+    pub fn world(&self, count: usize, guard: bool) -> Result<World, Error> {
+        let (group, max_acceleration) = match self.manners {
+            true => (Crowd::manners(), Agent::default().max_acceleration),
+            false => (Crowd::bare(), f32::INFINITY),
+        };
+        self.crowd(count).world(Group { guard, ..group }, max_acceleration)
+    }
+}
+
+const fn density(name: &'static str, about: &'static str, crowd: fn(usize) -> Crowd) -> Work {
+    Work { name, about, sizes: &[10_000], crowd, manners: false }
+}
+
+/// The reference work that crowd simulators are compared on.
+fn crossing(count: usize, sorted: bool) -> Crowd {
+    const RADIUS: f64 = 0.25;
+    let mut places = uniform(count, 0.25, 2.0 * RADIUS, &mut Dice(7));
+    if sorted {
+        sort(&mut places);
+    }
+    outward(places, RADIUS)
+}
+
+/// So many to the square metre, as far as bodies of 0.2 m can be packed.
+fn packed(count: usize, density: f64) -> Crowd {
+    const RADIUS: f64 = 0.2;
+    outward(bricks(count, density, 2.0 * RADIUS, &mut Dice(7)), RADIUS)
+}
+
+fn one_spot(count: usize) -> Crowd {
+    let mut dice = Dice(7);
+    outward((0..count).map(|_| dice.in_disc(0.05)).collect(), 0.25)
+}
+
+fn at_rest(count: usize) -> Crowd {
+    const RADIUS: f64 = 0.25;
+    let mut dice = Dice(9);
+    let people = bricks(count, 1.0, 2.0 * RADIUS, &mut Dice(7)).into_iter();
+    let people = people.map(|position| Person { position, preferred_speed: dice.between(1.3, 1.5), way: None });
+    Crowd::open(people.collect(), RADIUS, vec![])
+}
+
+/// Everybody bound for one of some thousand places, so far away that it is a direction: there are few enough of them
+/// that millions of people can be measured, and so many that hardly anybody has the goal of somebody near.
+fn outward(places: Vec<DVec2>, radius: f64) -> Crowd {
+    const GOALS: usize = 4096;
+    const DISTANCE: f64 = 15_000.0;
+    let mut dice = Dice(9);
+    let goals = (0..GOALS).map(|_| DVec2::from_angle(dice.between(0.0, std::f64::consts::TAU)) * DISTANCE).collect();
+    let people = places.into_iter().map(|position| {
+        let way = Some(dice.below(GOALS));
+        Person { position, preferred_speed: dice.between(1.3, 1.5), way }
+    });
+    Crowd::open(people.collect(), radius, goals)
+}

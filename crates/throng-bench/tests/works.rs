@@ -1,0 +1,101 @@
+//! The works are what they say.
+
+use glam::DVec2;
+use throng_bench::{WORKS, Work, lap, median, work};
+
+fn places(work: &Work, count: usize) -> Vec<DVec2> {
+    work.crowd(count).people.iter().map(|person| person.position).collect()
+}
+
+/// The least distance of two, by looking at all pairs.
+fn least_distance(places: &[DVec2]) -> f64 {
+    let from = |k: usize| places[..k].iter().map(move |p| p.distance(places[k]));
+    (0..places.len()).flat_map(from).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn nobody_overlaps_at_the_start_except_in_one_spot() {
+    for work in WORKS {
+        for count in [1, 2, 700] {
+            let crowd = work.crowd(count);
+            assert_eq!(crowd.people.len(), count, "{}", work.name);
+            let least = least_distance(&places(work, count));
+            let apart = least >= 2.0 * crowd.radius * 0.999;
+            assert_eq!(apart, work.name != "one-spot" || count == 1, "{}: {least}", work.name);
+        }
+    }
+}
+
+#[test]
+fn crowds_are_as_dense_as_they_say() {
+    for work in WORKS {
+        let Some(density) = work.name.strip_prefix("density-") else { continue };
+        let density: f64 = density.parse().unwrap();
+        let all = places(work, 10_000);
+        // in a square in the middle, a quarter of it all
+        let half = 0.25 * (10_000.0 / density).sqrt();
+        let inside = all.iter().filter(|p| p.abs().max_element() < half).count() as f64;
+        let found = inside / (4.0 * half * half);
+        assert!((found / density - 1.0).abs() < 0.06, "{}: {found}", work.name);
+    }
+    // uniform at random: the numbers in squares of 10 m vary as Poisson's, a little less since bodies don't overlap
+    let all = places(work("crossing").unwrap(), 10_000);
+    let mut counts = vec![0.0_f64; 400];
+    for p in &all {
+        let square = ((*p + 100.0) / 10.0).floor().clamp(DVec2::ZERO, DVec2::splat(19.0));
+        counts[(square.y * 20.0 + square.x) as usize] += 1.0;
+    }
+    let variance = counts.iter().map(|n| (n - 25.0) * (n - 25.0)).sum::<f64>() / 400.0;
+    assert!((8.0..25.0).contains(&variance), "{variance}");
+}
+
+#[test]
+fn shuffled_are_the_same_places_in_another_order() {
+    let key = |p: &DVec2| (p.x.to_bits(), p.y.to_bits());
+    let [mut sorted, mut shuffled] = ["crossing", "crossing-shuffled"].map(|name| places(work(name).unwrap(), 5_000));
+    let walk = |places: &[DVec2]| places.windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>() / 4999.0;
+    assert!(walk(&sorted) < 8.0 && walk(&shuffled) > 60.0);
+    sorted.sort_by_key(key);
+    shuffled.sort_by_key(key);
+    assert_eq!(sorted, shuffled);
+}
+
+#[test]
+fn everybody_walks_or_stands_as_they_should() {
+    for work in WORKS {
+        for guard in [false, true] {
+            let mut world = work.world(200, guard).unwrap();
+            let lap = lap(&mut world, 30, || true);
+            assert_eq!((lap.steps, lap.agent_steps), (30, 6_000));
+            assert!(world.stranded().is_empty(), "{}: {:?}", work.name, world.stranded());
+            let walked = (0..200).map(|row| world.agents().trip(row).walked).sum::<f64>() / 200.0;
+            match work.name {
+                "at-rest" => assert!(walked < 0.01, "{walked}"),
+                // in a crush hardly anybody gets on
+                "one-spot" | "density-4" | "density-6" => assert!(walked > 0.0, "{}: {walked}", work.name),
+                _ => assert!(walked > 1.0, "{}: {walked}", work.name),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_lap_adds_up() {
+    let mut world = work("crossing").unwrap().world(500, true).unwrap();
+    let mut left = 7;
+    let lap = lap(&mut world, 10, || {
+        left -= 1;
+        left > 0
+    });
+    assert_eq!((lap.steps, world.steps()), (6, 6));
+    let stages = lap.stages.iter().sum::<std::time::Duration>();
+    assert!(stages <= lap.wall && stages * 2 > lap.wall, "{lap:?}");
+    assert!(lap.ns(lap.wall) > 0.0);
+}
+
+#[test]
+fn medians() {
+    assert_eq!(median(vec![3.0, 1.0, 2.0]), 2.0);
+    assert_eq!(median(vec![4.0, 1.0, 2.0, 3.0]), 2.5);
+    assert!(median(vec![]).is_nan());
+}

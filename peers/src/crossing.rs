@@ -1,0 +1,88 @@
+//! The reference work: throng and everybody who does the same.
+
+use crate::bevy::BevyOrca;
+use crate::contest::{self, Contestant, Outcome, Turn};
+use crate::dodgy::Dodgy;
+use crate::python::Python;
+use glam::DVec2;
+use std::error::Error;
+use std::path::Path;
+use throng::World;
+use throng_bench::clock::thread_time;
+use throng_bench::{Crowd, lap, work};
+
+/// Steps before anything is measured.
+pub const WARM_UP: u32 = 20;
+
+/// Measures one of the crossings with so many people.
+///
+/// # Errors
+/// The work cannot be built, or Python does not answer.
+pub fn measure(name: &str, agents: usize, repeat: u32, python: Option<&Path>) -> Result<Vec<Outcome>, Box<dyn Error>> {
+    let work = work(name).ok_or("no such work")?;
+    let crowd = work.crowd(agents);
+    let mut contestants: Vec<Box<dyn Contestant>> = vec![
+        Box::new(Throng::new("throng", work.world(agents, false)?)),
+        Box::new(Throng::new("throng with its guard", work.world(agents, true)?)),
+        Box::new(Dodgy::new(&crowd)),
+        Box::new(BevyOrca::new(&crowd)),
+    ];
+    if let Some(python) = python {
+        let rows: Vec<String> = crowd
+            .people
+            .iter()
+            .map(|person| {
+                let (at, goal) = (person.position, goal(&crowd, person.way));
+                format!("{} {} {} {} {}", at.x, at.y, goal.x, goal.y, person.preferred_speed)
+            })
+            .collect();
+        contestants.push(Box::new(Python::start(python, "pyrvo", include_str!("../scripts/rvo2.py"), &[], &rows)?));
+    }
+    let steps = (1_000_000 / agents.max(1)).clamp(10, 100) as u32;
+    contest::measure(contestants, steps, repeat)
+}
+
+/// The goal of a way that has one goal.
+pub fn goal(crowd: &Crowd, way: Option<usize>) -> DVec2 {
+    way.map_or(DVec2::ZERO, |way| crowd.goals[crowd.ways[way][0]])
+}
+
+/// throng itself, without threads.
+pub struct Throng {
+    name: &'static str,
+    warm: World,
+    world: World,
+}
+
+impl Throng {
+    /// A world, warmed up.
+    pub fn new(name: &'static str, mut warm: World) -> Self {
+        lap(&mut warm, WARM_UP, || true);
+        let world = warm.clone();
+        Self { name, warm, world }
+    }
+}
+
+impl Contestant for Throng {
+    fn name(&self) -> String {
+        self.name.into()
+    }
+
+    fn restart(&mut self) -> Result<(), Box<dyn Error>> {
+        self.world = self.warm.clone();
+        Ok(())
+    }
+
+    fn steps(&mut self, count: u32) -> Result<Turn, Box<dyn Error>> {
+        let agent_steps = self.world.summary().agent_steps;
+        let begin = thread_time();
+        for _ in 0..count {
+            self.world.step();
+        }
+        Ok(Turn {
+            agent_steps: self.world.summary().agent_steps - agent_steps,
+            cpu: thread_time() - begin,
+            seconds: f64::from(count) * self.world.settings().step,
+        })
+    }
+}

@@ -1,0 +1,84 @@
+//! Simulators in Python: a script that is told on its standard input what to do, and answers with how long it took.
+
+use crate::contest::{Contestant, Turn};
+use std::error::Error;
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::time::Duration;
+
+/// A script that runs.
+pub struct Python {
+    name: String,
+    child: Child,
+    to: ChildStdin,
+    from: BufReader<ChildStdout>,
+}
+
+impl Python {
+    /// Starts a script, hands it its arguments and the people, a line each, and waits until it is warm.
+    ///
+    /// # Errors
+    /// It cannot be started, or ends; it has said why on standard error.
+    pub fn start(
+        python: &Path,
+        name: &str,
+        script: &str,
+        arguments: &[String],
+        people: &[String],
+    ) -> Result<Self, Box<dyn Error>> {
+        let mut child = Command::new(python)
+            .args(["-c", script])
+            .args(arguments)
+            .env("OMP_NUM_THREADS", "1")
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()?;
+        let to = child.stdin.take().ok_or("no standard input")?;
+        let from = BufReader::new(child.stdout.take().ok_or("no standard output")?);
+        let mut script = Self { name: name.into(), child, to, from };
+        writeln!(script.to, "{}", people.len())?;
+        for person in people {
+            writeln!(script.to, "{person}")?;
+        }
+        // it tells its name and version
+        script.name = script.answer()?;
+        Ok(script)
+    }
+
+    fn answer(&mut self) -> Result<String, Box<dyn Error>> {
+        self.to.flush()?;
+        let mut line = String::new();
+        if self.from.read_line(&mut line)? == 0 {
+            return Err(format!("{} ended", self.name).into());
+        }
+        Ok(line.trim().to_owned())
+    }
+}
+
+impl Contestant for Python {
+    fn name(&self) -> String {
+        self.name.clone()
+    }
+
+    fn restart(&mut self) -> Result<(), Box<dyn Error>> {
+        writeln!(self.to, "restart")?;
+        self.answer().map(|_| ())
+    }
+
+    fn steps(&mut self, count: u32) -> Result<Turn, Box<dyn Error>> {
+        writeln!(self.to, "steps {count}")?;
+        let answer = self.answer()?;
+        let numbers: Vec<f64> = answer.split_whitespace().map(str::parse).collect::<Result<_, _>>()?;
+        let [agent_steps, cpu, seconds] = numbers[..] else { return Err(format!("{}: {answer}", self.name).into()) };
+        Ok(Turn { agent_steps: agent_steps as u64, cpu: Duration::from_secs_f64(cpu), seconds })
+    }
+}
+
+impl Drop for Python {
+    fn drop(&mut self) {
+        // it is ours, and has nothing to lose
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
