@@ -61,7 +61,7 @@ fn touching(bodies: &Bodies<'_>, row: usize, scale: f32) -> Vec<u32> {
 
 /// Some pass through each other.
 fn meets(a: usize, b: usize) -> bool {
-    (a + b) % 11 != 0
+    !(a + b).is_multiple_of(11)
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -153,7 +153,7 @@ proptest! {
             near.truncate(8);
             near
         }).collect();
-        let known = |row: usize| (knows && row % 2 == 0).then_some((&nearest[row][..], 1.5));
+        let known = |row: usize| (knows && row.is_multiple_of(2)).then_some((&nearest[row][..], 1.5));
         let mut contacts = Contacts::default();
         contacts.collect(&bodies, &numbers, &grid, &walls, meets, known);
         for row in 0..all.len() {
