@@ -168,10 +168,10 @@ impl Contacts {
         (usual, largest)
     }
 
-    /// Forgets them: nobody is known to touch anything.
-    pub fn clear(&mut self) {
+    /// Collects the walls only: nobody is known to touch another.
+    pub fn collect_walls_only(&mut self, bodies: &Bodies<'_>, walls: &Walls) {
         self.others.clear();
-        self.walls.clear();
+        self.collect_walls(bodies, walls);
     }
 
     fn collect_walls(&mut self, bodies: &Bodies<'_>, walls: &Walls) {
