@@ -5,18 +5,18 @@
 //! last; everybody else would be found as before.
 
 use super::cores::Cores;
+use super::lists::ROWS;
 use super::safe::is_safe;
 use super::solid::Solid;
 use super::{Bodies, Contacts, Pose, cell, relax};
 use crate::avoid::{Line, Plane};
 use crate::parallel;
 use crate::space::Walls;
+use glam::Vec3;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Rounds of certification after which everybody who is still free is clamped.
 pub(super) const ROUNDS: usize = 8;
-/// Rows in a part: a bit of a word each.
-const ROWS: usize = u64::BITS as usize;
 
 /// What the guard did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -109,17 +109,19 @@ impl Guard {
             }
         });
         let mut passes = Passes { contacts, parts, waiting, targets };
-        let alone = |row| contacts.is_alone(row);
-        passes.look_at(|_, row, targets| !alone(row) && !relax::is_clear(row, solid, targets));
+        passes.look_at(|at, _, targets| {
+            let touching = rows(at, contacts.touching(at));
+            touching.filter(|&row| !relax::is_clear(row, solid, targets)).fold(0, |some, row| some | bit(row))
+        });
         for _ in 0..relax::ITERATIONS {
             passes.run(|_, row, targets| Some(relax::relaxed(row, solid, targets)));
         }
-        passes.look_at(|part, row, _| part.seen & bit(row) != 0);
+        passes.look_at(|_, part, _| part.seen);
         let mut report = Report::default();
         for round in 1..=ROUNDS + 1 {
             let last = round > ROUNDS;
             if last {
-                passes.look_at(|_, row, _| !alone(row));
+                passes.look_at(|at, _, _| contacts.touching(at));
             }
             let clamped = passes.run(|part, row, targets| {
                 let free = part.clamped & bit(row) == 0;
@@ -171,13 +173,11 @@ struct Passes<'a> {
 }
 
 impl Passes<'_> {
-    /// Has the next pass look at those whom `is_meant` names, too.
-    fn look_at(&mut self, is_meant: impl Fn(&Part, usize, &[Pose]) -> bool + Sync) {
+    /// Has the next pass look at those of each part that `whom` gives, too.
+    fn look_at(&mut self, whom: impl Fn(usize, &Part, &[Pose]) -> u64 + Sync) {
         let targets = &*self.targets;
         parallel::parts_with(self.parts, (self.waiting, 1), targets.len(), |at, part, waiting| {
-            let all = at * ROWS..targets.len().min((at + 1) * ROWS);
-            let meant = all.filter(|&row| is_meant(part, row, targets));
-            *waiting[0].0.get_mut() |= meant.fold(0, |meant, row| meant | bit(row));
+            *waiting[0].0.get_mut() |= whom(at, part, targets);
         });
     }
 
@@ -216,6 +216,7 @@ impl Passes<'_> {
 }
 
 /// The bit of a row in the sets of its part.
+#[inline]
 fn bit(row: usize) -> u64 {
     1 << (row % ROWS)
 }
@@ -231,21 +232,32 @@ fn rows(part: usize, mut set: u64) -> impl Iterator<Item = usize> {
 
 /// The wish of a row, as far as it can go in a step. One that is not a number is no wish at all; the heading of a disc
 /// is left alone.
+#[inline]
 pub(super) fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose {
-    let (from, to) = (bodies.place(row), wish.place());
-    let place = if to.is_finite() { from + (to - from).clamp_length_max(bodies.reach[row]) } else { from };
-    let turns = wish.heading.is_finite() && !bodies.is_disc(row);
+    let (from, to, reach) = (bodies.place(row), wish.place(), bodies.reach[row]);
+    let motion = to - from;
+    let place = if motion.length_squared() <= reach * reach {
+        from + motion
+    } else if to.is_finite() {
+        from + motion.clamp_length_max(reach)
+    } else {
+        from
+    };
+    let turns = !bodies.is_disc(row) && wish.heading.is_finite();
     let heading = if turns { wish.heading } else { bodies.headings[row] };
     Pose { heading, ..wish }.with_place(place)
 }
 
 /// Whether a target is off the wish by more than a hundredth of the way, or of a thousandth of the body.
+#[inline]
 fn differs(row: usize, bodies: &Bodies<'_>, wish: Pose, target: Pose) -> bool {
-    let (to, certain) = (wish.place(), target.place());
     let turned = !bodies.is_disc(row) && wish.heading != target.heading;
-    turned
-        || to != certain && {
-            let tolerance = to.distance(bodies.place(row)).max(1e-3 * bodies.radii[row]) * 1e-2;
-            !to.is_finite() || to.distance(certain) > tolerance
-        }
+    // most are where they wished to be
+    turned || wish.place() != target.place() && is_off(row, bodies, wish.place(), target.place())
+}
+
+#[cold]
+fn is_off(row: usize, bodies: &Bodies<'_>, wish: Vec3, target: Vec3) -> bool {
+    let tolerance = wish.distance(bodies.place(row)).max(1e-3 * bodies.radii[row]) * 1e-2;
+    !wish.is_finite() || wish.distance(target) > tolerance
 }

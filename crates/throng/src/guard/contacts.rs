@@ -36,13 +36,35 @@ struct Search<'a> {
     bodies: &'a Bodies<'a>,
     numbers: &'a [u32],
     grid: &'a Grid,
+    /// Size of everybody and range within which two touch, if all are alike.
+    alike: Option<(f32, f32)>,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    fn new(bodies: &'a Bodies<'a>, numbers: &'a [u32], grid: &'a Grid) -> Self {
+        let mut search = Self { bodies, numbers, grid, alike: None };
+        let Bodies { altitudes, cores, radii, reach, positions, .. } = bodies;
+        let uniform = cores.uniform().and(radii.uniform()).and(reach.uniform()).and(altitudes.uniform());
+        if uniform.is_some() && !positions.is_empty() {
+            search.alike = Some((search.size(0), search.range(0, 0)));
+        }
+        search
+    }
+
     /// How far from its centre a body can touch something in the step.
     #[inline]
     fn size(&self, row: usize) -> f32 {
-        self.bodies.bound(row) + self.bodies.reach[row]
+        match self.alike {
+            Some((size, _)) => size,
+            None => self.bodies.bound(row) + self.bodies.reach[row],
+        }
+    }
+
+    /// How far the centres of two can be apart that touch, of which the first is not smaller.
+    #[inline]
+    fn range(&self, a: usize, b: usize) -> f32 {
+        let bodies = self.bodies;
+        (bodies.bound(a) + bodies.bound(b) + bodies.reach[a] + bodies.reach[b]) * PAD
     }
 
     /// Calls `found` for those who can touch `row` and are not larger than `limit`.
@@ -77,11 +99,13 @@ impl Search<'_> {
     /// Whether two can touch whose centres are this far apart in the plan.
     #[inline]
     fn touch(&self, a: usize, b: usize, distance_squared: f32) -> bool {
+        if let Some((_, range)) = self.alike {
+            return distance_squared <= range * range;
+        }
         let Self { bodies, numbers, .. } = self;
         // rounded in the same way whoever asks
         let rank = |row: usize| (bodies.bound(row), numbers[row]);
-        let (a, b) = if rank(a) < rank(b) { (b, a) } else { (a, b) };
-        let range = (bodies.bound(a) + bodies.bound(b) + bodies.reach[a] + bodies.reach[b]) * PAD;
+        let range = if rank(a) < rank(b) { self.range(b, a) } else { self.range(a, b) };
         let discs = bodies.is_disc(a) && bodies.is_disc(b);
         let above = if discs { bodies.altitudes[b] - bodies.altitudes[a] } else { 0.0 };
         distance_squared + above * above <= range * range
@@ -101,7 +125,7 @@ impl Contacts {
         meets: impl Fn(usize, usize) -> bool + Sync,
         seen: impl Fn(usize) -> Option<Seen<'a>> + Sync,
     ) {
-        let search = Search { bodies, numbers, grid };
+        let search = Search::new(bodies, numbers, grid);
         let (usual, largest) = self.tell(search, &meets);
         let told = &self.told;
         self.others.fill(bodies.positions.len(), |(), row, others| {
@@ -131,9 +155,10 @@ impl Contacts {
     /// Has those who are larger than usual tell those whom they can touch; gives the usual size, and the largest.
     fn tell(&mut self, search: Search<'_>, meets: impl Fn(usize, usize) -> bool) -> (f32, f32) {
         self.told.clear();
-        let Bodies { positions, cores, radii, reach, .. } = search.bodies;
-        let alike = cores.uniform().is_some() && radii.uniform().is_some() && reach.uniform().is_some();
-        let rows = if alike { positions.len().min(1) } else { positions.len() };
+        if let Some((size, _)) = search.alike {
+            return (size, size);
+        }
+        let rows = search.bodies.positions.len();
         let sizes = || (0..rows).map(|row| search.size(row));
         let largest = sizes().fold(0.0, f32::max);
         let twice_the_mean = (2.0 * sizes().map(f64::from).sum::<f64>() / rows as f64) as f32;
@@ -153,10 +178,10 @@ impl Contacts {
         (usual, largest)
     }
 
-    /// Forgets them: nobody is known to touch anything.
-    pub fn clear(&mut self) {
+    /// Collects the walls only: nobody is known to touch another.
+    pub fn collect_walls_only(&mut self, bodies: &Bodies<'_>, walls: &Walls) {
         self.others.clear();
-        self.walls.clear();
+        self.collect_walls(bodies, walls);
     }
 
     fn collect_walls(&mut self, bodies: &Bodies<'_>, walls: &Walls) {
@@ -202,8 +227,8 @@ impl Contacts {
         self.walls.of(row).is_empty()
     }
 
-    /// Whether `row` can touch nothing.
-    pub fn is_alone(&self, row: usize) -> bool {
-        self.of(row).is_empty() && self.is_off_walls(row)
+    /// Those of 64 rows that can touch anybody or any wall, a bit each.
+    pub(super) fn touching(&self, part: usize) -> u64 {
+        self.others.some(part) | self.walls.some(part)
     }
 }

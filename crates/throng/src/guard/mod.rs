@@ -42,6 +42,12 @@
 //!
 //! Before certifying, a few symmetric relaxations (`relax.rs`) part the pairs that would collide: position-based, as
 //! Weiss et al. (MIG 2017) resolve contacts. They make clamping rare; nothing depends on them.
+//!
+//! # What it costs
+//! What relaxing or a round finds about an agent depends on its own target, on those of whom it could touch (`contacts.rs`),
+//! and on nothing else that changes. So who can touch nobody is never looked at; nor is who is seen at a glance to pass
+//! everybody, nor later anybody for whom none of these targets has changed since the last look (`certify.rs`). The
+//! result is that of looking at everybody every time, bit for bit.
 
 mod cell;
 mod certify;
@@ -96,6 +102,7 @@ impl Bodies<'_> {
     }
 
     /// The centre of a body, in space.
+    #[inline]
     fn place(&self, row: usize) -> Vec3 {
         self.positions[row].extend(self.altitudes[row])
     }
@@ -114,11 +121,13 @@ pub struct Pose {
 
 impl Pose {
     /// Its centre, in space.
+    #[inline]
     pub fn place(&self) -> Vec3 {
         self.position.extend(self.altitude)
     }
 
     /// The pose with its centre here, on the ground if that is below it.
+    #[inline]
     pub(crate) fn with_place(self, place: Vec3) -> Self {
         Self { position: place.truncate(), altitude: place.z.max(0.0), ..self }
     }

@@ -25,8 +25,11 @@ fn certify(bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, wishes: &[Po
     let mut clamped = vec![false; wishes.len()];
     let mut report = Report::default();
     for round in 1.. {
-        let clamps =
-            |row: usize| !clamped[row] && (round > ROUNDS && !contacts.is_alone(row) || !is_safe(row, solid, &now));
+        let clamps = |row: usize| {
+            !clamped[row]
+                && (round > ROUNDS && !(contacts.of(row).is_empty() && contacts.is_off_walls(row))
+                    || !is_safe(row, solid, &now))
+        };
         let unsafe_ones: Vec<usize> = rows.clone().filter(|&row| clamps(row)).collect();
         if unsafe_ones.is_empty() {
             break;
@@ -58,7 +61,7 @@ fn touching(bodies: &Bodies<'_>, row: usize, scale: f32) -> Vec<u32> {
 
 /// Some pass through each other.
 fn meets(a: usize, b: usize) -> bool {
-    (a + b) % 11 != 0
+    !(a + b).is_multiple_of(11)
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -151,7 +154,7 @@ proptest! {
         }).collect();
         let known = |row: usize| {
             let nearest = &nearest[row][..];
-            (knows && row % 2 == 0).then_some(Seen { nearest, range: 1.5, all: nearest.len() < 7 })
+            (knows && row.is_multiple_of(2)).then_some(Seen { nearest, range: 1.5, all: nearest.len() < 7 })
         };
         let mut contacts = Contacts::default();
         contacts.collect(&bodies, &numbers, &grid, &walls, meets, known);

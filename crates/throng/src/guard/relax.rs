@@ -37,15 +37,15 @@ pub(super) fn relaxed(row: usize, solid: Solid<'_>, targets: &[Pose]) -> Pose {
     let mut push = DVec3::ZERO;
     for other in solid.others(row) {
         let radii = radius + f64::from(bodies.radii[other]);
-        let reach = f64::from(bodies.reach[row]) + f64::from(bodies.reach[other]);
+        let reach = || f64::from(bodies.reach[row]) + f64::from(bodies.reach[other]);
         if is_disc && solid.is_disc(other) {
             let (offset, relative) = solid.relative(row, motion, other, targets);
             if !passes(offset, relative, radii * (1.0 + SKIN)) {
-                push += 0.5 * parting(offset, relative, clearance(offset.length(), radii, reach));
+                push += 0.5 * parting(offset, relative, clearance(offset.length(), radii, reach()));
             }
         } else {
             let (own, theirs) = (solid.sweep(row, targets[row]), solid.sweep(other, targets[other]));
-            push += 0.5 * parting_cores(&own, &theirs, radii, reach).extend(0.0);
+            push += 0.5 * parting_cores(&own, &theirs, radii, reach()).extend(0.0);
         }
     }
     let reach = f64::from(bodies.reach[row]);
@@ -95,6 +95,7 @@ fn parting_cores(own: &Sweep, other: &Sweep, radii: f64, reach: f64) -> DVec2 {
 /// How a relative motion must change so that `offset + t * motion` comes no nearer than `clearance` on its way: a
 /// push at the nearest approach. A pair that starts nearer is pushed back to its clearance as far as it moves away
 /// less than that.
+#[inline(always)]
 fn parting(offset: DVec3, motion: DVec3, clearance: f64) -> DVec3 {
     let length_squared = motion.length_squared();
     let t = if length_squared > 0.0 { (-offset.dot(motion) / length_squared).clamp(0.0, 1.0) } else { 1.0 };

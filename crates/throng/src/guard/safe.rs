@@ -66,7 +66,8 @@ fn walls_are_safe(row: usize, solid: Solid<'_>, from: DVec2, motion: DVec2) -> b
 pub(super) fn passes(offset: DVec3, motion: DVec3, clearance: f64) -> bool {
     let room = offset.length_squared() * (1.0 - 1e-9) - clearance * clearance;
     let along = offset.dot(motion);
-    room >= 0.0 && (along >= 0.0 || room * motion.length_squared() >= along * along)
+    // no branches: nobody could foretell them
+    (room >= 0.0) & ((along >= 0.0) | (room * motion.length_squared() >= along * along))
 }
 
 /// The least length of `offset + t * motion` for t in [0, 1].

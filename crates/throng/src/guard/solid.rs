@@ -17,6 +17,7 @@ pub(super) struct Solid<'a> {
 
 impl<'a> Solid<'a> {
     /// Those whom `row` could touch and is held apart from: of two, one at least must be guarded.
+    #[inline]
     pub fn others(self, row: usize) -> impl Iterator<Item = usize> + 'a {
         let others = self.contacts.of(row).iter().map(|&other| other as usize);
         let guarded = self.bodies.guarded[row];
@@ -42,6 +43,7 @@ impl<'a> Solid<'a> {
     }
 
     /// Whether a body is a disc: centres and radii say everything about it.
+    #[inline]
     pub fn is_disc(self, row: usize) -> bool {
         self.bodies.is_disc(row)
     }
@@ -52,11 +54,13 @@ impl<'a> Solid<'a> {
     }
 
     /// How the centre of a body moves to `target`.
+    #[inline(always)]
     pub fn motion(self, row: usize, target: Pose) -> DVec3 {
         target.place().as_dvec3() - self.bodies.place(row).as_dvec3()
     }
 
     /// From another to `row`, which moves by `motion`: the offset of their centres, and its change.
+    #[inline(always)]
     pub fn relative(self, row: usize, motion: DVec3, other: usize, targets: &[Pose]) -> (DVec3, DVec3) {
         let offset = self.bodies.place(row).as_dvec3() - self.bodies.place(other).as_dvec3();
         (offset, motion - self.motion(other, targets[other]))

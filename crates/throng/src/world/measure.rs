@@ -14,17 +14,19 @@ pub(super) struct Measured {
     least_separation: f64,
     least_wall_separation: f64,
     overlaps: u64,
+    /// Discs whose separation is surely more than this neither overlap nor are the nearest.
+    looks_below: f32,
 }
 
 impl World {
     /// Notes how close bodies came to each other and to walls.
-    #[inline(never)]
     pub(super) fn measure(&mut self) {
         let Self { agents, step, walls, tally, .. } = self;
         let before = Measured {
             least_separation: tally.least_separation,
             least_wall_separation: tally.least_wall_separation,
             overlaps: 0,
+            looks_below: looks_below(tally.least_separation),
         };
         step.measured.clear();
         step.measured.resize(agents.len().div_ceil(ROWS), before);
@@ -58,7 +60,7 @@ impl World {
                 if let Some(nearest) = near.of(row).first().map(|&nearest| nearest as usize)
                     && (!discs_only || measured.is_near(agents, row, nearest))
                 {
-                    measured.least_separation = measured.least_separation.min(agents.separation(row, nearest));
+                    measured.separation(agents, row, nearest);
                 }
                 if !contacts.is_off_walls(row) {
                     measured.walls(agents, row, walls, (contacts.edges_of(row), contacts.discs_of(row)));
@@ -74,19 +76,30 @@ impl World {
 }
 
 impl Measured {
+    /// Notes the separation of two, and whether they overlap.
     fn pair(&mut self, agents: &Columns, row: usize, other: usize, discs_only: bool) {
         if !discs_only || self.is_near(agents, row, other) {
-            let separation = agents.separation(row, other);
-            self.least_separation = self.least_separation.min(separation);
+            let separation = self.separation(agents, row, other);
             self.overlaps += u64::from(separation < TOUCH);
         }
     }
 
     /// Whether two discs may overlap, or be nearer than any before: most are not, which is seen in the plan, without a
-    /// root or a quotient, with room for rounding.
+    /// root or a quotient.
+    #[inline]
     fn is_near(&self, agents: &Columns, row: usize, other: usize) -> bool {
-        let limit = (agents.radius[row] + agents.radius[other]) * (self.least_separation.max(1.0) as f32 * 1.0001);
+        let limit = (agents.radius[row] + agents.radius[other]) * self.looks_below;
         agents.position[row].distance_squared(agents.position[other]) <= limit * limit
+    }
+
+    /// The separation of two, noted.
+    fn separation(&mut self, agents: &Columns, row: usize, other: usize) -> f64 {
+        let separation = agents.separation(row, other);
+        if separation < self.least_separation {
+            self.least_separation = separation;
+            self.looks_below = looks_below(separation);
+        }
+        separation
     }
 
     fn walls(&mut self, agents: &Columns, row: usize, walls: &Walls, (edges, discs): (&[u32], &[u32])) {
@@ -112,3 +125,7 @@ impl Measured {
 
 /// Bodies that are nearer than this overlap; less is rounding.
 const TOUCH: f64 = 1.0 - 1e-4;
+
+fn looks_below(least_separation: f64) -> f32 {
+    least_separation.max(1.0) as f32 * 1.0001
+}
