@@ -132,7 +132,9 @@ fn number(line: &mut String, value: impl ryu::Float + Display + Into<f64>) {
 /// fast way the even one.
 fn is_halfway(value: f64, decimals: usize) -> bool {
     let scaled = value * f64::from(2u32 << decimals.min(30));
-    scaled % 2.0 == 1.0 || scaled % 2.0 == -1.0
+    // that is an odd number of halves
+    let halves = scaled as i64;
+    halves as f64 == scaled && halves % 2 != 0
 }
 
 /// How a status is called in files.

@@ -65,6 +65,7 @@ pub struct Group {
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
     pub detour: bool,
     /// Whether they go no faster than those right ahead who go the same way.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
     pub queue: bool,
     /// Whether agents that cannot pass each other agree who steps aside.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
