@@ -3,6 +3,7 @@
 use super::block::{Block, LEAF, Points, divide};
 use super::nearest::Near;
 use crate::lanes::LANES;
+use crate::parallel;
 use glam::Vec2;
 
 /// Height of cells over the mean distance of points, at most.
@@ -136,9 +137,19 @@ impl Grid {
     }
 
     fn sort(&mut self, points: &[Vec2], numbers: &[u32]) {
+        let count = points.len();
         let mut cell_of = std::mem::take(&mut self.cell_of);
-        cell_of.clear();
-        cell_of.extend(points.iter().map(|&p| (self.row(p.y) * self.columns + self.column(p.x)) as u32));
+        cell_of.resize(count, 0);
+        let grid = &*self;
+        parallel::ranges(
+            &mut cell_of[..],
+            || (),
+            |(), rows, cells| {
+                for (cell, &p) in cells.iter_mut().zip(&points[rows]) {
+                    *cell = (grid.row(p.y) * grid.columns + grid.column(p.x)) as u32;
+                }
+            },
+        );
         self.starts.clear();
         self.starts.resize(self.columns * self.rows + 1, 0);
         for &c in &cell_of {
@@ -149,7 +160,8 @@ impl Grid {
             sum += *start;
             *start = sum;
         }
-        self.order.resize(points.len(), 0);
+        // tiles read whole vectors
+        self.order.resize(count + LANES, 0);
         for (row, &c) in cell_of.iter().enumerate() {
             let at = &mut self.starts[c as usize];
             self.order[*at as usize] = row as u32;
@@ -158,17 +170,20 @@ impl Grid {
         // filling moved every start to the next cell's: shift back
         self.starts.copy_within(..self.columns * self.rows, 1);
         self.starts[0] = 0;
-        self.x.clear();
-        self.x.extend(self.order.iter().map(|&row| points[row as usize].x));
-        self.y.clear();
-        self.y.extend(self.order.iter().map(|&row| points[row as usize].y));
-        self.numbers.clear();
-        self.numbers.extend(self.order.iter().map(|&row| numbers[row as usize]));
         self.cell_of = cell_of;
-        // tiles read whole vectors
-        self.x.resize(points.len() + LANES, 0.0);
-        self.y.resize(points.len() + LANES, 0.0);
-        self.order.resize(points.len() + LANES, 0);
+        let Self { x, y, numbers: sorted, order, .. } = self;
+        x.resize(count + LANES, 0.0);
+        y.resize(count + LANES, 0.0);
+        sorted.resize(count, 0);
+        parallel::ranges(
+            (&mut x[..count], &mut y[..count], &mut sorted[..]),
+            || (),
+            |(), places, (x, y, sorted)| {
+                for (((&row, x), y), number) in order[places].iter().zip(x).zip(y).zip(sorted) {
+                    (*x, *y, *number) = (points[row as usize].x, points[row as usize].y, numbers[row as usize]);
+                }
+            },
+        );
     }
 
     /// Rows of the slice that the grid was built from, in the order of cells.

@@ -21,11 +21,6 @@ impl World {
         self.stop(row, leg).map(|stop| self.goals[stop.goal.index()].middle())
     }
 
-    pub(super) fn is_last(&self, row: usize, leg: u32) -> bool {
-        let journey = &self.journeys[self.agents.journey[row].index()];
-        !journey.repeat && leg as usize + 1 == journey.stops.len()
-    }
-
     pub(super) fn first_status(&self, journey: JourneyId) -> Status {
         if self.journeys[journey.index()].stops.is_empty() { Status::Arrived } else { Status::Walking }
     }

@@ -7,6 +7,7 @@ use crate::agent::{AgentId, Status};
 use crate::navigate::{Goal, Heading, Meshes, Path, Route, Search, Travel, Turn, Unreachable};
 use crate::parallel;
 use glam::{DVec2, DVec3, Vec2};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 impl World {
     /// Brings everybody's way up to date: what to head for, and how far it still is; and notes it for others to see.
@@ -16,17 +17,24 @@ impl World {
         let mut ways = std::mem::take(&mut self.step.ways);
         ways.resize(travels.len(), Way::default());
         let world = &*self;
+        let anybody = AtomicBool::new(false);
         parallel::ranges(
             (&mut travels[..], &mut ways[..]),
             || (),
             |(), rows, (travels, ways)| {
+                let mut lost = false;
                 for ((row, travel), way) in rows.zip(travels).zip(ways) {
                     *way = world.look(row, travel, seconds);
+                    lost |= way.walks() && !travel.has_way();
+                }
+                if lost {
+                    anybody.store(true, Ordering::Relaxed);
                 }
             },
         );
-        let mut lost: Vec<Planned> = (0..travels.len())
-            .filter(|&row| !travels[row].has_way() && self.agents.status[row] == Status::Walking)
+        let rows = if anybody.into_inner() { 0..travels.len() } else { 0..0 };
+        let mut lost: Vec<Planned> = rows
+            .filter(|&row| ways[row].walks() && !travels[row].has_way())
             .map(|row| Planned { row, leg: travels[row].leg, outcome: None })
             .collect();
         if !lost.is_empty() {
@@ -87,7 +95,8 @@ impl World {
     /// Lets an agent look where it is on its way, and tells what others see of it; a way that no longer holds is given
     /// up.
     fn look(&self, row: usize, travel: &mut Travel, seconds: f32) -> Way {
-        let stop = self.stop(row, travel.leg);
+        let journey = &self.journeys[self.agents.journey[row].index()];
+        let stop = journey.stops.get(travel.leg as usize);
         let goal = stop.map(|stop| &self.goals[stop.goal.index()]);
         let at = self.world_position(row);
         let straight = travel.is_straight();
@@ -111,7 +120,7 @@ impl World {
         let waits = travel.turn == Turn::Aside && travel.remaining < self.agents.radius[row];
         let direction = if waits { Vec2::ZERO } else { towards.as_vec2().normalize_or_zero() };
         let tolerance = goal.and_then(Goal::tolerance);
-        let stops = tolerance.is_some() && self.is_last(row, travel.leg);
+        let stops = tolerance.is_some() && journey.is_last(travel.leg);
         // in the open, with nobody there yet, who is farther than it can get
         let is_far = |tolerance: f32| remaining * 0.9999 > tolerance + self.agents.max_speed[row] * seconds * 1.01;
         let taken = id.is_some_and(|id| self.step.arrivals[id.index()] > 0);

@@ -59,8 +59,8 @@ impl World {
         let agents = &self.agents;
         let looks = |&row: &usize| {
             let stalled = agents.travel[row].stalled;
-            let before = stalled - seconds * agents.preferred_speed[row] / agents.radius[row];
-            stalled >= LOOKS && libm::log2f(stalled).floor() > libm::log2f(before.max(0.5 * LOOKS)).floor()
+            let before = || stalled - seconds * agents.preferred_speed[row] / agents.radius[row];
+            stalled >= LOOKS && libm::log2f(stalled).floor() > libm::log2f(before().max(0.5 * LOOKS)).floor()
         };
         let mut rows: Vec<usize> = (0..agents.len()).filter(looks).collect();
         rows.sort_by_key(|&row| agents.number[row]);
