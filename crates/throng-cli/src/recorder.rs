@@ -20,7 +20,7 @@ pub struct Moment {
 /// A file being written. Dropped before it is finished, it leaves nothing.
 pub enum Recorder {
     /// A picture or a video.
-    Film(Behind<Film, Moment, throng_draw::Error>),
+    Film(Box<Behind<Film, Moment, throng_draw::Error>>),
     /// Trajectories.
     Table(Behind<CsvWriter, Moment, OutputError>),
 }
@@ -28,10 +28,10 @@ pub enum Recorder {
 impl Recorder {
     /// Lets a film be written.
     pub fn film(film: Film) -> Self {
-        Self::Film(Behind::start("throng-film", film, |film, moment| {
+        Self::Film(Box::new(Behind::start("throng-film", film, |film, moment| {
             let frames: Vec<&Frame> = moment.frames.iter().map(Arc::as_ref).collect();
             (0..moment.pictures).try_for_each(|_| film.push_all(&frames))
-        }))
+        })))
     }
 
     /// Lets a table be written.
