@@ -142,10 +142,12 @@ impl<T: Default> Pool<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::sync::mpsc;
+    use std::sync::mpsc::Receiver;
+
+    type Slow = (Receiver<()>, Vec<Arc<u32>>);
 
     /// A doer that waits for leave before each thing.
-    fn slow(leave: mpsc::Receiver<()>) -> Behind<(mpsc::Receiver<()>, Vec<Arc<u32>>), Arc<u32>, String> {
+    fn slow(leave: Receiver<()>) -> Behind<Slow, Arc<u32>, String> {
         Behind::start("slow", (leave, Vec::new()), |(leave, done), thing| {
             leave.recv().map_err(|_| "nobody lets it".to_string())?;
             if *thing == 7 {
@@ -158,7 +160,7 @@ mod tests {
 
     #[test]
     fn everything_is_done_in_order() {
-        let (let_on, leave) = mpsc::channel();
+        let (let_on, leave) = channel();
         let mut behind = slow(leave);
         for k in 10..100 {
             let_on.send(()).unwrap();
@@ -170,8 +172,8 @@ mod tests {
 
     #[test]
     fn who_is_too_fast_waits() {
-        let (let_on, leave) = mpsc::channel();
-        let (tell, told) = mpsc::channel();
+        let (let_on, leave) = channel();
+        let (tell, told) = channel();
         let mut behind = slow(leave);
         let hasty = std::thread::spawn(move || {
             for k in 10..20 {
@@ -191,7 +193,7 @@ mod tests {
 
     #[test]
     fn an_error_ends_the_work_and_comes_out_at_the_end() {
-        let (let_on, leave) = mpsc::channel();
+        let (let_on, leave) = channel();
         let mut behind = slow(leave);
         (0..20).for_each(|_| let_on.send(()).unwrap());
         let pushed = (0..20).take_while(|&k| behind.push(Arc::new(k))).count();
@@ -202,7 +204,7 @@ mod tests {
 
     #[test]
     fn an_error_at_the_last_thing_is_not_lost() {
-        let (let_on, leave) = mpsc::channel();
+        let (let_on, leave) = channel();
         let mut behind = slow(leave);
         assert!(behind.push(Arc::new(7)));
         let_on.send(()).unwrap();
@@ -211,7 +213,7 @@ mod tests {
 
     #[test]
     fn who_is_dropped_leaves_no_thread_behind() {
-        let (let_on, leave) = mpsc::channel();
+        let (let_on, leave) = channel();
         let mut behind = slow(leave);
         let thing = Arc::new(1);
         assert!(behind.push(thing.clone()));
