@@ -17,7 +17,7 @@ pub(crate) trait Parts: Send + Sized {
     /// Rows of all of them.
     fn rows(&self) -> usize;
     /// Those before a row, and the others.
-    #[cfg_attr(not(feature = "parallel"), expect(dead_code, reason = "one thread does all"))]
+    #[cfg_attr(not(feature = "parallel"), allow(dead_code, reason = "one thread does all"))]
     fn split(self, row: usize) -> (Self, Self);
 }
 
