@@ -13,7 +13,7 @@ use throng_scene::gallery;
 const DEFAULT: [&str; 2] = ["crossing", "crossing-shuffled"];
 
 /// Bytes that an agent of a work needs at most: its world, a copy of it that makes the steps, and what it was built from.
-const BYTES_AN_AGENT: u64 = 2_500;
+const BYTES_AN_AGENT: u64 = 1_000;
 
 /// One world that is measured.
 pub enum Subject {

@@ -227,19 +227,34 @@ impl Walls {
 
     fn near_in(&self, cell: usize, from: DVec2, range: f64, near: &mut NearWalls) {
         for &item in self.cells.items(cell) {
-            let item = item as usize;
-            if let Some(edge) = self.edges.get(item) {
-                let d = edge.nearest(from).distance(from);
-                if d <= range {
-                    near.edges.push((d, item as u32));
-                }
-            } else {
-                let index = item - self.edges.len();
-                let d = self.discs[index].center.distance(from) - self.discs[index].radius;
-                if d <= range {
-                    near.discs.push((d, index as u32));
+            let d = self.distance_to(item, from);
+            if d <= range {
+                match item.checked_sub(self.edges.len() as u32) {
+                    None => near.edges.push((d, item)),
+                    Some(disc) => near.discs.push((d, disc)),
                 }
             }
+        }
+    }
+
+    /// Distance of an item; of a disc to its rim, negative inside.
+    fn distance_to(&self, item: u32, from: DVec2) -> f64 {
+        let item = item as usize;
+        if let Some(edge) = self.edges.get(item) {
+            return edge.nearest(from).distance(from);
+        }
+        let disc = &self.discs[item - self.edges.len()];
+        disc.center.distance(from) - disc.radius
+    }
+
+    /// Whether no wall is within `range` of `from`.
+    pub fn is_clear(&self, from: DVec2, range: f64) -> bool {
+        let is_clear = |cell: usize| self.cells.items(cell).iter().all(|&item| self.distance_to(item, from) > range);
+        let away = range - REACH;
+        match away <= 0.0 {
+            _ if self.is_empty() => true,
+            true => is_clear(self.cells.cell_of(from)),
+            false => self.cells.touched(from - away, from + away).all(is_clear),
         }
     }
 
@@ -302,6 +317,7 @@ mod tests {
                 prop_assert_eq!(&near.edges, &sorted(edges));
                 let discs = walls.discs().iter().map(|disc| disc.center.distance(eye) - disc.radius).collect();
                 prop_assert_eq!(&near.discs, &sorted(discs));
+                prop_assert_eq!(walls.is_clear(eye, range), near.edges.is_empty() && near.discs.is_empty());
             }
         }
     }

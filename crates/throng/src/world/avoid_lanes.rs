@@ -1,8 +1,8 @@
-//! Many agents avoid at once, a lane an agent: those whose model is a plain ORCA, in the open, on the ground. The same
+//! Many agents avoid at once, a lane an agent: those whose model is a plain ORCA, on the ground, away from walls. The same
 //! bits as [one by one](super::avoid), where everybody else goes.
 
 use super::World;
-use crate::avoid::{Line, MARGIN, MARGIN_LONG_STEP, MOST, Orca, Views, choose};
+use crate::avoid::{Line, LocalModel, MARGIN, MARGIN_LONG_STEP, MOST, Orca, Views, choose};
 use crate::lanes::{LANES, Vec2s, load};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
@@ -43,7 +43,6 @@ impl World {
             && agents.climb.uniform() == Some(0.0)
             && agents.tracking_error.uniform() == Some(0.0)
             && agents.max_turn_rate.uniform() == Some(f32::INFINITY)
-            && self.walls.is_empty()
             && self.standoffs.is_empty()
             && self.groups_in_use().all(|group| group.neighbours <= MOST);
         let orca = self.groups_in_use().find_map(|group| group.model.as_orca())?;
@@ -116,7 +115,9 @@ impl World {
             set(&mut views.preferred, preferred.truncate());
             views.max_speed[lane] = agents.max_speed[row];
             let model = || &self.groups[agents.group[row].index()].model;
-            let fits = preferred.z <= 0.0 && (common.alike || model().as_orca() == Some(common.orca));
+            let fits = preferred.z <= 0.0
+                && (common.alike || model().as_orca() == Some(common.orca))
+                && self.sees_no_wall(row, &common.orca);
             missing |= u64::from(!fits) << lane;
             let neighbours = step.near.of(row);
             views.count[lane] = neighbours.len() as f32;
@@ -140,6 +141,12 @@ impl World {
             }
         }
         missing
+    }
+
+    /// Whether no wall is near enough to matter.
+    fn sees_no_wall(&self, row: usize, orca: &Orca) -> bool {
+        let range = orca.wall_range(self.agents.radius[row], self.agents.max_speed[row]);
+        self.walls.is_clear(self.agents.position[row].as_dvec2(), f64::from(range))
     }
 
     /// What bodies can do of chosen velocities.
