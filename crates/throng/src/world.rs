@@ -26,7 +26,7 @@ pub use stage::Stage;
 use crate::agent::{AgentId, Column, Columns, GoalId, Group, GroupId, JourneyId, Status};
 use crate::guard::Pose;
 use crate::guard::{Contacts, Guard};
-use crate::navigate::{Goal, Journey, Meshes, Script, Unreachable};
+use crate::navigate::{Goal, Journey, Legs, Meshes, Script, Unreachable};
 use crate::perceive::{Grid, Instructions};
 use crate::space::{Place, Walls};
 use crate::summary::{Counts, Ended, Summary, Tally};
@@ -93,6 +93,7 @@ pub struct World {
     // made anew from the above whenever it is needed
     walls: Walls,
     meshes: Meshes,
+    legs: Legs,
     step: StepMemory,
     instructions: Instructions,
 }

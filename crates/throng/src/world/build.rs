@@ -2,7 +2,7 @@
 
 use super::{Settings, Slots, StepMemory, SubSteps, World};
 use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
-use crate::navigate::{Goal, Journey, Meshes, Script, union};
+use crate::navigate::{Goal, Journey, Legs, Meshes, Script, union};
 use crate::perceive::Instructions;
 use crate::space::{Core, Obstacle, Place, Walkable, Walls, check_polygon};
 use crate::summary::Tally;
@@ -40,6 +40,7 @@ impl World {
             extent: None,
             walls: Walls::default(),
             meshes: Meshes::default(),
+            legs: Legs::new(&[Journey::default()], &[]),
             step: StepMemory::default(),
             instructions: Instructions::default(),
         })
@@ -88,6 +89,7 @@ impl World {
             known("goal", stop.goal.index(), self.goals.len())?;
             Error::unless(stop.wait >= 0.0 && stop.wait.is_finite(), "wait", stop.wait, "at least 0 s and finite")?;
         }
+        self.legs.add(&journey, &self.goals);
         self.journeys.push(journey);
         Ok(JourneyId(self.journeys.len() as u32 - 1))
     }

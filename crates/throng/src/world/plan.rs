@@ -95,12 +95,10 @@ impl World {
     /// Lets an agent look where it is on its way, and tells what others see of it; a way that no longer holds is given
     /// up.
     fn look(&self, row: usize, travel: &mut Travel, seconds: f32) -> Way {
-        let journey = &self.journeys[self.agents.journey[row].index()];
-        let stop = journey.stops.get(travel.leg as usize);
-        let goal = stop.map(|stop| &self.goals[stop.goal.index()]);
+        let leg = self.legs.of(self.agents.journey[row], travel.leg);
         let at = self.world_position(row);
         let straight = travel.is_straight();
-        let mut towards = goal.map_or(-at, |goal| goal.middle() - at);
+        let mut towards = leg.map_or(-at, |leg| leg.middle - at);
         if straight {
             travel.remaining = towards.length() as f32;
         } else {
@@ -108,10 +106,10 @@ impl World {
             towards = travel.aim().map_or(towards, |aim| aim - at);
         }
         if straight || travel.has_way() {
-            let altitude = goal.filter(|_| travel.turn != Turn::Aside).and_then(Goal::altitude);
+            let altitude = leg.filter(|_| travel.turn != Turn::Aside).and_then(|leg| leg.altitude);
             travel.set_rise(altitude.map_or(0.0, |altitude| (altitude - self.world_place(row).z) as f32));
         }
-        let (id, remaining) = (stop.map(|stop| stop.goal), travel.distance());
+        let (id, remaining) = (leg.map(|leg| leg.goal), travel.distance());
         let status = self.agents.status[row];
         if status != Status::Walking {
             let comes = status == Status::Arrived && self.agents.arrived[row].is_infinite();
@@ -119,8 +117,8 @@ impl World {
         }
         let waits = travel.turn == Turn::Aside && travel.remaining < self.agents.radius[row];
         let direction = if waits { Vec2::ZERO } else { towards.as_vec2().normalize_or_zero() };
-        let tolerance = goal.and_then(Goal::tolerance);
-        let stops = tolerance.is_some() && journey.is_last(travel.leg);
+        let tolerance = leg.and_then(|leg| leg.tolerance);
+        let stops = tolerance.is_some() && leg.is_some_and(|leg| leg.is_last);
         // in the open, with nobody there yet, who is farther than it can get
         let is_far = |tolerance: f32| remaining * 0.9999 > tolerance + self.agents.max_speed[row] * seconds * 1.01;
         let taken = id.is_some_and(|id| self.step.arrivals[id.index()] > 0);

@@ -3,7 +3,7 @@
 use super::{Settings, Slots, World, schedule::Schedule, standoff::Standoff};
 use crate::Error;
 use crate::agent::Columns;
-use crate::navigate::{Goal, Journey, Script, Unreachable};
+use crate::navigate::{Goal, Journey, Legs, Script, Unreachable};
 use crate::space::Place;
 use crate::summary::Tally;
 use glam::DVec2;
@@ -81,6 +81,7 @@ impl World {
         self.goals = state.goals;
         self.journeys = state.journeys;
         self.scripts = state.scripts;
+        self.legs = Legs::new(&self.journeys, &self.goals);
         self.schedule = state.schedule;
         self.tally = state.tally;
         self.stranded = state.stranded;
