@@ -233,7 +233,7 @@ fn rows(part: usize, mut set: u64) -> impl Iterator<Item = usize> {
 /// The wish of a row, as far as it can go in a step. One that is not a number is no wish at all; the heading of a disc
 /// is left alone.
 #[inline]
-pub(super) fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose {
+pub(crate) fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose {
     let (from, to, reach) = (bodies.place(row), wish.place(), bodies.reach[row]);
     let motion = to - from;
     let place = if motion.length_squared() <= reach * reach {

@@ -61,8 +61,8 @@ mod safe;
 mod solid;
 mod sweep;
 
-pub(crate) use certify::unguarded;
 pub use certify::{Guard, Report};
+pub(crate) use certify::{unguarded, within_reach};
 pub use contacts::{Contacts, Seen};
 pub use safe::{SLACK, nearest_approach};
 

@@ -24,6 +24,7 @@ pub(crate) struct Legs {
     /// Where the legs of each journey end.
     ends: Vec<u32>,
     legs: Vec<Leg>,
+    lead_up: bool,
 }
 
 impl Legs {
@@ -46,6 +47,12 @@ impl Legs {
             }
         }));
         self.ends.push(self.legs.len() as u32);
+        self.lead_up |= journey.stops.iter().any(|stop| goals[stop.goal.index()].altitude().is_some());
+    }
+
+    /// Whether any leads to a place in the air.
+    pub fn lead_up(&self) -> bool {
+        self.lead_up
     }
 
     /// A leg of a journey; none once it has ended.

@@ -16,8 +16,37 @@ impl World {
         let mut contacts = std::mem::take(&mut self.step.contacts);
         let mut guard = std::mem::take(&mut self.step.guard);
         let mut targets = std::mem::take(&mut self.step.targets);
-        let Self { agents, step, walls, .. } = &*self;
-        let bodies = Bodies {
+        let (world, bodies) = (&*self, self.bodies());
+        let wished =
+            |row: usize| Pose { heading: world.wished_heading(row, seconds, now), ..world.wished_place(row, seconds) };
+        let Self { agents, step, walls, .. } = world;
+        let report = if world.is_guarded() {
+            let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
+            contacts.collect(&bodies, &agents.number, &step.grid, walls, meets, world.seen());
+            guard.certify(&bodies, &contacts, walls, wished, &mut targets)
+        } else {
+            // to be measured
+            contacts.collect_walls_only(&bodies, walls);
+            if world.lanes_to_move().is_none() {
+                guard::unguarded(&bodies, wished, &mut targets);
+            }
+            Report::default()
+        };
+        let Self { agents, step, tally, .. } = self;
+        (step.contacts, step.guard, step.targets) = (contacts, guard, targets);
+        tally.guard_changed += report.changed as u64;
+        tally.agent_steps += agents.len() as u64;
+        tally.sub_steps += 1;
+    }
+
+    /// Whether anybody is guarded.
+    pub(super) fn is_guarded(&self) -> bool {
+        self.step.guarded.uniform() != Some(false)
+    }
+
+    fn bodies(&self) -> Bodies<'_> {
+        let Self { agents, step, .. } = self;
+        Bodies {
             positions: &agents.position,
             altitudes: &agents.altitude,
             headings: &agents.heading,
@@ -25,27 +54,17 @@ impl World {
             radii: &agents.radius,
             reach: &step.reach,
             guarded: &step.guarded,
-        };
-        let wished = |row: usize| Pose {
+        }
+    }
+
+    /// Where an agent would like to be at the end of the sub-step, with the heading it has.
+    fn wished_place(&self, row: usize, seconds: f32) -> Pose {
+        let Self { agents, step, .. } = self;
+        Pose {
             position: agents.position[row] + step.wishes[row].truncate() * seconds,
             altitude: agents.altitude[row] + step.wishes[row].z * seconds,
-            heading: self.wished_heading(row, seconds, now),
-        };
-        let report = if step.guarded.uniform() == Some(false) {
-            // to be measured
-            contacts.collect_walls_only(&bodies, walls);
-            guard::unguarded(&bodies, wished, &mut targets);
-            Report::default()
-        } else {
-            let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
-            contacts.collect(&bodies, &agents.number, &step.grid, walls, meets, self.seen());
-            guard.certify(&bodies, &contacts, walls, wished, &mut targets)
-        };
-        let Self { agents, step, tally, .. } = self;
-        (step.contacts, step.guard, step.targets) = (contacts, guard, targets);
-        tally.guard_changed += report.changed as u64;
-        tally.agent_steps += agents.len() as u64;
-        tally.sub_steps += 1;
+            heading: agents.heading[row],
+        }
     }
 
     /// The nearest that perceiving found and how far it looked, where it looks at everybody: where all are discs on the
@@ -86,8 +105,9 @@ impl World {
 
     /// 5. Move: to where the guard said, then headings, arrivals, exits.
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
-        if !self.advance_many(seconds) {
-            self.advance_each(seconds);
+        match self.lanes_to_move() {
+            Some(level) => self.advance_many(level, seconds),
+            None => self.advance_each(seconds),
         }
         self.agents.pass(seconds);
         self.measure();
@@ -128,7 +148,12 @@ impl World {
     /// The velocity that the guard leaves to an agent that has yet to move.
     pub(super) fn certain_velocity(&self, row: usize, seconds: f32) -> Vec3 {
         let from = self.agents.position[row].extend(self.agents.altitude[row]);
-        velocity(from, self.step.targets[row].place(), self.step.wishes[row], seconds)
+        let target = if self.is_guarded() {
+            self.step.targets[row]
+        } else {
+            guard::within_reach(row, &self.bodies(), self.wished_place(row, seconds))
+        };
+        velocity(from, target.place(), self.step.wishes[row], seconds)
     }
 }
 

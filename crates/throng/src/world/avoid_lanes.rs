@@ -23,6 +23,8 @@ pub(super) struct Common {
     orca: Orca,
     /// Whether everybody goes by it.
     alike: bool,
+    /// Whether there are no walls.
+    open: bool,
     /// The radius, if all have the same.
     radius: Option<f32>,
     /// Whether all have the same priority.
@@ -50,6 +52,7 @@ impl World {
         plain.then(|| Common {
             level,
             orca,
+            open: self.walls.is_empty(),
             alike: self.groups_in_use().all(|group| group.model.as_orca() == Some(orca)),
             radius: agents.radius.uniform(),
             equals: agents.priority.uniform().is_some(),
@@ -117,7 +120,7 @@ impl World {
             let model = || &self.groups[agents.group[row].index()].model;
             let fits = preferred.z <= 0.0
                 && (common.alike || model().as_orca() == Some(common.orca))
-                && self.sees_no_wall(row, &common.orca);
+                && (common.open || self.sees_no_wall(row, &common.orca));
             missing |= u64::from(!fits) << lane;
             let neighbours = step.near.of(row);
             views.count[lane] = neighbours.len() as f32;
