@@ -92,7 +92,13 @@ impl World {
         for start in rows.clone().step_by(lanes) {
             let part = start..(start + lanes).min(rows.end);
             let out = &mut wishes[start - first..part.end - first];
-            let mut missing = self.view_many(common, part.clone(), &mut scratch.views);
+            let mut missing = self.misfits(common, part.clone());
+            // lanes for a few are dearer than one by one
+            if 2 * missing.count_ones() as usize > part.len() {
+                part.zip(out).for_each(|(row, wish)| *wish = left(row));
+                continue;
+            }
+            self.view_many(common, part.clone(), &mut scratch.views);
             let chosen = choose(simd, &common.orca, &scratch.views, common.step, &mut scratch.fallback);
             missing |= chosen.left;
             self.limit_many(simd, common, part.clone(), &scratch.views, chosen.velocity, out);
@@ -105,23 +111,27 @@ impl World {
         }
     }
 
-    /// What a range of rows sees. Tells, as bits, who sees more than lanes can hold.
+    /// Who of a range of rows goes by another model, wants to leave the ground or sees walls, as bits.
+    fn misfits(&self, common: &Common, rows: Range<usize>) -> u64 {
+        let model = |row: usize| self.groups[self.agents.group[row].index()].model.as_orca();
+        let fits = |row: usize| {
+            self.step.preferred[row].z <= 0.0
+                && (common.alike || model(row) == Some(common.orca))
+                && (common.open || self.sees_no_wall(row, &common.orca))
+        };
+        rows.rev().fold(0, |misfits, row| misfits << 1 | u64::from(!fits(row)))
+    }
+
+    /// What a range of rows sees.
     #[inline(always)]
-    fn view_many(&self, common: &Common, rows: Range<usize>, views: &mut Views) -> u64 {
+    fn view_many(&self, common: &Common, rows: Range<usize>, views: &mut Views) {
         let (agents, step) = (&self.agents, &self.step);
-        let mut missing = 0;
         for (lane, row) in rows.enumerate() {
             let set = |to: &mut [[f32; LANES]; 2], v: Vec2| (to[0][lane], to[1][lane]) = (v.x, v.y);
-            let preferred = step.preferred[row];
             set(&mut views.position, agents.position[row]);
             set(&mut views.velocity, agents.velocity[row]);
-            set(&mut views.preferred, preferred.truncate());
+            set(&mut views.preferred, step.preferred[row].truncate());
             views.max_speed[lane] = agents.max_speed[row];
-            let model = || &self.groups[agents.group[row].index()].model;
-            let fits = preferred.z <= 0.0
-                && (common.alike || model().as_orca() == Some(common.orca))
-                && (common.open || self.sees_no_wall(row, &common.orca));
-            missing |= u64::from(!fits) << lane;
             let neighbours = step.near.of(row);
             views.count[lane] = neighbours.len() as f32;
             let way = &step.ways[row];
@@ -143,7 +153,6 @@ impl World {
                 others.motion[lane] = [position.x, position.y, velocity.x, velocity.y];
             }
         }
-        missing
     }
 
     /// Whether no wall is near enough to matter.
