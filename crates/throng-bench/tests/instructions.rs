@@ -4,7 +4,7 @@
 //! what was counted, plus a twentieth; `UPDATE=1 cargo test -p throng-bench --test instructions` counts anew and writes
 //! them. Do so when the step got faster, so that the gain is kept, or when it got slower for a good reason: say which.
 //!
-//! Counted in the profile that the tests run in, on one thread, with the instruction set that valgrind knows (AVX2).
+//! Counted in the profile that the tests run in, on one thread, with the best instruction set that is found under valgrind: fewer lanes than without it.
 
 use std::fmt::Write;
 use std::path::PathBuf;

@@ -2,6 +2,7 @@
 //! have the same bits as agents one by one.
 
 use fearless_simd::prelude::*;
+use glam::Vec2;
 use std::ops::{Add, Mul, Sub};
 
 /// Lanes that a vector has at most.
@@ -98,6 +99,22 @@ pub(crate) fn load_pairs<S: Simd>(simd: S, all: &[[f32; 4]; LANES]) -> [Vec2s<S>
     let (c, d) = part(2).deinterleave(part(3));
     let ((ax, bx), (ay, by)) = (a.deinterleave(c), b.deinterleave(d));
     [Vec2s { x: ax, y: ay }, Vec2s { x: bx, y: by }]
+}
+
+/// Puts a vector into a lane of arrays.
+#[inline(always)]
+pub(crate) fn set(all: &mut [[f32; LANES]; 2], lane: usize, v: Vec2) {
+    (all[0][lane], all[1][lane]) = (v.x, v.y);
+}
+
+/// The places of the ones in a word, the lowest first.
+#[inline]
+pub(crate) fn ones(mut word: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let place = word.trailing_zeros();
+        word &= word.wrapping_sub(1);
+        (place < u64::BITS).then_some(place as usize)
+    })
 }
 
 #[cfg(test)]

@@ -65,7 +65,6 @@ macro_rules! tuple {
 
 tuple!(A: 0, B: 1);
 tuple!(A: 0, B: 1, C: 2);
-tuple!(A: 0, B: 1, C: 2, D: 3, E: 4, F: 5, G: 6, H: 7);
 
 /// Calls `work(scratch, rows, part)` for ranges of rows that make up all, each with its part.
 pub(crate) fn ranges<P: Parts, S>(
@@ -101,15 +100,14 @@ fn divide<P: Parts, S>(
     );
 }
 
-/// Calls `work(scratch, row, out)` for every row, where `out` is the row's `stride` elements of `all`.
+/// Calls `work(scratch, row, out)` for every row of a column.
 pub(crate) fn rows<T: Send, S>(
     all: &mut [T],
-    stride: usize,
     scratch: impl Fn() -> S + Sync,
-    work: impl Fn(&mut S, usize, &mut [T]) + Sync,
+    work: impl Fn(&mut S, usize, &mut T) + Sync,
 ) {
-    ranges(Lists { all, stride }, scratch, |scratch, rows, part| {
-        for (row, out) in rows.zip(part.all.chunks_mut(stride)) {
+    ranges(all, scratch, |scratch, rows, part| {
+        for (row, out) in rows.zip(part) {
             work(scratch, row, out);
         }
     });

@@ -236,3 +236,8 @@ pub trait LocalModel: std::fmt::Debug + Send + Sync {
 pub const MARGIN: f32 = 0.03;
 /// [`MARGIN`] for time steps of 0.1 s and longer.
 pub const MARGIN_LONG_STEP: f32 = 0.05;
+
+/// By what factor models take the radii of two bodies to be larger in a step of so many seconds.
+pub(crate) fn margin(seconds: f32) -> f32 {
+    1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN }
+}

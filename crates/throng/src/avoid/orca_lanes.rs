@@ -4,7 +4,7 @@
 
 use super::half_plane::{Line, PARALLEL, least_violation};
 use super::orca::{Orca, RECOVERY};
-use crate::lanes::{LANES, Vec2s, load, load_pairs};
+use crate::lanes::{LANES, Vec2s, load, load_pairs, ones};
 use fearless_simd::prelude::*;
 use glam::Vec2;
 
@@ -83,10 +83,7 @@ pub(crate) fn choose<S: Simd>(
     let speed = load(simd, &views.max_speed);
     let preferred = Vec2s::load(simd, &views.preferred);
     let (mut velocity, failed) = closest_velocity(simd, lines, speed, preferred);
-    let mut finished = failed.lanes.to_bitmask() & !left;
-    while finished != 0 {
-        let lane = finished.trailing_zeros() as usize;
-        finished &= finished - 1;
+    for lane in ones(failed.lanes.to_bitmask() & !left) {
         let [all, workspace] = fallback;
         all.clear();
         let at = |v: Vec2s<S>| Vec2::new(v.x[lane], v.y[lane]);

@@ -10,6 +10,7 @@ use super::safe::is_safe;
 use super::solid::Solid;
 use super::{Bodies, Contacts, Pose, cell, relax};
 use crate::avoid::{Line, Plane};
+use crate::lanes::ones;
 use crate::parallel;
 use crate::space::Walls;
 use glam::Vec3;
@@ -222,12 +223,8 @@ fn bit(row: usize) -> u64 {
 }
 
 /// The rows of a set, lowest first.
-fn rows(part: usize, mut set: u64) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let at = set.trailing_zeros() as usize;
-        set &= set.wrapping_sub(1);
-        (at < ROWS).then_some(part * ROWS + at)
-    })
+fn rows(part: usize, set: u64) -> impl Iterator<Item = usize> {
+    ones(set).map(move |at| part * ROWS + at)
 }
 
 /// The wish of a row, as far as it can go in a step. One that is not a number is no wish at all; the heading of a disc

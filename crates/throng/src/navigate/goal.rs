@@ -53,13 +53,6 @@ pub struct Journey {
     pub repeat: bool,
 }
 
-impl Journey {
-    /// Whether a leg is the last.
-    pub(crate) fn is_last(&self, leg: u32) -> bool {
-        !self.repeat && leg as usize + 1 == self.stops.len()
-    }
-}
-
 impl Goal {
     /// The point, or the middle of the corners: where the goal is, roughly.
     pub fn middle(&self) -> DVec2 {

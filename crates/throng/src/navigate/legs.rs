@@ -36,14 +36,14 @@ impl Legs {
 
     /// Adds those of the next journey.
     pub fn add(&mut self, journey: &Journey, goals: &[Goal]) {
-        self.legs.extend((0..).zip(&journey.stops).map(|(leg, stop)| {
+        self.legs.extend((0usize..).zip(&journey.stops).map(|(leg, stop)| {
             let goal = &goals[stop.goal.index()];
             Leg {
                 goal: stop.goal,
                 middle: goal.middle(),
                 tolerance: goal.tolerance(),
                 altitude: goal.altitude(),
-                is_last: journey.is_last(leg),
+                is_last: !journey.repeat && leg + 1 == journey.stops.len(),
             }
         }));
         self.ends.push(self.legs.len() as u32);

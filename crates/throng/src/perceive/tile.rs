@@ -7,7 +7,7 @@
 //! to the [plain search](super::nearest): the answer is always the exact one, the same for every instruction set.
 
 use super::grid::Grid;
-use crate::lanes::LANES;
+use crate::lanes::{LANES, ones};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
 use glam::Vec2;
@@ -81,7 +81,7 @@ fn many<S: Simd>(
         // a tile that went on in the next row of cells would be as wide as the grid
         let end = (start + most).min(places.end).min(grid.end_of_row(start));
         let out = &mut found[(start - places.start) * (k + 1)..(end - places.start) * (k + 1)];
-        let mut missing = match Tile::new(simd, grid, start, end).nearest(k, range, pack, out) {
+        let missing = match Tile::new(simd, grid, start, end).nearest(k, range, pack, out) {
             Some(missing) => missing,
             None if end - start > 1 => {
                 most = (end - start) / 2;
@@ -89,9 +89,7 @@ fn many<S: Simd>(
             }
             None => 1,
         };
-        while missing != 0 {
-            let lane = missing.trailing_zeros() as usize;
-            missing &= missing - 1;
+        for lane in ones(missing) {
             left(start + lane, &mut out[lane * (k + 1)..(lane + 1) * (k + 1)]);
         }
         start = end;

@@ -6,9 +6,9 @@ use super::advance::SEEN;
 use super::way::Way;
 use crate::agent::Column;
 use crate::guard::Pose;
-use crate::lanes::{LANES, Vec2s, load};
+use crate::lanes::{LANES, Vec2s, load, set};
 use crate::motion::{Turning, angles};
-use crate::parallel::{self, Parts};
+use crate::parallel;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use glam::{Vec2, Vec3};
@@ -21,31 +21,6 @@ struct Moving<'a> {
     turned: &'a mut [f64],
     course_turned: &'a mut [f64],
     walked: &'a mut [f64],
-}
-
-impl Parts for Moving<'_> {
-    fn rows(&self) -> usize {
-        self.position.len()
-    }
-
-    fn split(self, row: usize) -> (Self, Self) {
-        let (position, velocity, heading) =
-            (self.position.split_at_mut(row), self.velocity.split_at_mut(row), self.heading.split_at_mut(row));
-        let (turned, course_turned, walked) =
-            (self.turned.split_at_mut(row), self.course_turned.split_at_mut(row), self.walked.split_at_mut(row));
-        let part = |position, velocity, heading, turned, course_turned, walked| Moving {
-            position,
-            velocity,
-            heading,
-            turned,
-            course_turned,
-            walked,
-        };
-        (
-            part(position.0, velocity.0, heading.0, turned.0, course_turned.0, walked.0),
-            part(position.1, velocity.1, heading.1, turned.1, course_turned.1, walked.1),
-        )
-    }
 }
 
 impl World {
@@ -66,19 +41,16 @@ impl World {
         let is_guarded = self.is_guarded();
         let Self { agents, step, .. } = self;
         let (targets, reach, wishes, ways) = (&step.targets, &step.reach, &step.wishes, &step.ways);
-        let moving = Moving {
-            position: &mut agents.position,
-            velocity: &mut agents.velocity,
-            heading: &mut agents.heading,
-            turned: &mut agents.turned,
-            course_turned: &mut agents.course_turned,
-            walked: &mut agents.walked,
-        };
+        let moving = (
+            (&mut agents.position[..], &mut agents.velocity[..], &mut agents.heading[..]),
+            (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
+        );
         let turning = Turning::of(seconds);
         parallel::ranges(
             moving,
             || (),
-            |(), rows, mut moving| {
+            |(), rows, ((position, velocity, heading), (turned, course_turned, walked))| {
+                let mut moving = Moving { position, velocity, heading, turned, course_turned, walked };
                 let targets = if is_guarded {
                     Targets::Certain(&targets[rows.clone()])
                 } else {
@@ -161,8 +133,4 @@ fn move_all<S: Simd>(
             moving.walked[row] += f64::from(walked[lane]);
         }
     }
-}
-
-fn set(all: &mut [[f32; LANES]; 2], lane: usize, v: Vec2) {
-    (all[0][lane], all[1][lane]) = (v.x, v.y);
 }

@@ -211,7 +211,7 @@ impl<'a> Ground<'a> {
         });
         let stays = |&&row: &&usize| {
             let point = world.goal_of(row).is_some_and(|goal| world.goals[goal.index()].corners().is_none());
-            point && world.journeys[agents.journey[row].index()].is_last(agents.travel[row].leg)
+            point && world.legs.of(agents.journey[row], agents.travel[row].leg).is_some_and(|leg| leg.is_last)
         };
         let end = |row: usize| agents.travel[row].route_to_stop().and_then(Route::end);
         let ends = first.iter().filter(stays).filter_map(|&row| Some((end(row)?, radius(row)))).collect();

@@ -18,7 +18,7 @@ impl World {
 
     /// The middle of the goal of a leg.
     pub(super) fn goal_middle(&self, row: usize, leg: u32) -> Option<DVec2> {
-        self.stop(row, leg).map(|stop| self.goals[stop.goal.index()].middle())
+        self.legs.of(self.agents.journey[row], leg).map(|leg| leg.middle)
     }
 
     pub(super) fn first_status(&self, journey: JourneyId) -> Status {

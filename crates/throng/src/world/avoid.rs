@@ -2,7 +2,7 @@
 
 use super::World;
 use super::avoid_lanes::LaneScratch;
-use crate::avoid::{LocalModel, MARGIN, MARGIN_LONG_STEP, NearDisc, NearEdge, Neighbour, Outline, View, Workspace};
+use crate::avoid::{LocalModel, NearDisc, NearEdge, Neighbour, Outline, View, Workspace, margin};
 use crate::motion::{Limits, follow, limit};
 use crate::parallel;
 use crate::random::{Dice, Purpose, unit};
@@ -96,7 +96,7 @@ impl World {
         }));
         rows.clear();
         neighbours.clear();
-        let margin = 1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN };
+        let margin = margin(seconds);
         for &near in self.neighbours(row) {
             let other = near as usize;
             if !edges.iter().any(|edge| hides(edge, agents.offset(row, other))) {

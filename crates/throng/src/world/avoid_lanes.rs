@@ -2,8 +2,8 @@
 //! bits as [one by one](super::avoid), where everybody else goes.
 
 use super::World;
-use crate::avoid::{Line, LocalModel, MARGIN, MARGIN_LONG_STEP, MOST, Orca, Views, choose};
-use crate::lanes::{LANES, Vec2s, load};
+use crate::avoid::{Line, LocalModel, MOST, Orca, Views, choose, margin};
+use crate::lanes::{LANES, Vec2s, load, ones, set};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use glam::{Vec2, Vec3};
@@ -56,7 +56,7 @@ impl World {
             alike: self.groups_in_use().all(|group| group.model.as_orca() == Some(orca)),
             radius: agents.radius.uniform(),
             equals: agents.priority.uniform().is_some(),
-            margin: 1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN },
+            margin: margin(seconds),
             step: seconds,
         })
     }
@@ -102,10 +102,7 @@ impl World {
             let chosen = choose(simd, &common.orca, &scratch.views, common.step, &mut scratch.fallback);
             missing |= chosen.left;
             self.limit_many(simd, common, part.clone(), &scratch.views, chosen.velocity, out);
-            missing &= (1 << part.len()) - 1;
-            while missing != 0 {
-                let lane = missing.trailing_zeros() as usize;
-                missing &= missing - 1;
+            for lane in ones(missing & ((1 << part.len()) - 1)) {
                 out[lane] = left(start + lane);
             }
         }
@@ -127,10 +124,9 @@ impl World {
     fn view_many(&self, common: &Common, rows: Range<usize>, views: &mut Views) {
         let (agents, step) = (&self.agents, &self.step);
         for (lane, row) in rows.enumerate() {
-            let set = |to: &mut [[f32; LANES]; 2], v: Vec2| (to[0][lane], to[1][lane]) = (v.x, v.y);
-            set(&mut views.position, agents.position[row]);
-            set(&mut views.velocity, agents.velocity[row]);
-            set(&mut views.preferred, step.preferred[row].truncate());
+            set(&mut views.position, lane, agents.position[row]);
+            set(&mut views.velocity, lane, agents.velocity[row]);
+            set(&mut views.preferred, lane, step.preferred[row].truncate());
             views.max_speed[lane] = agents.max_speed[row];
             let neighbours = step.near.of(row);
             views.count[lane] = neighbours.len() as f32;

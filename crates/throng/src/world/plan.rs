@@ -42,7 +42,7 @@ impl World {
             self.prepare_meshes(&lost);
             travels = std::mem::take(&mut self.agents.travel);
             let world = &*self;
-            parallel::rows(&mut lost, 1, Search::default, |search, _, planned| world.plan_one(search, &mut planned[0]));
+            parallel::rows(&mut lost, Search::default, |search, _, planned| world.plan_one(search, planned));
             for Planned { row, outcome, .. } in lost {
                 let travel = &mut travels[row];
                 match outcome {
@@ -80,7 +80,7 @@ impl World {
             rows.filter_map(|row| Some(Planned { row, leg: leg(row)?, outcome: None })).collect();
         self.prepare_meshes(&ways);
         let world = &*self;
-        parallel::rows(&mut ways, 1, Search::default, |search, _, way| world.plan_one(search, &mut way[0]));
+        parallel::rows(&mut ways, Search::default, |search, _, way| world.plan_one(search, way));
         for way in ways {
             let Some(Ok((route, ..))) = way.outcome else { continue };
             let at = self.world_position(way.row);
