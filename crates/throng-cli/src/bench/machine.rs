@@ -2,6 +2,7 @@
 
 use crate::report::number;
 use serde_json::{Value, json};
+use throng::perceive::Instructions;
 
 /// The machine.
 pub struct Machine {
@@ -9,7 +10,7 @@ pub struct Machine {
     pub cpu: String,
     /// How many threads it runs at a time.
     pub cores: usize,
-    /// The widest vectors it knows.
+    /// The vectors that steps are made with.
     pub instructions: &'static str,
     /// Programs running at the moment, a mean over a minute; not a number where the system does not tell.
     pub load: f64,
@@ -25,7 +26,7 @@ impl Machine {
         Self {
             cpu: cpu.map_or(std::env::consts::ARCH, |(_, name)| name).to_owned(),
             cores: std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-            instructions: instructions(),
+            instructions: Instructions::default().found().unwrap_or("none"),
             load: load.split_whitespace().next().and_then(|load| load.parse().ok()).unwrap_or(f64::NAN),
         }
     }
@@ -59,20 +60,4 @@ pub fn free_memory() -> Option<u64> {
     let text = std::fs::read_to_string("/proc/meminfo").ok()?;
     let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
     Some(line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()? * 1024)
-}
-
-#[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
-fn instructions() -> &'static str {
-    if is_x86_feature_detected!("avx512f") {
-        "avx512"
-    } else if is_x86_feature_detected!("avx2") {
-        "avx2"
-    } else {
-        "sse2"
-    }
-}
-
-#[cfg(not(any(target_arch = "x86_64", target_arch = "x86")))]
-fn instructions() -> &'static str {
-    if cfg!(target_feature = "neon") { "neon" } else { "none" }
 }

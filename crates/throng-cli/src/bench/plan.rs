@@ -12,8 +12,9 @@ use throng_scene::gallery;
 /// The works measured if no others are asked for.
 const DEFAULT: [&str; 2] = ["crossing", "crossing-shuffled"];
 
-/// Bytes that an agent of a work needs at most: its world, a copy of it that makes the steps, and what it was built from.
-const BYTES_AN_AGENT: u64 = 1_000;
+/// Bytes that an agent of a large work needs: its world and a copy of it that makes the steps, up to 490 each, and what it
+/// was built from.
+const BYTES_AN_AGENT: u64 = 1_500;
 
 /// One world that is measured.
 pub enum Subject {

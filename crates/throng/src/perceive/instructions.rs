@@ -36,4 +36,20 @@ impl Instructions {
         let limited = None;
         (self != Self::Plain).then(|| limited.unwrap_or(best))
     }
+
+    /// The name of what it comes to on this processor: none for one by one, or where vectors are not known.
+    pub fn found(self) -> Option<&'static str> {
+        let level = self.level()?;
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        let name = match level {
+            Level::Avx512(_) => Some("avx512"),
+            Level::Avx2(_) => Some("avx2"),
+            Level::Sse4_2(_) => Some("sse4.2"),
+            Level::Sse2(_) => Some("sse2"),
+            _ => None,
+        };
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        let name = (!level.is_fallback()).then_some("128 bits");
+        name
+    }
 }
