@@ -6,7 +6,6 @@ use bevy_math::Vec2;
 use bevy_orca::{CrowdMember, CrowdParams};
 use std::error::Error;
 use throng_bench::Crowd;
-use throng_bench::clock::thread_time;
 
 /// A crowd of bevy_orca's members.
 pub struct BevyOrca {
@@ -78,14 +77,6 @@ impl Contestant for BevyOrca {
     }
 
     fn steps(&mut self, count: u32) -> Result<Turn, Box<dyn Error>> {
-        let begin = thread_time();
-        for _ in 0..count {
-            self.step();
-        }
-        Ok(Turn {
-            agent_steps: u64::from(count) * self.members.len() as u64,
-            cpu: thread_time() - begin,
-            seconds: f64::from(count) * f64::from(self.step),
-        })
+        Ok(Turn::of(count, self.members.len(), self.step, || self.step()))
     }
 }

@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::time::Duration;
+use throng_bench::clock::thread_time;
 use throng_bench::median;
 
 /// What some steps took.
@@ -12,6 +13,21 @@ pub struct Turn {
     pub cpu: Duration,
     /// Simulated seconds.
     pub seconds: f64,
+}
+
+impl Turn {
+    /// What `count` steps of so many agents take, each of `seconds`.
+    pub fn of(count: u32, agents: usize, seconds: f32, mut step: impl FnMut()) -> Self {
+        let begin = thread_time();
+        for _ in 0..count {
+            step();
+        }
+        Self {
+            agent_steps: u64::from(count) * agents as u64,
+            cpu: thread_time() - begin,
+            seconds: f64::from(count) * f64::from(seconds),
+        }
+    }
 }
 
 /// Someone who is measured.

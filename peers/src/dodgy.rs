@@ -7,7 +7,6 @@ use dodgy_2d::{Agent, AvoidanceOptions, Vec2};
 use std::borrow::Cow;
 use std::error::Error;
 use throng_bench::Crowd;
-use throng_bench::clock::thread_time;
 
 /// A crowd of dodgy_2d's agents.
 pub struct Dodgy {
@@ -91,14 +90,6 @@ impl Contestant for Dodgy {
     }
 
     fn steps(&mut self, count: u32) -> Result<Turn, Box<dyn Error>> {
-        let begin = thread_time();
-        for _ in 0..count {
-            self.step();
-        }
-        Ok(Turn {
-            agent_steps: u64::from(count) * self.agents.len() as u64,
-            cpu: thread_time() - begin,
-            seconds: f64::from(count) * f64::from(self.step),
-        })
+        Ok(Turn::of(count, self.agents.len(), self.step, || self.step()))
     }
 }
