@@ -21,6 +21,47 @@ impl<S: Simd> Vec2s<S> {
         Self { x: load(simd, &all[0]), y: load(simd, &all[1]) }
     }
 
+    /// Those that lie side by side in memory, at most a vector; zero in the lanes that are left.
+    #[inline(always)]
+    pub fn from_side_by_side(simd: S, all: &[Vec2]) -> Self {
+        let lanes = S::f32s::LEN;
+        let mut padded = [0.0; 2 * LANES];
+        let mut flat: &[f32] = bytemuck::cast_slice(all);
+        if all.len() < lanes {
+            padded[..flat.len()].copy_from_slice(flat);
+            flat = &padded;
+        }
+        let (x, y) =
+            S::f32s::from_slice(simd, &flat[..lanes]).deinterleave(S::f32s::from_slice(simd, &flat[lanes..2 * lanes]));
+        Self { x, y }
+    }
+
+    /// Puts as many as there are places side by side in memory.
+    #[inline(always)]
+    pub fn put_side_by_side(self, all: &mut [Vec2]) {
+        let lanes = S::f32s::LEN;
+        let (low, high) = self.x.interleave(self.y);
+        let flat: &mut [f32] = bytemuck::cast_slice_mut(all);
+        if flat.len() == 2 * lanes {
+            low.store_slice(&mut flat[..lanes]);
+            high.store_slice(&mut flat[lanes..]);
+        } else {
+            let mut padded = [0.0; 2 * LANES];
+            low.store_slice(&mut padded[..lanes]);
+            high.store_slice(&mut padded[lanes..2 * lanes]);
+            flat.copy_from_slice(&padded[..flat.len()]);
+        }
+    }
+
+    /// As `Vec2::normalize_or_zero`.
+    #[inline(always)]
+    pub fn normalize_or_zero(self, simd: S) -> Self {
+        let zero = S::f32s::splat(simd, 0.0);
+        let inverse = S::f32s::splat(simd, 1.0) / self.dot(self).sqrt();
+        let is_some = inverse.is_finite() & inverse.simd_gt(zero);
+        Self::select(is_some, self * inverse, Self { x: zero, y: zero })
+    }
+
     #[inline(always)]
     pub fn dot(self, other: Self) -> S::f32s {
         self.x * other.x + self.y * other.y
@@ -87,6 +128,18 @@ impl<S: Simd> Mul<S::f32s> for Vec2s<S> {
 #[inline(always)]
 pub(crate) fn load<S: Simd>(simd: S, all: &[f32; LANES]) -> S::f32s {
     S::f32s::from_slice(simd, &all[..S::f32s::LEN])
+}
+
+/// Numbers side by side in memory, at most a vector; zero in the lanes that are left.
+#[inline(always)]
+pub(crate) fn from_side_by_side<S: Simd>(simd: S, all: &[f32]) -> S::f32s {
+    if all.len() == S::f32s::LEN {
+        S::f32s::from_slice(simd, all)
+    } else {
+        let mut padded = [0.0; LANES];
+        padded[..all.len()].copy_from_slice(all);
+        load(simd, &padded)
+    }
 }
 
 /// Two vectors of each lane that lie side by side in memory.

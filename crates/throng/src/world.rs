@@ -9,15 +9,18 @@ mod avoid_lanes;
 mod build;
 mod explain;
 mod intend;
+mod intend_lanes;
 mod measure;
 mod order;
 mod perceive;
 mod plan;
+mod plan_lanes;
 mod queue;
 mod schedule;
 mod snapshot;
 mod stage;
 mod standoff;
+mod velocities;
 mod way;
 
 pub use explain::{Explanation, Seen};
@@ -30,11 +33,12 @@ use crate::navigate::{Goal, Journey, Legs, Meshes, Script, Unreachable};
 use crate::perceive::{Grid, Instructions};
 use crate::space::{Place, Walls};
 use crate::summary::{Counts, Ended, Summary, Tally};
-use glam::{DVec2, Vec3};
+use glam::DVec2;
 use schedule::Schedule;
 use serde::{Deserialize, Serialize};
 use standoff::Standoff;
-use way::Way;
+use velocities::Velocities;
+use way::Shown;
 
 /// How a step is divided into sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -119,11 +123,11 @@ struct StepMemory {
     /// Rows of two who were within a body's width of each other when that was asked last: a guess where to look first.
     close_pair: Option<(usize, usize)>,
     near: perceive::Neighbours,
-    ways: Vec<Way>,
+    shown: Vec<Shown>,
     following: Vec<queue::Following>,
     seen: Vec<u32>,
-    preferred: Vec<Vec3>,
-    wishes: Vec<Vec3>,
+    preferred: Velocities,
+    wishes: Velocities,
     targets: Vec<Pose>,
     reach: Column<f32>,
     guarded: Column<bool>,
@@ -164,7 +168,7 @@ impl World {
 
     /// All of a sub-step that ends at `now` but the motion.
     fn decide(&mut self, seconds: f32, now: f64, mut ended: impl FnMut(Stage)) {
-        self.perceive();
+        self.perceive(seconds);
         ended(Stage::Perceive);
         self.intend(seconds, now);
         ended(Stage::Intend);
@@ -199,6 +203,11 @@ impl World {
     pub fn in_space(&self) -> bool {
         let goals = self.goals.iter().any(|goal| goal.altitude().is_some());
         goals || self.schedule.anybody_flies() || self.agents.anybody_flies()
+    }
+
+    /// Whether anybody is off the ground, rises, or may want to.
+    fn in_space_now(&self) -> bool {
+        self.agents.anybody_flies() || self.agents.climb.uniform() != Some(0.0) || self.legs.lead_up()
     }
 
     /// Chooses the instructions that steps are made with: all give the same bits.

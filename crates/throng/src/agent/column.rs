@@ -1,9 +1,11 @@
 //! A fact about all agents: kept once while it is the same for everybody.
 
 use super::{GroupId, JourneyId, ScriptId};
+use crate::lanes::from_side_by_side;
+use fearless_simd::prelude::*;
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
-use std::ops::Index;
+use std::ops::{Index, Range};
 
 /// What a [`Column`] can hold.
 pub trait Value: Copy {
@@ -181,6 +183,17 @@ impl<T: Value> Column<T> {
 
     fn all_same(&self) -> bool {
         self.values.iter().all(|value| value.same(self.values[0]))
+    }
+}
+
+impl Column<f32> {
+    /// The values of rows side by side, at most a vector, a lane a row.
+    #[inline(always)]
+    pub(crate) fn lanes<S: Simd>(&self, simd: S, rows: Range<usize>) -> S::f32s {
+        match self.uniform() {
+            Some(value) => S::f32s::splat(simd, value),
+            None => from_side_by_side(simd, &self.values[rows]),
+        }
     }
 }
 

@@ -11,14 +11,18 @@ use glam::Vec2;
 /// Neighbours of an agent at most.
 pub(crate) const MOST: usize = crate::perceive::MOST_NEIGHBOURS;
 
-/// What as many agents see as there are lanes; see [`View`](super::View). No walls, discs only, on the ground.
+/// As many agents as there are lanes.
+#[derive(Clone, Copy)]
+pub(crate) struct Own<S: Simd> {
+    pub position: Vec2s<S>,
+    pub velocity: Vec2s<S>,
+    pub preferred: Vec2s<S>,
+    pub max_speed: S::f32s,
+}
+
+/// What they see of their neighbours; see [`View`](super::View). No walls, discs only, on the ground.
 #[derive(Clone, Debug)]
 pub(crate) struct Views {
-    pub velocity: [[f32; LANES]; 2],
-    pub preferred: [[f32; LANES]; 2],
-    pub max_speed: [f32; LANES],
-    /// Where each is.
-    pub position: [[f32; LANES]; 2],
     /// How many neighbours each has.
     pub count: [f32; LANES],
     /// The first neighbour of each, the second, ...
@@ -36,10 +40,8 @@ pub(crate) struct Others {
 
 impl Default for Views {
     fn default() -> Self {
-        let (one, two) = ([0.0; LANES], [[0.0; LANES]; 2]);
-        let others = || Others { motion: [[0.0; 4]; LANES], radii: one, share: [0.5; LANES] };
-        let neighbours = std::array::from_fn(|_| others());
-        Self { velocity: two, preferred: two, max_speed: one, position: two, count: one, neighbours }
+        let others = || Others { motion: [[0.0; 4]; LANES], radii: [0.0; LANES], share: [0.5; LANES] };
+        Self { count: [0.0; LANES], neighbours: std::array::from_fn(|_| others()) }
     }
 }
 
@@ -63,6 +65,7 @@ pub(crate) struct Chosen<S: Simd> {
 pub(crate) fn choose<S: Simd>(
     simd: S,
     orca: &Orca,
+    own: &Own<S>,
     views: &Views,
     step: f32,
     fallback: &mut [Vec<Line>; 2],
@@ -75,14 +78,12 @@ pub(crate) fn choose<S: Simd>(
     let mut left = 0;
     for (index, line) in lines[..most].iter_mut().enumerate() {
         let there = count.simd_gt(S::f32s::splat(simd, index as f32));
-        let (made, coincident) = self::line(simd, orca, views, index, step);
+        let (made, coincident) = self::line(simd, orca, own, &views.neighbours[index], step);
         *line = Lines { there, ..made };
         left |= (coincident & there).to_bitmask();
     }
     let lines = &lines[..most];
-    let speed = load(simd, &views.max_speed);
-    let preferred = Vec2s::load(simd, &views.preferred);
-    let (mut velocity, failed) = closest_velocity(simd, lines, speed, preferred);
+    let (mut velocity, failed) = closest_velocity(simd, lines, own.max_speed, own.preferred);
     for lane in ones(failed.lanes.to_bitmask() & !left) {
         let [all, workspace] = fallback;
         all.clear();
@@ -92,23 +93,21 @@ pub(crate) fn choose<S: Simd>(
                 .iter()
                 .map(|line| Line { point: at(line.point), direction: at(line.direction) }),
         );
-        let best =
-            least_violation(all, 0, views.max_speed[lane], (failed.line[lane] as usize, at(velocity)), workspace);
+        let best = least_violation(all, 0, own.max_speed[lane], (failed.line[lane] as usize, at(velocity)), workspace);
         (velocity.x[lane], velocity.y[lane]) = (best.x, best.y);
     }
     Chosen { velocity, left }
 }
 
-/// The half-plane that the neighbours of this index leave, as [`line`](super::orca::line), and which lanes have theirs
+/// The half-plane that a neighbour of each leaves, as [`line`](super::orca::line), and which lanes have theirs
 /// in their own place.
 #[inline(always)]
-fn line<S: Simd>(simd: S, orca: &Orca, views: &Views, index: usize, step: f32) -> (Lines<S>, S::mask32s) {
+fn line<S: Simd>(simd: S, orca: &Orca, own: &Own<S>, others: &Others, step: f32) -> (Lines<S>, S::mask32s) {
     let splat = |value: f32| S::f32s::splat(simd, value);
     let zero = splat(0.0);
-    let others = &views.neighbours[index];
-    let velocity = Vec2s::load(simd, &views.velocity);
+    let velocity = own.velocity;
     let [position, other_velocity] = load_pairs(simd, &others.motion);
-    let offset: Vec2s<S> = position - Vec2s::load(simd, &views.position);
+    let offset: Vec2s<S> = position - own.position;
     let radii = load(simd, &others.radii);
     let relative = velocity - other_velocity;
     let distance_squared = offset.dot(offset);

@@ -37,5 +37,5 @@ pub use polyanya::Search;
 pub(crate) use refuge::Refuge;
 pub use route::{Heading, Route};
 pub use script::{Keyframe, Script};
-pub(crate) use travel::Turned;
+pub(crate) use travel::{AVERAGE, NO_PROGRESS, Turned};
 pub use travel::{Travel, Turn};

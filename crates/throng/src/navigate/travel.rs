@@ -10,9 +10,9 @@ use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
 
 /// Seconds over which progress is averaged.
-const AVERAGE: f32 = 0.3;
+pub(crate) const AVERAGE: f32 = 0.3;
 /// Part of the preferred speed below which an agent makes no progress.
-const NO_PROGRESS: f32 = 0.15;
+pub(crate) const NO_PROGRESS: f32 = 0.15;
 /// Seconds without progress after which an agent counts as blocked.
 const PATIENCE: f32 = 0.7;
 /// Seconds without progress after which detours go to either side: on the right there may be a wall.
@@ -187,6 +187,12 @@ impl Travel {
         self.planned && self.route().is_none()
     }
 
+    /// Whether its way leads straight to the point of the stop, on the ground, and nothing is in its way.
+    #[inline]
+    pub(crate) fn is_plain(&self) -> bool {
+        self.planned && self.rare.is_none() && self.turn == Turn::Free
+    }
+
     /// The route it follows, unless it goes straight: to the stop, or to where it waits until others have passed.
     pub fn route(&self) -> Option<&Route> {
         let rare = self.rare.as_ref()?;
@@ -318,6 +324,12 @@ impl Turned {
     pub fn by(angle: f32) -> Self {
         let (sin, cos) = libm::sincosf(angle);
         Self { sin, cos }
+    }
+
+    /// Cosine and sine of the angle.
+    #[inline]
+    pub fn cos_and_sin(&self) -> Vec2 {
+        Vec2::new(self.cos, self.sin)
     }
 
     /// A direction after it.

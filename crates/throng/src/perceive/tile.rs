@@ -46,8 +46,8 @@ impl Default for Pack {
 
 impl Grid {
     /// The `k` nearest of `count` points from `start` on in the order of cells, themselves left out, within `range`:
-    /// `k + 1` places a point: how many, and their rows, nearest first. Calls `left` with the
-    /// places of those that it can't tell; they are to be searched one by one.
+    /// `k + 1` places a point: how many, and their rows, nearest first; and whether the nearest may be within `close`. Calls
+    /// `left` with the places of those that it can't tell; they are to be searched one by one.
     ///
     /// # Panics
     /// If `k` is more than [`MOST_NEIGHBOURS`].
@@ -55,13 +55,13 @@ impl Grid {
         &self,
         level: Level,
         places: Range<usize>,
-        (k, range): (usize, f32),
+        (k, range, close): (usize, f32, f32),
         pack: &mut Pack,
-        found: &mut [u32],
-        left: impl FnMut(usize, &mut [u32]),
+        found: (&mut [u32], &mut [bool]),
+        left: impl FnMut(usize, &mut [u32], &mut bool),
     ) {
         assert!(k <= MOST_NEIGHBOURS, "at most {MOST_NEIGHBOURS} neighbours");
-        dispatch!(level, simd => many(simd, self, places, (k, range), pack, found, left));
+        dispatch!(level, simd => many(simd, self, places, (k, range, close), pack, found, left));
     }
 }
 
@@ -70,19 +70,26 @@ fn many<S: Simd>(
     simd: S,
     grid: &Grid,
     places: Range<usize>,
-    (k, range): (usize, f32),
+    (k, range, close): (usize, f32, f32),
     pack: &mut Pack,
-    found: &mut [u32],
-    mut left: impl FnMut(usize, &mut [u32]),
+    (found, are_close): (&mut [u32], &mut [bool]),
+    mut left: impl FnMut(usize, &mut [u32], &mut bool),
 ) {
     let mut start = places.start;
     let mut most = S::f32s::LEN;
     while start < places.end {
         // a tile that went on in the next row of cells would be as wide as the grid
         let end = (start + most).min(places.end).min(grid.end_of_row(start));
-        let out = &mut found[(start - places.start) * (k + 1)..(end - places.start) * (k + 1)];
+        let rows = start - places.start..end - places.start;
+        let out = &mut found[rows.start * (k + 1)..rows.end * (k + 1)];
+        let are_close = &mut are_close[rows];
         let missing = match Tile::new(simd, grid, start, end).nearest(k, range, pack, out) {
-            Some(missing) => missing,
+            Some(Found { unclear, nearest }) => {
+                let close = S::u32s::splat(simd, (close * close).to_bits() | PLACE);
+                let close = nearest.simd_le(close).to_bitmask();
+                are_close.iter_mut().enumerate().for_each(|(lane, is_close)| *is_close = close >> lane & 1 != 0);
+                unclear
+            }
             None if end - start > 1 => {
                 most = (end - start) / 2;
                 continue;
@@ -90,11 +97,19 @@ fn many<S: Simd>(
             None => 1,
         };
         for lane in ones(missing) {
-            left(start + lane, &mut out[lane * (k + 1)..(lane + 1) * (k + 1)]);
+            left(start + lane, &mut out[lane * (k + 1)..(lane + 1) * (k + 1)], &mut are_close[lane]);
         }
         start = end;
         most = (2 * most).min(S::f32s::LEN);
     }
+}
+
+/// What a tile found, besides its lists.
+struct Found<S: Simd> {
+    /// The lanes that it can't tell, as bits.
+    unclear: u64,
+    /// Keys of the nearest.
+    nearest: S::u32s,
 }
 
 /// Points side by side, and the box round them.
@@ -125,9 +140,9 @@ impl<'a, S: Simd> Tile<'a, S> {
         Self { simd, grid, count, x, y, low, high }
     }
 
-    /// Finds the nearest of all lanes; tells, as bits, which it can't. `None` if too many are near the tile.
+    /// Finds the nearest of all lanes. `None` if too many are near the tile.
     #[inline(always)]
-    fn nearest(&self, k: usize, range: f32, pack: &mut Pack, out: &mut [u32]) -> Option<u64> {
+    fn nearest(&self, k: usize, range: f32, pack: &mut Pack, out: &mut [u32]) -> Option<Found<S>> {
         let range_squared = range * range;
         let mut radius_squared = pack.radius_squared.min(range_squared);
         let (mut inner, mut count) = (None, 0);
@@ -144,7 +159,8 @@ impl<'a, S: Simd> Tile<'a, S> {
             if last < (radius_squared.to_bits() & !PLACE) || radius_squared == range_squared {
                 pack.radius_squared = MORE * f32::from_bits(last.min(range_squared.to_bits()));
                 let everybody = (1u64 << self.count) - 1;
-                return Some(self.list(k, range_squared, &keys, pack, out) & everybody);
+                let unclear = self.list(k, range_squared, &keys, pack, out) & everybody;
+                return Some(Found { unclear, nearest: keys[1] });
             }
             let next = if last < f32::INFINITY.to_bits() {
                 f32::from_bits(last | PLACE) * 1.01
@@ -270,7 +286,15 @@ mod tests {
         let mut lists = vec![Vec::new(); points.len()];
         let (mut out, mut pack, mut left) =
             (vec![0; points.len() * (k + 1)], Pack::default(), vec![false; points.len()]);
-        grid.nearest_of_many(level, 0..points.len(), (k, range), &mut pack, &mut out, |place, _| left[place] = true);
+        let mut close = vec![false; points.len()];
+        grid.nearest_of_many(
+            level,
+            0..points.len(),
+            (k, range, 0.0),
+            &mut pack,
+            (&mut out, &mut close),
+            |place, _, _| left[place] = true,
+        );
         let mut found = Vec::new();
         for (place, list) in out.chunks_exact(k + 1).enumerate() {
             let row = grid.order()[place];

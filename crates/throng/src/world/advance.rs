@@ -61,8 +61,8 @@ impl World {
     fn wished_place(&self, row: usize, seconds: f32) -> Pose {
         let Self { agents, step, .. } = self;
         Pose {
-            position: agents.position[row] + step.wishes[row].truncate() * seconds,
-            altitude: agents.altitude[row] + step.wishes[row].z * seconds,
+            position: agents.position[row] + step.wishes.ground[row] * seconds,
+            altitude: agents.altitude[row] + step.wishes.climb(row) * seconds,
             heading: agents.heading[row],
         }
     }
@@ -94,12 +94,7 @@ impl World {
             let turn = turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
             wrap(heading + (turn as f32).clamp(-most, most))
         } else {
-            turn(
-                heading,
-                faces(self.step.wishes[row].truncate(), self.step.preferred[row].truncate(), most),
-                seconds,
-                most,
-            )
+            turn(heading, faces(self.step.wishes.ground[row], self.step.preferred.ground[row], most), seconds, most)
         }
     }
 
@@ -120,7 +115,7 @@ impl World {
         for row in 0..agents.len() {
             let from = agents.position[row].extend(agents.altitude[row]);
             let target = self.step.targets[row];
-            let velocity = velocity(from, target.place(), self.step.wishes[row], seconds);
+            let velocity = velocity(from, target.place(), self.step.wishes.at(row), seconds);
             agents.position[row] = target.position;
             agents.altitude.set(row, target.altitude);
             let velocity_before = agents.velocity[row];
@@ -128,8 +123,7 @@ impl World {
             agents.climb.set(row, velocity.z);
             let before = agents.heading[row];
             let heading = if agents.is_disc(row) {
-                let facing =
-                    faces(agents.velocity[row], self.step.preferred[row].truncate(), agents.max_turn_rate[row]);
+                let facing = faces(agents.velocity[row], self.step.preferred.ground[row], agents.max_turn_rate[row]);
                 turn(before, facing, seconds, agents.max_turn_rate[row])
             } else {
                 agents.spin.set(row, wrap(target.heading - before) / seconds);
@@ -153,7 +147,7 @@ impl World {
         } else {
             guard::within_reach(row, &self.bodies(), self.wished_place(row, seconds))
         };
-        velocity(from, target.place(), self.step.wishes[row], seconds)
+        velocity(from, target.place(), self.step.wishes.at(row), seconds)
     }
 }
 

@@ -3,15 +3,15 @@
 
 use super::World;
 use super::advance::SEEN;
-use super::way::Way;
+use super::way::Shown;
 use crate::agent::Column;
 use crate::guard::Pose;
-use crate::lanes::{LANES, Vec2s, load, set};
+use crate::lanes::{LANES, Vec2s, from_side_by_side, set};
 use crate::motion::{Turning, angles};
 use crate::parallel;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 
 /// What moving changes, of some rows.
 struct Moving<'a> {
@@ -28,11 +28,7 @@ impl World {
     /// like.
     pub(super) fn lanes_to_move(&self) -> Option<Level> {
         let agents = &self.agents;
-        let plain = agents.all_discs()
-            && !agents.anybody_flies()
-            && agents.climb.uniform() == Some(0.0)
-            && agents.max_turn_rate.uniform() == Some(f32::INFINITY)
-            && !self.legs.lead_up();
+        let plain = agents.all_discs() && !self.in_space_now() && agents.max_turn_rate.uniform() == Some(f32::INFINITY);
         self.instructions.level().filter(|_| plain)
     }
 
@@ -40,7 +36,7 @@ impl World {
     pub(super) fn advance_many(&mut self, level: Level, seconds: f32) {
         let is_guarded = self.is_guarded();
         let Self { agents, step, .. } = self;
-        let (targets, reach, wishes, ways) = (&step.targets, &step.reach, &step.wishes, &step.ways);
+        let (targets, reach, wishes, shown) = (&step.targets, &step.reach, &step.wishes.ground, &step.shown);
         let moving = (
             (&mut agents.position[..], &mut agents.velocity[..], &mut agents.heading[..]),
             (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
@@ -56,8 +52,8 @@ impl World {
                 } else {
                     Targets::Wished { reach, first: rows.start }
                 };
-                let (wishes, ways) = (&wishes[rows.clone()], &ways[rows]);
-                dispatch!(level, simd => move_all(simd, &mut moving, (targets, wishes, ways), turning, seconds));
+                let (wishes, shown) = (&wishes[rows.clone()], &shown[rows]);
+                dispatch!(level, simd => move_all(simd, &mut moving, (targets, wishes, shown), turning, seconds));
             },
         );
     }
@@ -76,34 +72,27 @@ enum Targets<'a> {
 fn move_all<S: Simd>(
     simd: S,
     moving: &mut Moving<'_>,
-    (targets, wishes, ways): (Targets<'_>, &[Vec3], &[Way]),
+    (targets, wishes, shown): (Targets<'_>, &[Vec2], &[Shown]),
     turning: Turning,
     seconds: f32,
 ) {
     let splat = |value: f32| S::f32s::splat(simd, value);
     for start in (0..wishes.len()).step_by(S::f32s::LEN) {
         let rows = start..(start + S::f32s::LEN).min(wishes.len());
-        let all = rows.clone().zip(0..);
-        let (mut from, mut to, mut wish, mut before) =
-            ([[0.0; LANES]; 2], [[0.0; LANES]; 2], [[0.0; LANES]; 2], [[0.0; LANES]; 2]);
-        let (mut headings, mut walks, mut most) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-        for (row, lane) in all.clone() {
-            set(&mut from, lane, moving.position[row]);
-            match targets {
-                Targets::Certain(targets) => set(&mut to, lane, targets[row].position),
-                Targets::Wished { reach, first } => most[lane] = reach[first + row],
-            }
-            set(&mut wish, lane, wishes[row].truncate());
-            set(&mut before, lane, moving.velocity[row]);
-            headings[lane] = moving.heading[row];
-            walks[lane] = if ways[row].walks() { 1.0 } else { 0.0 };
-        }
-        let [from, to, wish, before]: [Vec2s<S>; 4] = [from, to, wish, before].map(|all| Vec2s::load(simd, &all));
+        let vectors = |all: &[Vec2]| Vec2s::from_side_by_side(simd, &all[rows.clone()]);
+        let (from, before) = (vectors(moving.position), vectors(moving.velocity));
+        let wish = vectors(wishes);
+        let heading = from_side_by_side(simd, &moving.heading[rows.clone()]);
         let wished = from + wish * splat(seconds);
         let to = match targets {
-            Targets::Certain(_) => to,
-            Targets::Wished { .. } => {
-                let reached = from + (wished - from).clamp_length_max(load(simd, &most));
+            Targets::Certain(targets) => {
+                let mut to = [[0.0; LANES]; 2];
+                targets[rows.clone()].iter().enumerate().for_each(|(lane, target)| set(&mut to, lane, target.position));
+                Vec2s::load(simd, &to)
+            }
+            Targets::Wished { reach, first } => {
+                let most = reach.lanes(simd, first + rows.start..first + rows.end);
+                let reached = from + (wished - from).clamp_length_max(most);
                 // one that is not a number is no wish at all
                 Vec2s::select(wished.x.is_finite() & wished.y.is_finite(), reached, from)
             }
@@ -114,23 +103,30 @@ fn move_all<S: Simd>(
         let limit = to.x.abs().max(to.y.abs()) * splat(f32::EPSILON);
         let unchanged = off.dot(off).sqrt().simd_le(limit);
         let velocity = Vec2s::select(unchanged, wish, motion.over(splat(seconds)));
-        let heading = load(simd, &headings);
         let facing = turning.turn(simd, heading, velocity);
         // what the trip so far grows by
         let seen = |v: Vec2s<S>| v.dot(v).sqrt().simd_ge(splat(SEEN));
         let course = angles(simd, Vec2s { x: before.dot(velocity), y: before.perp_dot(velocity) }).abs();
         let course = (seen(before) & seen(velocity)).select(course, splat(0.0));
-        let walks = load(simd, &walks);
-        let turned = (facing - heading).abs() * walks;
-        let (course, walked) = (course * walks, motion.dot(motion).sqrt() * walks);
-        for (row, lane) in all {
-            moving.position[row] = Vec2::new(to.x[lane], to.y[lane]);
-            moving.velocity[row] = Vec2::new(velocity.x[lane], velocity.y[lane]);
-            moving.heading[row] = facing[lane];
-            let turned = f64::from(turned[lane]);
-            moving.turned[row] += turned.min(std::f64::consts::TAU - turned);
-            moving.course_turned[row] += f64::from(course[lane]);
-            moving.walked[row] += f64::from(walked[lane]);
+        let walks = shown[rows.clone()].iter().rev().fold(0, |bits, shown| bits << 1 | u64::from(shown.way.walks()));
+        let walks = S::mask32s::from_bitmask(simd, walks);
+        let of_walkers = |all: S::f32s| walks.select(all, splat(0.0));
+        to.put_side_by_side(&mut moving.position[rows.clone()]);
+        velocity.put_side_by_side(&mut moving.velocity[rows.clone()]);
+        let count = rows.len();
+        moving.heading[rows.clone()].copy_from_slice(&facing.as_slice()[..count]);
+        let turned = of_walkers((facing - heading).abs());
+        for (sum, &turned) in moving.turned[rows.clone()].iter_mut().zip(turned.as_slice()) {
+            let turned = f64::from(turned);
+            *sum += turned.min(std::f64::consts::TAU - turned);
         }
+        add(&mut moving.course_turned[rows.clone()], of_walkers(course).as_slice());
+        add(&mut moving.walked[rows], of_walkers(motion.dot(motion).sqrt()).as_slice());
     }
+}
+
+/// Adds to sums, as many as there are.
+#[inline(always)]
+fn add(sums: &mut [f64], all: &[f32]) {
+    sums.iter_mut().zip(all).for_each(|(sum, &value)| *sum += f64::from(value));
 }

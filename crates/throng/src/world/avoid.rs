@@ -2,6 +2,7 @@
 
 use super::World;
 use super::avoid_lanes::LaneScratch;
+use super::velocities::set;
 use crate::avoid::{LocalModel, NearDisc, NearEdge, Neighbour, Outline, View, Workspace, margin};
 use crate::motion::{Limits, follow, limit};
 use crate::parallel;
@@ -40,16 +41,15 @@ impl World {
     /// 3. What is safe: the local models choose velocities, bodies limit them.
     pub(super) fn avoid(&mut self, seconds: f32) {
         let mut wishes = std::mem::take(&mut self.step.wishes);
-        wishes.clear();
-        wishes.resize(self.agents.len(), Vec3::ZERO);
+        wishes.resize(self.agents.len(), self.in_space_now());
         let world = &*self;
         let common = world.common(seconds);
-        parallel::ranges(&mut wishes[..], Scratch::default, |scratch, rows, wishes| {
+        parallel::ranges(wishes.rows(), Scratch::default, |scratch, rows, mut wishes| {
             let Scratch { sight, workspace, lanes } = scratch;
             let mut one = |row: usize| world.wish(row, seconds, sight, workspace);
             match &common {
-                Some(common) => world.avoid_many(common, rows, lanes, wishes, one),
-                None => rows.zip(wishes).for_each(|(row, wish)| *wish = one(row)),
+                Some(common) => world.avoid_many(common, rows, lanes, &mut wishes.0, one),
+                None => rows.zip(0..).for_each(|(row, at)| set(&mut wishes, at, one(row))),
             }
         });
         self.step.wishes = wishes;
@@ -58,7 +58,7 @@ impl World {
     /// The velocity that an agent will have but for the guard.
     fn wish(&self, row: usize, seconds: f32, sight: &mut Sight, workspace: &mut Workspace) -> Vec3 {
         if self.agents.script[row].is_some() {
-            return self.step.preferred[row].clamp_length_max(self.agents.max_speed[row]);
+            return self.step.preferred.at(row).clamp_length_max(self.agents.max_speed[row]);
         }
         let view = self.view(row, seconds, sight);
         let chosen = self.chosen_velocity(row, &view, workspace);
@@ -110,9 +110,9 @@ impl World {
         View {
             velocity: agents.velocity[row],
             heading: agents.heading[row],
-            preferred: self.step.preferred[row].truncate(),
+            preferred: self.step.preferred.ground[row],
             climb: agents.climb[row],
-            preferred_climb: self.step.preferred[row].z,
+            preferred_climb: self.step.preferred.climb(row),
             radius: agents.radius[row] + agents.tracking_error[row],
             max_speed: agents.max_speed[row],
             max_acceleration: agents.max_acceleration[row],
@@ -172,7 +172,7 @@ impl World {
             above: agents.above(row, other),
             climb: agents.climb[other],
             velocity: velocity - own_turn + self.granted(row, other, yields),
-            preferred: self.step.preferred[other].truncate(),
+            preferred: self.step.preferred.ground[other],
             radii: (agents.radius[row] + agents.radius[other]) * margin
                 + (agents.tracking_error[row] + agents.tracking_error[other]),
             outline,
@@ -196,7 +196,7 @@ impl World {
             return Vec2::ZERO;
         }
         let velocity = agents.velocity_near(other, agents.position[row].as_dvec2());
-        let wanted = self.step.preferred[other].truncate() - velocity;
+        let wanted = self.step.preferred.ground[other] - velocity;
         let nearer = wanted.dot(agents.position[other] - agents.position[row]) < 0.0;
         if nearer { wanted * (GRANT * yields) } else { Vec2::ZERO }
     }
@@ -206,7 +206,7 @@ impl World {
     /// go: at doors somebody goes first, instead of an arch that nobody breaks.
     pub(super) fn yields(&self, row: usize, other: usize) -> f32 {
         let agents = &self.agents;
-        let (mine, theirs) = (&self.step.ways[row], &self.step.ways[other]);
+        let (mine, theirs) = (&self.step.shown[row].way, &self.step.shown[other].way);
         let turn = |row: usize| agents.travel[row].turn.rank();
         match (mine.walks(), theirs.walks(), mine.same_goal(theirs)) {
             (true, true, _) if turn(row) * turn(other) < 0 => YIELD_AT_REST * turn(other) as f32,
@@ -251,7 +251,8 @@ fn hides(edge: &NearEdge, offset: Vec2) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::world::{Settings, Way};
+    use crate::world::Settings;
+    use crate::world::way::{Shown, Way};
     use crate::{Agent, GoalId};
     use proptest::prelude::*;
 
@@ -274,14 +275,16 @@ mod tests {
             let position = DVec2::new(x.into(), 0.0);
             world.add_agent(Agent { radius, priority, position, ..Agent::default() }).unwrap();
         }
-        world.step.ways = both
+        world.step.shown = both
             .iter()
-            .map(|&(_, goal, remaining, _, _, status)| {
+            .map(|&(_, goal, remaining, _, x, status)| {
                 let goal = goal.map(GoalId);
-                if status == 0 { Way::walking(goal, Vec2::X, remaining) } else { Way::at_rest(goal, remaining) }
+                let way =
+                    if status == 0 { Way::walking(goal, Vec2::X, remaining) } else { Way::at_rest(goal, remaining) };
+                Shown::new(Vec2::new(x, 0.0), Vec2::ZERO, way)
             })
             .collect();
-        world.step.preferred = vec![Vec3::ZERO; 2];
+        world.step.preferred.resize(2, false);
         world
     }
 

@@ -2,8 +2,9 @@
 //! bits as [one by one](super::avoid), where everybody else goes.
 
 use super::World;
-use crate::avoid::{Line, LocalModel, MOST, Orca, Views, choose, margin};
-use crate::lanes::{LANES, Vec2s, load, ones, set};
+use super::way::{GOAL, WALKS};
+use crate::avoid::{Line, LocalModel, MOST, Orca, Own, Views, choose, margin};
+use crate::lanes::{LANES, Vec2s, load, ones};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use glam::{Vec2, Vec3};
@@ -67,7 +68,7 @@ impl World {
         common: &Common,
         rows: Range<usize>,
         scratch: &mut LaneScratch,
-        wishes: &mut [Vec3],
+        wishes: &mut [Vec2],
         left: impl FnMut(usize) -> Vec3,
     ) {
         dispatch!(common.level, simd => self.many(simd, common, rows, scratch, wishes, left));
@@ -80,7 +81,7 @@ impl World {
         common: &Common,
         rows: Range<usize>,
         scratch: &mut LaneScratch,
-        wishes: &mut [Vec3],
+        wishes: &mut [Vec2],
         mut left: impl FnMut(usize) -> Vec3,
     ) {
         if let Some(radius) = common.radius {
@@ -95,15 +96,18 @@ impl World {
             let mut missing = self.misfits(common, part.clone());
             // lanes for a few are dearer than one by one
             if 2 * missing.count_ones() as usize > part.len() {
-                part.zip(out).for_each(|(row, wish)| *wish = left(row));
+                part.zip(out).for_each(|(row, wish)| *wish = left(row).truncate());
                 continue;
             }
-            self.view_many(common, part.clone(), &mut scratch.views);
-            let chosen = choose(simd, &common.orca, &scratch.views, common.step, &mut scratch.fallback);
+            let own = self.own(simd, part.clone());
+            self.view_many(simd, common, part.clone(), &mut scratch.views);
+            let chosen = choose(simd, &common.orca, &own, &scratch.views, common.step, &mut scratch.fallback);
             missing |= chosen.left;
-            self.limit_many(simd, common, part.clone(), &scratch.views, chosen.velocity, out);
+            let most = self.agents.max_acceleration.lanes(simd, part.clone()) * S::f32s::splat(simd, common.step);
+            let change = (chosen.velocity - own.velocity).clamp_length_max(most);
+            (own.velocity + change).clamp_length_max(own.max_speed).put_side_by_side(out);
             for lane in ones(missing & ((1 << part.len()) - 1)) {
-                out[lane] = left(start + lane);
+                out[lane] = left(start + lane).truncate();
             }
         }
     }
@@ -112,41 +116,68 @@ impl World {
     fn misfits(&self, common: &Common, rows: Range<usize>) -> u64 {
         let model = |row: usize| self.groups[self.agents.group[row].index()].model.as_orca();
         let fits = |row: usize| {
-            self.step.preferred[row].z <= 0.0
+            self.step.preferred.climb(row) <= 0.0
                 && (common.alike || model(row) == Some(common.orca))
                 && (common.open || self.sees_no_wall(row, &common.orca))
         };
         rows.rev().fold(0, |misfits, row| misfits << 1 | u64::from(!fits(row)))
     }
 
-    /// What a range of rows sees.
+    /// Those of a range of rows themselves.
     #[inline(always)]
-    fn view_many(&self, common: &Common, rows: Range<usize>, views: &mut Views) {
+    fn own<S: Simd>(&self, simd: S, rows: Range<usize>) -> Own<S> {
+        let agents = &self.agents;
+        Own {
+            position: Vec2s::from_side_by_side(simd, &agents.position[rows.clone()]),
+            velocity: Vec2s::from_side_by_side(simd, &agents.velocity[rows.clone()]),
+            preferred: Vec2s::from_side_by_side(simd, &self.step.preferred.ground[rows.clone()]),
+            max_speed: agents.max_speed.lanes(simd, rows),
+        }
+    }
+
+    /// What a range of rows sees of its neighbours.
+    #[inline(always)]
+    fn view_many<S: Simd>(&self, simd: S, common: &Common, rows: Range<usize>, views: &mut Views) {
         let (agents, step) = (&self.agents, &self.step);
-        for (lane, row) in rows.enumerate() {
-            set(&mut views.position, lane, agents.position[row]);
-            set(&mut views.velocity, lane, agents.velocity[row]);
-            set(&mut views.preferred, lane, step.preferred[row].truncate());
-            views.max_speed[lane] = agents.max_speed[row];
+        let (mut own_keys, mut keys) = ([0; LANES], [[0; LANES]; MOST]);
+        let mut most = 0;
+        views.count = [0.0; LANES];
+        for (lane, row) in rows.clone().enumerate() {
             let neighbours = step.near.of(row);
+            most = most.max(neighbours.len());
             views.count[lane] = neighbours.len() as f32;
-            let way = &step.ways[row];
-            for (&other, others) in neighbours.iter().zip(&mut views.neighbours) {
-                let other = other as usize;
-                let (mut yields, mut granted) = (0.0, Vec2::ZERO);
-                if !way.are_equals(&step.ways[other]) {
-                    yields = self.yields(row, other);
-                    granted = self.granted(row, other, yields);
+            own_keys[lane] = step.shown[row].way.key();
+            for ((&other, others), keys) in neighbours.iter().zip(&mut views.neighbours).zip(&mut keys) {
+                let shown = &step.shown[other as usize];
+                others.motion[lane] = shown.motion;
+                keys[lane] = shown.way.key();
+            }
+        }
+        let lanes = |keys: &[u32; LANES]| S::u32s::from_slice(simd, &keys[..S::f32s::LEN]);
+        let (own, zero) = (lanes(&own_keys), S::u32s::splat(simd, 0));
+        let (walks, goal) = (S::u32s::splat(simd, WALKS), S::u32s::splat(simd, GOAL));
+        let count = load(simd, &views.count);
+        for (index, (others, keys)) in views.neighbours[..most].iter_mut().zip(&keys).enumerate() {
+            others.share = [0.5; LANES];
+            let theirs = lanes(keys);
+            // both walk, to different goals: neither has the right of way
+            let equals = !(own & theirs & walks).simd_eq(zero) & !((own ^ theirs) & goal).simd_eq(zero);
+            let there = count.simd_gt(S::f32s::splat(simd, index as f32));
+            let unlike = if common.equals { !equals & there } else { there };
+            for lane in ones(unlike.to_bitmask()) {
+                let row = rows.start + lane;
+                let other = step.near.of(row)[index] as usize;
+                let yields = self.yields(row, other);
+                let granted = self.granted(row, other, yields);
+                others.share[lane] = if common.equals { 0.5 + yields } else { self.share(row, other, yields) };
+                others.motion[lane][2] += granted.x;
+                others.motion[lane][3] += granted.y;
+            }
+            if common.radius.is_none() {
+                for lane in ones(there.to_bitmask()) {
+                    let other = step.near.of(rows.start + lane)[index] as usize;
+                    others.radii[lane] = (agents.radius[rows.start + lane] + agents.radius[other]) * common.margin;
                 }
-                others.share[lane] = 0.5 + yields;
-                if !common.equals {
-                    others.share[lane] = self.share(row, other, yields);
-                }
-                if common.radius.is_none() {
-                    others.radii[lane] = (agents.radius[row] + agents.radius[other]) * common.margin;
-                }
-                let (position, velocity) = (agents.position[other], agents.velocity[other] + granted);
-                others.motion[lane] = [position.x, position.y, velocity.x, velocity.y];
             }
         }
     }
@@ -155,28 +186,5 @@ impl World {
     fn sees_no_wall(&self, row: usize, orca: &Orca) -> bool {
         let range = orca.wall_range(self.agents.radius[row], self.agents.max_speed[row]);
         self.walls.is_clear(self.agents.position[row].as_dvec2(), f64::from(range))
-    }
-
-    /// What bodies can do of chosen velocities.
-    #[inline(always)]
-    fn limit_many<S: Simd>(
-        &self,
-        simd: S,
-        common: &Common,
-        rows: Range<usize>,
-        views: &Views,
-        chosen: Vec2s<S>,
-        out: &mut [Vec3],
-    ) {
-        let mut most = [0.0; LANES];
-        for (most, row) in most.iter_mut().zip(rows) {
-            *most = self.agents.max_acceleration[row] * common.step;
-        }
-        let velocity = Vec2s::load(simd, &views.velocity);
-        let change = (chosen - velocity).clamp_length_max(load(simd, &most));
-        let limited = (velocity + change).clamp_length_max(load(simd, &views.max_speed));
-        for (lane, wish) in out.iter_mut().enumerate() {
-            *wish = Vec3::new(limited.x[lane], limited.y[lane], 0.0);
-        }
     }
 }

@@ -1,6 +1,7 @@
 //! 2. What would I like: the preferred velocity of everybody.
 
 use super::World;
+use super::velocities::set;
 use crate::agent::{Group, Status};
 use crate::navigate::{Goal, Keyframe, Travel, Turn, Turned};
 use crate::parallel;
@@ -10,10 +11,10 @@ use glam::{Vec2, Vec3};
 const RETURN_TIME: f32 = 0.5;
 
 /// What the agents of a group do alike.
-struct Manners {
-    detour: bool,
+pub(super) struct Manners {
+    pub detour: bool,
     bias: f32,
-    keep_right: Turned,
+    pub keep_right: Turned,
 }
 
 impl Manners {
@@ -30,21 +31,21 @@ impl World {
         self.resolve(seconds);
         let mut travels = std::mem::take(&mut self.agents.travel);
         let mut preferred = std::mem::take(&mut self.step.preferred);
-        preferred.resize(self.agents.len(), Vec3::ZERO);
+        preferred.resize(self.agents.len(), self.in_space_now());
         let world = &*self;
         let manners: Vec<Manners> = self.groups.iter().map(Manners::of).collect();
+        let level = self.lanes_to_intend();
+        let one = |row: usize, travel: &mut Travel| match world.scripted(row, now) {
+            Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
+            None => world.preferred_velocity(row, travel, &manners[world.agents.group[row].index()], seconds),
+        };
         parallel::ranges(
-            (&mut travels[..], &mut preferred[..]),
+            (&mut travels[..], preferred.rows()),
             || (),
-            |(), rows, (travels, preferred)| {
-                for ((row, travel), preferred) in rows.zip(travels).zip(preferred) {
-                    *preferred = match world.scripted(row, now) {
-                        Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
-                        None => {
-                            world.preferred_velocity(row, travel, &manners[world.agents.group[row].index()], seconds)
-                        }
-                    };
-                }
+            |(), rows, (travels, mut preferred)| match level {
+                Some(level) => world.intend_many(level, rows, travels, &mut preferred.0, (&manners, seconds), one),
+                None => (rows.zip(travels).zip(0..))
+                    .for_each(|((row, travel), at)| set(&mut preferred, at, one(row, travel))),
             },
         );
         self.agents.travel = travels;
@@ -58,7 +59,7 @@ impl World {
 
     fn preferred_velocity(&self, row: usize, travel: &mut Travel, manners: &Manners, seconds: f32) -> Vec3 {
         let agents = &self.agents;
-        let way = &self.step.ways[row];
+        let way = &self.step.shown[row].way;
         if !way.walks() {
             return if agents.status[row] == Status::Arrived { self.back_to_goal(row, travel) } else { Vec3::ZERO };
         }
@@ -90,7 +91,7 @@ impl World {
         // who heads straight for what is far needs no second look
         let is_far = travel.remaining > 4.0 * radius && travel.is_straight();
         let keeps_right = is_far || self.towards(row, travel).length() > 2.0 * radius;
-        let following = if detour == 0.0 { self.step.following[row].speed } else { f32::INFINITY };
+        let following = if detour == 0.0 { self.following_speed(row) } else { f32::INFINITY };
         let speed = speed.min(arriving).min(following);
         let turned = match (keeps_right, detour == 0.0) {
             (true, true) => manners.keep_right.turned(direction),
@@ -123,11 +124,11 @@ impl World {
     /// Whether somebody who has arrived at the same goal is nearer to it.
     fn is_taken(&self, row: usize, point: &Goal) -> bool {
         let agents = &self.agents;
-        let ways = &self.step.ways;
+        let shown = &self.step.shown;
         let distance = |row: usize| point.offset(self.world_place(row)).map(|(offset, _)| offset.length_squared());
         self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
             agents.status[other] == Status::Arrived
-                && ways[other].same_goal(&ways[row])
+                && shown[other].way.same_goal(&shown[row].way)
                 && distance(other) < distance(row)
         })
     }

@@ -19,6 +19,17 @@ pub(super) struct Measured {
 }
 
 impl World {
+    /// How near two must be at the start of a sub-step that they can overlap at its end, or be nearer than any before.
+    pub(super) fn close_enough_to_measure(&self, seconds: f32) -> f32 {
+        let agents = &self.agents;
+        let most = |all: &[f32]| all.iter().copied().fold(0.0, f32::max);
+        if !agents.all_discs() {
+            return f32::INFINITY;
+        }
+        let (radius, reach) = (most(agents.radius.values()), most(agents.max_speed.values()) * seconds);
+        2.001 * (radius * looks_below(self.tally.least_separation) + reach)
+    }
+
     /// Notes how close bodies came to each other and to walls.
     pub(super) fn measure(&mut self) {
         let Self { agents, step, walls, tally, .. } = self;
@@ -43,7 +54,7 @@ impl World {
                     contacts.of(row).iter().filter(|&&other| other as usize > row).for_each(|&other| {
                         measured.pair(agents, row, other as usize, discs_only);
                     });
-                } else {
+                } else if near.is_close(row) {
                     // nearest first, before they moved
                     let farthest = radius + agents.radius[row] + 4.0 * reach;
                     let at = agents.position[row];
@@ -57,7 +68,8 @@ impl World {
                     }
                 }
                 // those who can't touch yet: the nearest that was perceived
-                if let Some(nearest) = near.of(row).first().map(|&nearest| nearest as usize)
+                if near.is_close(row)
+                    && let Some(nearest) = near.of(row).first().map(|&nearest| nearest as usize)
                     && (!discs_only || measured.is_near(agents, row, nearest))
                 {
                     measured.separation(agents, row, nearest);

@@ -69,17 +69,18 @@ impl World {
     }
 
     /// 1. Who is near: the nearest neighbours of everybody.
-    pub(super) fn perceive(&mut self) {
+    pub(super) fn perceive(&mut self, seconds: f32) {
         let range = self.rebuild_grid();
         self.sort_rows_if_scattered();
         let most = self.groups_in_use().map(|group| group.neighbours).max().unwrap_or(1);
+        let close = self.close_enough_to_measure(seconds);
         let alike = self.groups_in_use().all(|group| group.neighbours == most && group.neighbour_distance == range);
         let Self { agents, groups, step, .. } = self;
         step.long.rebuild(agents, range);
         step.near.resize(step.grid.order(), most);
         let (grid, long, level) = (&step.grid, &step.long, self.instructions.level());
         let anybody_flies = agents.anybody_flies();
-        let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32]| {
+        let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32], is_close: &mut bool| {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
             let flat = !group.model.looks_in_space();
@@ -102,6 +103,7 @@ impl World {
                 long.add(agents, grid, row, (group.neighbours, group.neighbour_distance), accept, found);
             }
             list[0] = found.len() as u32;
+            *is_close = found.first().is_some_and(|near| near.distance_squared <= close * close);
             for (entry, near) in list[1..].iter_mut().zip(&*found) {
                 *entry = near.row;
             }
@@ -119,12 +121,14 @@ impl World {
             level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
         let scratch = || (Pack::default(), Vec::new());
         let lists = Lists { all: &mut step.near.lists, stride: most + 1 };
-        parallel::ranges(lists, scratch, |(pack, found), places, Lists { all: lists, .. }| {
+        parallel::ranges((lists, &mut step.near.close[..]), scratch, |(pack, found), places, (lists, are_close)| {
+            let lists = lists.all;
             let Some(level) = many else {
-                return places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| plain(found, place, list));
+                let all = lists.chunks_mut(most + 1).zip(are_close);
+                return places.zip(all).for_each(|(place, (list, is_close))| plain(found, place, list, is_close));
             };
-            let left = |place: usize, list: &mut [u32]| plain(found, place, list);
-            grid.nearest_of_many(level, places.clone(), (most, range), pack, lists, left);
+            let left = |place: usize, list: &mut [u32], is_close: &mut bool| plain(found, place, list, is_close);
+            grid.nearest_of_many(level, places.clone(), (most, range, close), pack, (lists, are_close), left);
             if !alike {
                 places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| shorten(place, list));
             }
@@ -155,6 +159,8 @@ impl World {
 pub(super) struct Neighbours {
     /// For each row how many it sees, and places for as many as anybody looks at; in the order of the grid.
     lists: Vec<u32>,
+    /// Whether the nearest may come close enough to be measured, in the order of the grid.
+    close: Vec<bool>,
     most: usize,
     /// Where the list of each row is.
     places: Vec<u32>,
@@ -164,10 +170,17 @@ impl Neighbours {
     fn resize(&mut self, order: &[u32], most: usize) {
         self.most = most;
         self.lists.resize(order.len() * (most + 1), 0);
+        self.close.resize(order.len(), false);
         self.places.resize(order.len(), 0);
         for (place, &row) in (0..).zip(order) {
             self.places[row as usize] = place;
         }
+    }
+
+    /// Whether the nearest of a row may come close enough to be measured.
+    #[inline]
+    pub(super) fn is_close(&self, row: usize) -> bool {
+        self.close[self.places[row] as usize]
     }
 
     /// Rows of the neighbours of a row, nearest first.
@@ -296,7 +309,7 @@ mod tests {
                 let agent = Agent { position, altitude, heading: Some(heading), group, ..Agent::default() };
                 world.add_agent(agent.with_body(body)).unwrap();
             }
-            world.perceive();
+            world.perceive(0.1);
             let agents = &world.agents;
             for row in 0..agents.len() {
                 let above = |other: usize| {

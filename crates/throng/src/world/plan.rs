@@ -2,7 +2,7 @@
 
 use super::World;
 use super::build::direction;
-use super::way::Way;
+use super::way::{Shown, Way};
 use crate::agent::{AgentId, Status};
 use crate::navigate::{Goal, Heading, Meshes, Path, Route, Search, Travel, Turn, Unreachable};
 use crate::parallel;
@@ -14,18 +14,27 @@ impl World {
     pub(super) fn plan(&mut self, seconds: f32) {
         self.count_arrivals();
         let mut travels = std::mem::take(&mut self.agents.travel);
-        let mut ways = std::mem::take(&mut self.step.ways);
-        ways.resize(travels.len(), Way::default());
+        let mut shown = std::mem::take(&mut self.step.shown);
+        shown.resize(travels.len(), Shown::default());
         let world = &*self;
+        let level = self.instructions.level();
         let anybody = AtomicBool::new(false);
         parallel::ranges(
-            (&mut travels[..], &mut ways[..]),
+            (&mut travels[..], &mut shown[..]),
             || (),
-            |(), rows, (travels, ways)| {
+            |(), rows, (travels, shown)| {
                 let mut lost = false;
-                for ((row, travel), way) in rows.zip(travels).zip(ways) {
-                    *way = world.look(row, travel, seconds);
+                let mut look = |row: usize, travel: &mut Travel| {
+                    let way = world.look(row, travel, seconds);
                     lost |= way.walks() && !travel.has_way();
+                    way
+                };
+                match level {
+                    Some(level) => world.look_many(level, rows, travels, shown, seconds, look),
+                    None => rows.zip(travels).zip(shown).for_each(|((row, travel), shown)| {
+                        let agents = &world.agents;
+                        *shown = Shown::new(agents.position[row], agents.velocity[row], look(row, travel));
+                    }),
                 }
                 if lost {
                     anybody.store(true, Ordering::Relaxed);
@@ -34,7 +43,7 @@ impl World {
         );
         let rows = if anybody.into_inner() { 0..travels.len() } else { 0..0 };
         let mut lost: Vec<Planned> = rows
-            .filter(|&row| ways[row].walks() && !travels[row].has_way())
+            .filter(|&row| shown[row].way.walks() && !travels[row].has_way())
             .map(|row| Planned { row, leg: travels[row].leg, outcome: None })
             .collect();
         if !lost.is_empty() {
@@ -49,7 +58,7 @@ impl World {
                     Some(Ok((route, length, gap))) => {
                         travel.set_way(route);
                         travel.set_gap(gap);
-                        ways[row] = self.look(row, travel, seconds);
+                        shown[row].way = self.look(row, travel, seconds);
                         if !travel.measured {
                             travel.measured = true;
                             self.agents.shortest[row] += DVec2::new(length, travel.rise().into()).length();
@@ -58,7 +67,7 @@ impl World {
                     Some(Err(why)) => {
                         self.agents.status[row] = Status::Stranded;
                         self.stranded.push((self.agents.number[row], why));
-                        ways[row] = self.look(row, travel, seconds);
+                        shown[row].way = self.look(row, travel, seconds);
                     }
                     None => {}
                 }
@@ -66,7 +75,7 @@ impl World {
             self.stranded.sort_by_key(|&(number, _)| number);
         }
         self.agents.travel = travels;
-        self.step.ways = ways;
+        self.step.shown = shown;
     }
 
     /// Turns agents to where their ways begin: round walls to the first corner, else straight to the goal. Those who
@@ -98,12 +107,12 @@ impl World {
         let leg = self.legs.of(self.agents.journey[row], travel.leg);
         let at = self.world_position(row);
         let straight = travel.is_straight();
-        let mut towards = leg.map_or(-at, |leg| leg.middle - at);
+        let mut towards = leg.map_or(-at, |leg| leg.middle - at).as_vec2();
         if straight {
-            travel.remaining = towards.length() as f32;
+            travel.remaining = towards.length();
         } else {
             self.follow(row, travel, at);
-            towards = travel.aim().map_or(towards, |aim| aim - at);
+            towards = travel.aim().map_or(towards, |aim| (aim - at).as_vec2());
         }
         if straight || travel.has_way() {
             let altitude = leg.filter(|_| travel.turn != Turn::Aside).and_then(|leg| leg.altitude);
@@ -116,7 +125,7 @@ impl World {
             return Way::at_rest(id, remaining).changing(comes || status == Status::Waiting);
         }
         let waits = travel.turn == Turn::Aside && travel.remaining < self.agents.radius[row];
-        let direction = if waits { Vec2::ZERO } else { towards.as_vec2().normalize_or_zero() };
+        let direction = if waits { Vec2::ZERO } else { towards.normalize_or_zero() };
         let tolerance = leg.and_then(|leg| leg.tolerance);
         let stops = tolerance.is_some() && leg.is_some_and(|leg| leg.is_last);
         // in the open, with nobody there yet, who is farther than it can get

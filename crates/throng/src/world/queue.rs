@@ -63,28 +63,30 @@ impl World {
     /// Notes whom everybody follows, and how fast.
     pub(super) fn follow_others(&mut self) {
         let mut following = std::mem::take(&mut self.step.following);
-        following.resize(self.agents.len(), Following::NOBODY);
-        if self.groups_in_use().all(|group| !group.queue) {
-            following.fill(Following::NOBODY);
-            self.step.following = following;
-            return;
-        }
+        let queues = self.groups_in_use().any(|group| group.queue);
+        following.resize(if queues { self.agents.len() } else { 0 }, Following::NOBODY);
         let world = &*self;
         parallel::rows(&mut following, || (), |(), row, out| *out = world.following(row));
         free_rings(&mut following, &mut self.step.seen);
         self.step.following = following;
     }
 
+    /// How fast those ahead let an agent be.
+    #[inline]
+    pub(super) fn following_speed(&self, row: usize) -> f32 {
+        self.step.following.get(row).map_or(f32::INFINITY, |following| following.speed)
+    }
+
     /// How an agent follows those right ahead who go the same way: at their speed, once it has closed up. Who queues
     /// does not push, nor mill about. In counterflow nobody queues: there one squeezes by.
     fn following(&self, row: usize) -> Following {
         let agents = &self.agents;
-        let (ways, direction) = (&self.step.ways, self.step.ways[row].direction);
+        let (shown, direction) = (&self.step.shown, self.step.shown[row].way.direction);
         if direction == Vec2::ZERO || !self.groups[agents.group[row].index()].queue {
             return Following::NOBODY;
         }
         // without branches: which of them comes the other way cannot be foreseen
-        let along = |other: usize| ways[other].direction.dot(direction);
+        let along = |other: usize| shown[other].way.direction.dot(direction);
         let least = self.level_neighbours(row).fold(0.0, |least: f32, other| least.min(along(other)));
         if least < -SAME_WAY {
             return Following::NOBODY;
@@ -108,9 +110,9 @@ impl World {
     /// most one queues, so that never each waits for the other.
     pub(super) fn queues(&self, row: usize, direction: Vec2) -> bool {
         let agents = &self.agents;
-        let way = &self.step.ways[row];
+        let way = &self.step.shown[row].way;
         self.level_neighbours(row).any(|other| {
-            let theirs = &self.step.ways[other];
+            let theirs = &self.step.shown[other].way;
             let offset = agents.offset(row, other);
             let distance = offset.length();
             let close = distance - agents.radius[row] - agents.radius[other] < 2.0 * agents.radius[row];
@@ -135,7 +137,7 @@ impl World {
     /// Whether the one at `offset` goes ahead of who wants to go in `direction`: the same way, and away. Of two, at
     /// most one goes ahead of the other, so that never each waits for the other.
     pub(super) fn leads(&self, other: usize, offset: Vec2, direction: Vec2) -> bool {
-        let theirs = self.step.ways[other].direction;
+        let theirs = self.step.shown[other].way.direction;
         theirs.dot(direction) > SAME_WAY && offset.dot(theirs) > 0.0 && offset.dot(direction) > 0.0
     }
 }
@@ -143,7 +145,8 @@ impl World {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::world::{Settings, Way};
+    use crate::world::Settings;
+    use crate::world::way::{Shown, Way};
     use crate::{Agent, GoalId, Status};
     use glam::DVec2;
     use proptest::prelude::*;
@@ -187,10 +190,13 @@ mod tests {
             world.add_agent(Agent { position, velocity, radius: one.radius, ..Agent::default() }).unwrap();
         }
         world.agents.status.fill(Status::Walking);
-        world.perceive();
-        world.step.ways = all
+        world.perceive(0.1);
+        let way = |one: &One| Way::walking(Some(GoalId(one.goal)), direction(one), f32::from(one.remaining) * 0.5);
+        let agents = &world.agents;
+        world.step.shown = all
             .iter()
-            .map(|one| Way::walking(Some(GoalId(one.goal)), direction(one), f32::from(one.remaining) * 0.5))
+            .zip(0..)
+            .map(|(one, row)| Shown::new(agents.position[row], agents.velocity[row], way(one)))
             .collect();
         (world, all.map(|one| direction(&one)))
     }

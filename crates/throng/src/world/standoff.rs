@@ -47,6 +47,9 @@ impl World {
         let mut standoffs = std::mem::take(&mut self.standoffs);
         standoffs.retain_mut(|standoff| self.go_on(standoff, seconds));
         self.standoffs = standoffs;
+        if self.groups_in_use().all(|group| !group.resolve) {
+            return;
+        }
         for row in self.stuck(seconds) {
             if let Some(agreement) = self.partner(row).and_then(|other| self.agree(row, other)) {
                 self.begin(agreement);

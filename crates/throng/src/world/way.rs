@@ -3,6 +3,21 @@
 use crate::agent::GoalId;
 use glam::Vec2;
 
+/// What others see of somebody: one look into memory, 32 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(align(32))]
+pub(super) struct Shown {
+    /// Position and velocity.
+    pub motion: [f32; 4],
+    pub way: Way,
+}
+
+impl Shown {
+    pub fn new(position: Vec2, velocity: Vec2, way: Way) -> Self {
+        Self { motion: [position.x, position.y, velocity.x, velocity.y], way }
+    }
+}
+
 /// What others see of where somebody wants to go: 16 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Way {
@@ -14,15 +29,22 @@ pub(super) struct Way {
     key: u32,
 }
 
-const WALKS: u32 = 1 << 31;
+/// What the [key](Way::key) of who is on its way has.
+pub(super) const WALKS: u32 = 1 << 31;
 const STOPS: u32 = 1 << 30;
-const MAY_CHANGE: u32 = 1 << 29;
-const GOAL: u32 = MAY_CHANGE - 1;
+pub(super) const MAY_CHANGE: u32 = 1 << 29;
+/// What the keys of those with the same goal, or none both, have in common.
+pub(super) const GOAL: u32 = MAY_CHANGE - 1;
 
 impl Way {
     /// The way of who does not walk.
     pub fn at_rest(goal: Option<GoalId>, remaining: f32) -> Self {
         Self { direction: Vec2::ZERO, remaining, key: goal.map_or(0, |goal| goal.0 + 1) }
+    }
+
+    /// A way with this key.
+    pub fn with_key(key: u32, direction: Vec2, remaining: f32) -> Self {
+        Self { direction, remaining, key }
     }
 
     /// The way of who walks.
@@ -39,6 +61,11 @@ impl Way {
     /// With a status that may change in this sub-step.
     pub fn changing(self, may_change: bool) -> Self {
         Self { key: if may_change { self.key | MAY_CHANGE } else { self.key }, ..self }
+    }
+
+    /// Goal and flags.
+    pub fn key(&self) -> u32 {
+        self.key
     }
 
     /// Whether it is on its way.
@@ -64,10 +91,5 @@ impl Way {
     /// Whether two have the same goal, or none both.
     pub fn same_goal(&self, other: &Self) -> bool {
         (self.key ^ other.key) & GOAL == 0
-    }
-
-    /// Whether both walk, to different goals: neither has the right of way.
-    pub fn are_equals(&self, other: &Self) -> bool {
-        self.key & other.key & WALKS != 0 && !self.same_goal(other)
     }
 }

@@ -1,0 +1,123 @@
+//! Many choose their preferred velocities at once, a lane an agent: those who walk straight to a point on the ground that is
+//! still far, and get on. The same bits as [one by one](super::intend), where everybody else goes.
+
+use super::World;
+use super::intend::Manners;
+use crate::lanes::{LANES, Vec2s, load, ones, set};
+use crate::navigate::{AVERAGE, NO_PROGRESS, Travel};
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
+use glam::{Vec2, Vec3};
+use std::ops::Range;
+
+impl World {
+    /// The instructions that preferred velocities are chosen with, if many can do so at once.
+    pub(super) fn lanes_to_intend(&self) -> Option<Level> {
+        self.instructions.level().filter(|_| !self.in_space_now() && self.agents.script.uniform() == Some(None))
+    }
+
+    /// The preferred velocities of a range of rows. Calls `left` for those that go one by one.
+    pub(super) fn intend_many(
+        &self,
+        level: Level,
+        rows: Range<usize>,
+        travels: &mut [Travel],
+        preferred: &mut [Vec2],
+        (manners, seconds): (&[Manners], f32),
+        left: impl FnMut(usize, &mut Travel) -> Vec3,
+    ) {
+        dispatch!(level, simd => self.intend_all(simd, rows, travels, preferred, (manners, seconds), left));
+    }
+
+    #[inline(always)]
+    fn intend_all<S: Simd>(
+        &self,
+        simd: S,
+        rows: Range<usize>,
+        travels: &mut [Travel],
+        preferred: &mut [Vec2],
+        (manners, seconds): (&[Manners], f32),
+        mut left: impl FnMut(usize, &mut Travel) -> Vec3,
+    ) {
+        let lanes = S::f32s::LEN;
+        let parts = travels.chunks_mut(lanes).zip(preferred.chunks_mut(lanes));
+        for (start, (travels, preferred)) in rows.step_by(lanes).zip(parts) {
+            for lane in ones(self.intend_some(simd, start, travels, preferred, (manners, seconds))) {
+                preferred[lane] = left(start + lane, &mut travels[lane]).truncate();
+            }
+        }
+    }
+
+    /// Those of a vector, from a row on. Tells, as bits, who does not go with them.
+    #[inline(always)]
+    fn intend_some<S: Simd>(
+        &self,
+        simd: S,
+        start: usize,
+        travels: &mut [Travel],
+        preferred: &mut [Vec2],
+        (manners, seconds): (&[Manners], f32),
+    ) -> u64 {
+        let agents = &self.agents;
+        let rows = start..start + travels.len();
+        let everybody = (1 << rows.len()) - 1;
+        let mut fits = 0;
+        let (mut direction, mut remaining) = ([[0.0; LANES]; 2], [0.0; LANES]);
+        let (mut mark, mut stalled, mut progress) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let (mut following, mut stops, mut detours) = ([f32::INFINITY; LANES], 0, 0);
+        let mut keep_right = [[0.0; LANES]; 2];
+        for ((lane, row), travel) in rows.clone().enumerate().zip(&*travels) {
+            let way = &self.step.shown[row].way;
+            let fit = way.walks() && way.has_goal() && travel.is_plain() && way.direction != Vec2::ZERO;
+            fits |= u64::from(fit) << lane;
+            set(&mut direction, lane, way.direction);
+            stops |= u64::from(way.stops()) << lane;
+            (remaining[lane], mark[lane]) = (travel.remaining, travel.mark);
+            (stalled[lane], progress[lane]) = (travel.stalled, travel.progress);
+            following[lane] = self.following_speed(row);
+            let manners = &manners[agents.group[row].index()];
+            detours |= u64::from(manners.detour) << lane;
+            set(&mut keep_right, lane, manners.keep_right.cos_and_sin());
+        }
+        if fits == 0 {
+            return everybody;
+        }
+        let splat = |value: f32| S::f32s::splat(simd, value);
+        let zero = splat(0.0);
+        let mask = |bits: u64| S::mask32s::from_bitmask(simd, bits);
+        let direction: Vec2s<S> = Vec2s::load(simd, &direction);
+        let remaining = load(simd, &remaining);
+        let radius = agents.radius.lanes(simd, rows.clone());
+        let preferred_speed = agents.preferred_speed.lanes(simd, rows.clone());
+        let velocity = Vec2s::from_side_by_side(simd, &agents.velocity[rows.clone()]);
+        // on the ground all of the way is along it
+        let onwards = velocity.dot(direction) + zero;
+        let made = preferred_speed.simd_gt(zero).select(onwards / preferred_speed, splat(1.0));
+        // as `Travel::stall`
+        let (mark, stalled) = (load(simd, &mark), load(simd, &stalled));
+        let waits = remaining.simd_gt(mark - radius);
+        let walked = splat(seconds) * preferred_speed / radius;
+        let stalled = waits.select(stalled + walked, zero);
+        let mark = waits.select(mark, remaining);
+        // as `Travel::detour`
+        let before = load(simd, &progress);
+        let progress = before + (made - before) * splat((seconds / AVERAGE).min(1.0));
+        let gets_on = progress.simd_ge(splat(NO_PROGRESS)).to_bitmask() | !detours;
+        let progress = mask(detours).select(progress, before);
+        let is_far = remaining.simd_gt(splat(4.0) * radius).to_bitmask();
+        let max_acceleration = agents.max_acceleration.lanes(simd, rows.clone());
+        let stopping = (max_acceleration * remaining).sqrt().min(remaining / splat(seconds));
+        let arriving = mask(stops).select(stopping, splat(f32::INFINITY));
+        let speed = preferred_speed.min(arriving).min(load(simd, &following));
+        let [cos, sin] = [&keep_right[0], &keep_right[1]].map(|all| load(simd, all));
+        let turned: Vec2s<S> =
+            Vec2s { x: cos * direction.x + sin * direction.y, y: cos * direction.y - sin * direction.x };
+        (turned * speed).put_side_by_side(preferred);
+        let fits = fits & gets_on & is_far & everybody;
+        for lane in ones(fits) {
+            let travel = &mut travels[lane];
+            (travel.mark, travel.stalled, travel.progress) = (mark[lane], stalled[lane], progress[lane]);
+        }
+        !fits & everybody
+    }
+}
