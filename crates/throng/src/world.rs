@@ -134,6 +134,8 @@ struct StepMemory {
     contacts: Contacts,
     guard: Guard,
     measured: Vec<measure::Measured>,
+    /// Whether the status of anybody may change in this sub-step.
+    anybody_may_change: bool,
     /// How many have arrived at each goal.
     arrivals: Vec<u32>,
     /// Rows with their next status, where it may be another.

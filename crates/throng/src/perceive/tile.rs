@@ -20,6 +20,8 @@ const PLACE: u32 = (1 << PLACE_BITS) - 1;
 const MOST: usize = 1 << PLACE_BITS;
 /// Keys a lane keeps: itself, its nearest, and one more that shows whether the last of them is told apart.
 const KEYS: usize = MOST_NEIGHBOURS + 2;
+/// Points that are sorted into the keys together.
+const BATCH: usize = 4;
 /// By how much the square of the radius tried first is larger than what the tile before needed.
 const MORE: f32 = 1.1;
 /// Nearest that a tile can find for each lane.
@@ -102,6 +104,13 @@ fn many<S: Simd>(
         start = end;
         most = (2 * most).min(S::f32s::LEN);
     }
+}
+
+/// Puts the lesser of each pair first, in every lane.
+macro_rules! exchange {
+    ($all:ident: $($a:literal-$b:literal)*) => {
+        $(($all[$a], $all[$b]) = ($all[$a].min($all[$b]), $all[$a].max($all[$b]));)*
+    };
 }
 
 /// What a tile found, besides its lists.
@@ -207,25 +216,34 @@ impl<'a, S: Simd> Tile<'a, S> {
                 at += S::f32s::LEN;
             }
         }
+        pack.x[count..count + BATCH].fill(f32::INFINITY);
         (count <= MOST).then_some(count)
     }
 
-    /// Sorts packed points into the least keys of every lane, ascending.
+    /// Sorts packed points into the least keys of every lane, ascending, [`BATCH`] at a time; beyond the last lie points that
+    /// are infinitely far.
     #[inline(always)]
     fn sort_in(&self, keys: &mut [S::u32s; KEYS], pack: &Pack, places: Range<usize>) {
         let simd = self.simd;
         // in registers
         let mut least = *keys;
-        for place in places {
-            let (dx, dy) = (S::f32s::splat(simd, pack.x[place]) - self.x, S::f32s::splat(simd, pack.y[place]) - self.y);
-            let distance: S::u32s = (dx * dx + dy * dy).bitcast();
-            let mut key = distance & !PLACE | place as u32;
-            if key.simd_lt(least[KEYS - 1]).any_true() {
-                for kept in &mut least {
-                    let less = key.min(*kept);
-                    key = key.max(*kept);
-                    *kept = less;
+        for first in places.step_by(BATCH) {
+            let mut batch: [S::u32s; BATCH] = std::array::from_fn(|at| {
+                let place = first + at;
+                let dx = S::f32s::splat(simd, pack.x[place]) - self.x;
+                let dy = S::f32s::splat(simd, pack.y[place]) - self.y;
+                let distance: S::u32s = (dx * dx + dy * dy).bitcast();
+                distance & !PLACE | place as u32
+            });
+            exchange!(batch: 0-1 2-3 0-2 1-3 1-2);
+            if batch[0].simd_lt(least[KEYS - 1]).any_true() {
+                // the least of both together rise, then fall
+                for (at, &key) in batch.iter().rev().enumerate() {
+                    least[KEYS - BATCH + at] = least[KEYS - BATCH + at].min(key);
                 }
+                // sorted, they are merged with the others by Batcher's odds and evens
+                exchange!(least: 8-10 9-11 8-9 10-11);
+                exchange!(least: 0-8 1-9 2-10 3-11 4-8 5-9 6-10 7-11 2-4 3-5 6-8 7-9 1-2 3-4 5-6 7-8 9-10);
             }
         }
         *keys = least;

@@ -40,6 +40,9 @@ impl World {
 
     /// Arrivals, waits, exits.
     pub(super) fn arrive(&mut self, seconds: f32, now: f64) {
+        if !self.step.anybody_may_change {
+            return;
+        }
         let mut changes = std::mem::take(&mut self.step.changes);
         changes.clear();
         let rows = self.step.shown.iter().enumerate().filter(|(_, shown)| shown.way.may_change()).map(|(row, _)| row);

@@ -18,19 +18,23 @@ impl World {
         shown.resize(travels.len(), Shown::default());
         let world = &*self;
         let level = self.instructions.level();
-        let anybody = AtomicBool::new(false);
+        let (anybody, changes) = (AtomicBool::new(false), AtomicBool::new(false));
         parallel::ranges(
             (&mut travels[..], &mut shown[..]),
             || (),
             |(), rows, (travels, shown)| {
-                let mut lost = false;
+                let (mut lost, mut change) = (false, false);
                 let mut look = |row: usize, travel: &mut Travel| {
                     let way = world.look(row, travel, seconds);
                     lost |= way.walks() && !travel.has_way();
+                    change |= way.may_change();
                     way
                 };
                 match level {
-                    Some(level) => world.look_many(level, rows, travels, shown, seconds, look),
+                    Some(level) => {
+                        let near = world.look_many(level, rows, travels, shown, seconds, look);
+                        change |= near;
+                    }
                     None => rows.zip(travels).zip(shown).for_each(|((row, travel), shown)| {
                         let agents = &world.agents;
                         *shown = Shown::new(agents.position[row], agents.velocity[row], look(row, travel));
@@ -39,9 +43,15 @@ impl World {
                 if lost {
                     anybody.store(true, Ordering::Relaxed);
                 }
+                if change {
+                    changes.store(true, Ordering::Relaxed);
+                }
             },
         );
-        let rows = if anybody.into_inner() { 0..travels.len() } else { 0..0 };
+        let anybody = anybody.into_inner();
+        // who plans may find itself there
+        self.step.anybody_may_change = changes.into_inner() || anybody;
+        let rows = if anybody { 0..travels.len() } else { 0..0 };
         let mut lost: Vec<Planned> = rows
             .filter(|&row| shown[row].way.walks() && !travels[row].has_way())
             .map(|row| Planned { row, leg: travels[row].leg, outcome: None })

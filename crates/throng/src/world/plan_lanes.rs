@@ -11,9 +11,15 @@ use fearless_simd::{Level, dispatch};
 use glam::Vec2;
 use std::ops::Range;
 
+/// Who of a vector does not go with the others, as bits, and whether the status of any other may change.
+struct Looked {
+    left: u64,
+    may_change: bool,
+}
+
 impl World {
     /// Brings the ways of a range of rows up to date and notes them for others to see. Calls `left` for those that go
-    /// one by one.
+    /// one by one; tells whether the status of any other may change.
     pub(super) fn look_many(
         &self,
         level: Level,
@@ -22,8 +28,8 @@ impl World {
         shown: &mut [Shown],
         seconds: f32,
         left: impl FnMut(usize, &mut Travel) -> Way,
-    ) {
-        dispatch!(level, simd => self.look_at_all(simd, rows, travels, shown, seconds, left));
+    ) -> bool {
+        dispatch!(level, simd => self.look_at_all(simd, rows, travels, shown, seconds, left))
     }
 
     #[inline(always)]
@@ -35,20 +41,24 @@ impl World {
         shown: &mut [Shown],
         seconds: f32,
         mut left: impl FnMut(usize, &mut Travel) -> Way,
-    ) {
+    ) -> bool {
+        let mut may_change = false;
         let anybody_arrived = self.step.arrivals.iter().any(|&arrivals| arrivals > 0);
         let lanes = S::f32s::LEN;
         let parts = travels.chunks_mut(lanes).zip(shown.chunks_mut(lanes));
         for (start, (travels, shown)) in rows.step_by(lanes).zip(parts) {
-            for lane in ones(self.look_at(simd, start, travels, shown, seconds, anybody_arrived)) {
+            let looked = self.look_at(simd, start, travels, shown, seconds, anybody_arrived);
+            may_change |= looked.may_change;
+            for lane in ones(looked.left) {
                 let row = start + lane;
                 let way = left(row, &mut travels[lane]);
                 shown[lane] = Shown::new(self.agents.position[row], self.agents.velocity[row], way);
             }
         }
+        may_change
     }
 
-    /// Those of a vector, from a row on. Tells, as bits, who does not go with them.
+    /// Those of a vector, from a row on.
     #[inline(always)]
     fn look_at<S: Simd>(
         &self,
@@ -58,7 +68,7 @@ impl World {
         shown: &mut [Shown],
         seconds: f32,
         anybody_arrived: bool,
-    ) -> u64 {
+    ) -> Looked {
         let agents = &self.agents;
         let rows = start..start + travels.len();
         let (mut towards, mut tolerance, mut keys) = ([[0.0; LANES]; 2], [0.0; LANES], [0; LANES]);
@@ -79,7 +89,7 @@ impl World {
             }
         }
         if left == (1 << rows.len()) - 1 {
-            return left;
+            return Looked { left, may_change: false };
         }
         let splat = |value: f32| S::f32s::splat(simd, value);
         let towards: Vec2s<S> = Vec2s::load(simd, &towards);
@@ -87,13 +97,15 @@ impl World {
         let direction = towards.normalize_or_zero(simd);
         let gets = agents.max_speed.lanes(simd, rows.clone()) * splat(seconds) * splat(1.01);
         let far = (remaining * splat(0.9999)).simd_gt(load(simd, &tolerance) + gets).to_bitmask();
+        let mut all_keys = 0;
         for lane in ones(!left & ((1 << rows.len()) - 1)) {
             let key = keys[lane] | if far >> lane & 1 == 0 { MAY_CHANGE } else { 0 };
             let way = Way::with_key(key, Vec2::new(direction.x[lane], direction.y[lane]), remaining[lane]);
+            all_keys |= key;
             travels[lane].remaining = remaining[lane];
             let row = start + lane;
             shown[lane] = Shown::new(agents.position[row], agents.velocity[row], way);
         }
-        left
+        Looked { left, may_change: all_keys & MAY_CHANGE != 0 }
     }
 }
