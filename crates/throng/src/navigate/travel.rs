@@ -52,12 +52,11 @@ pub struct Travel {
     pub leg: u32,
     /// Part of the preferred speed that it has made towards where it wants to go, averaged.
     pub progress: f32,
-    /// Metres of way that were still ahead when it last got on by a radius; infinite if it has yet to set off.
+    /// Metres of way that were still ahead when it last got on by a radius; infinite if it has yet to set off. Of those
+    /// only who agree with others when stuck.
     pub mark: f32,
     /// Radii that it could have walked since then.
     pub stalled: f32,
-    /// Metres of way still ahead, along the ground.
-    pub remaining: f32,
     /// Whose turn it is.
     pub turn: Turn,
     /// Whether its way to the stop is planned: straight to the stop's point if it has no route.
@@ -81,6 +80,8 @@ struct Rare {
     aim: DVec2,
     /// Metres still to rise on the way, negative to sink; 0 for those whose goal is on the ground.
     rise: f32,
+    /// Metres of way still ahead along the ground, where there is something to rise.
+    along: f32,
     /// How near to an area in a wall counts as there, metres.
     gap: f32,
     /// Seconds it still waits at the stop.
@@ -102,7 +103,6 @@ impl Default for Travel {
             progress: 0.0,
             mark: f32::INFINITY,
             stalled: 0.0,
-            remaining: 0.0,
             turn: Turn::Free,
             planned: false,
             measured: false,
@@ -143,8 +143,12 @@ impl Travel {
         self.rare.as_ref().map_or(0.0, |rare| rare.detour)
     }
 
-    pub(crate) fn set_rise(&mut self, metres: f32) {
+    /// Notes how many metres it has still to rise, and to go along the ground.
+    pub(crate) fn set_rise(&mut self, metres: f32, along: f32) {
         self.set(metres, |rare| &mut rare.rise);
+        if metres != 0.0 {
+            self.rare_mut().along = along;
+        }
     }
 
     pub(crate) fn set_gap(&mut self, metres: f32) {
@@ -165,16 +169,18 @@ impl Travel {
         self.rare.get_or_insert_default()
     }
 
-    /// Metres still ahead in space.
-    pub fn distance(&self) -> f32 {
+    /// Metres still ahead in space, where so many are ahead along the ground.
+    pub(crate) fn distance(&self, along: f32) -> f32 {
         let rise = self.rise();
-        if rise == 0.0 { self.remaining } else { Vec2::new(self.remaining, rise).length() }
+        if rise == 0.0 { along } else { Vec2::new(along, rise).length() }
     }
 
     /// The parts of the speed along the ground and upwards: both are to come to an end together.
     pub(crate) fn slope(&self) -> Vec2 {
-        let rise = self.rise();
-        if rise == 0.0 { Vec2::X } else { Vec2::new(self.remaining, rise).normalize_or(Vec2::Y) }
+        match &self.rare {
+            Some(rare) if rare.rise != 0.0 => Vec2::new(rare.along, rare.rise).normalize_or(Vec2::Y),
+            _ => Vec2::X,
+        }
     }
 
     /// Whether its way to the stop is planned.
@@ -259,12 +265,13 @@ impl Travel {
         }
     }
 
-    /// Notes whether the agent gets on: `step` is in radii that it walks when nothing hinders it.
-    pub(crate) fn stall(&mut self, radius: f32, step: f32) {
-        if self.distance() > self.mark - radius {
+    /// Notes whether the agent gets on that has `remaining` metres to go: `step` is in radii that it walks when nothing
+    /// hinders it.
+    pub(crate) fn stall(&mut self, remaining: f32, radius: f32, step: f32) {
+        if remaining > self.mark - radius {
             self.stalled += step;
         } else {
-            (self.mark, self.stalled) = (self.distance(), 0.0);
+            (self.mark, self.stalled) = (remaining, 0.0);
         }
     }
 

@@ -3,8 +3,7 @@
 
 use super::World;
 use super::advance::SEEN;
-use super::way::Shown;
-use crate::agent::Column;
+use crate::agent::{Column, Status};
 use crate::guard::Pose;
 use crate::lanes::{LANES, Vec2s, from_side_by_side, set};
 use crate::motion::{Turning, angles};
@@ -36,7 +35,7 @@ impl World {
     pub(super) fn advance_many(&mut self, level: Level, seconds: f32) {
         let is_guarded = self.is_guarded();
         let Self { agents, step, .. } = self;
-        let (targets, reach, wishes, shown) = (&step.targets, &step.reach, &step.wishes.ground, &step.shown);
+        let (targets, reach, wishes, status) = (&step.targets, &step.reach, &step.wishes.ground, &agents.status);
         let moving = (
             (&mut agents.position[..], &mut agents.velocity[..], &mut agents.heading[..]),
             (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
@@ -52,8 +51,8 @@ impl World {
                 } else {
                     Targets::Wished { reach, first: rows.start }
                 };
-                let (wishes, shown) = (&wishes[rows.clone()], &shown[rows]);
-                dispatch!(level, simd => move_all(simd, &mut moving, (targets, wishes, shown), turning, seconds));
+                let (wishes, status) = (&wishes[rows.clone()], &status[rows]);
+                dispatch!(level, simd => move_all(simd, &mut moving, (targets, wishes, status), turning, seconds));
             },
         );
     }
@@ -72,7 +71,7 @@ enum Targets<'a> {
 fn move_all<S: Simd>(
     simd: S,
     moving: &mut Moving<'_>,
-    (targets, wishes, shown): (Targets<'_>, &[Vec2], &[Shown]),
+    (targets, wishes, status): (Targets<'_>, &[Vec2], &[Status]),
     turning: Turning,
     seconds: f32,
 ) {
@@ -108,7 +107,8 @@ fn move_all<S: Simd>(
         let seen = |v: Vec2s<S>| v.dot(v).sqrt().simd_ge(splat(SEEN));
         let course = angles(simd, Vec2s { x: before.dot(velocity), y: before.perp_dot(velocity) }).abs();
         let course = (seen(before) & seen(velocity)).select(course, splat(0.0));
-        let walks = shown[rows.clone()].iter().rev().fold(0, |bits, shown| bits << 1 | u64::from(shown.way.walks()));
+        let walks = |bits, &status: &Status| bits << 1 | u64::from(status == Status::Walking);
+        let walks = status[rows.clone()].iter().rev().fold(0, walks);
         let walks = S::mask32s::from_bitmask(simd, walks);
         let of_walkers = |all: S::f32s| walks.select(all, splat(0.0));
         to.put_side_by_side(&mut moving.position[rows.clone()]);

@@ -85,12 +85,13 @@ impl World {
         };
         let cost = |side: &Agreement| side.aside.iter().map(|(_, path)| path.length).sum::<f64>();
         let saved = cost(&two) - cost(&one);
+        let remaining = |row: usize| self.step.shown[row].way.remaining;
         // the retreats of equals differ by rounding
         let saved = if saved.abs() > f64::from(agents.radius[row]) { saved } else { 0.0 };
         let order = priority(&two)
             .total_cmp(&priority(&one))
             .then(0.0_f64.partial_cmp(&saved).unwrap_or(Ordering::Equal))
-            .then(agents.travel[row].remaining.total_cmp(&agents.travel[other].remaining))
+            .then(remaining(row).total_cmp(&remaining(other)))
             .then(agents.number[row].cmp(&agents.number[other]));
         Some(if order.is_lt() { one } else { two })
     }
@@ -261,7 +262,7 @@ impl<'a> Ground<'a> {
             clear.map_or(passed, |k| passed.max(step * k as f64))
         });
         let last = last.fold(0.0, f64::max);
-        world.agents.travel[row].remaining - last as f32
+        world.step.shown[row].way.remaining - last as f32
     }
 }
 

@@ -79,7 +79,7 @@ impl World {
             if status == Status::Arrived && self.agents.arrived[row].is_infinite() {
                 self.agents.arrived.set(row, now);
                 // whoever arrives by contact has not the whole way to go
-                self.agents.shortest[row] -= f64::from(self.agents.travel[row].distance());
+                self.agents.shortest[row] -= f64::from(self.step.shown[row].way.remaining);
             }
             self.agents.status[row] = status;
         }

@@ -13,13 +13,15 @@ const RETURN_TIME: f32 = 0.5;
 /// What the agents of a group do alike.
 pub(super) struct Manners {
     pub detour: bool,
+    pub resolve: bool,
     bias: f32,
     pub keep_right: Turned,
 }
 
 impl Manners {
     fn of(group: &Group) -> Self {
-        Self { detour: group.detour, bias: group.keep_right, keep_right: Turned::by(group.keep_right) }
+        let keep_right = Turned::by(group.keep_right);
+        Self { detour: group.detour, resolve: group.resolve, bias: group.keep_right, keep_right }
     }
 }
 
@@ -75,7 +77,9 @@ impl World {
         let speed = agents.preferred_speed[row];
         let onwards = agents.velocity[row].dot(direction) * slope.x + agents.climb[row] * slope.y;
         let made = if speed > 0.0 { onwards / speed } else { 1.0 };
-        travel.stall(radius, seconds * speed / radius);
+        if manners.resolve {
+            travel.stall(way.remaining, radius, seconds * speed / radius);
+        }
         let detour = if manners.detour && travel.turn == Turn::Free {
             travel.detour(made, seconds, || self.dice(row), || self.queues(row, direction))
         } else {
@@ -89,7 +93,7 @@ impl World {
             f32::INFINITY
         };
         // who heads straight for what is far needs no second look
-        let is_far = travel.remaining > 4.0 * radius && travel.is_straight();
+        let is_far = way.remaining > 4.0 * radius && travel.is_straight() && travel.rise() == 0.0;
         let keeps_right = is_far || self.towards(row, travel).length() > 2.0 * radius;
         let following = if detour == 0.0 { self.following_speed(row) } else { f32::INFINITY };
         let speed = speed.min(arriving).min(following);

@@ -64,19 +64,24 @@ impl World {
         let mut fits = 0;
         let (mut direction, mut remaining) = ([[0.0; LANES]; 2], [0.0; LANES]);
         let (mut mark, mut stalled, mut progress) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-        let (mut following, mut stops, mut detours) = ([f32::INFINITY; LANES], 0, 0);
+        let (mut following, mut stops, mut detours, mut resolve) = ([f32::INFINITY; LANES], 0, 0, 0);
         let mut keep_right = [[0.0; LANES]; 2];
         for ((lane, row), travel) in rows.clone().enumerate().zip(&*travels) {
             let way = &self.step.shown[row].way;
-            let fit = way.walks() && way.has_goal() && travel.is_plain() && way.direction != Vec2::ZERO;
+            let manners = &manners[agents.group[row].index()];
+            let mut fit = way.is_plain() && way.direction != Vec2::ZERO;
+            // who neither agrees with others nor steps aside leaves its journey as it is
+            if manners.detour || manners.resolve {
+                fit &= travel.is_plain();
+                (mark[lane], stalled[lane], progress[lane]) = (travel.mark, travel.stalled, travel.progress);
+                detours |= u64::from(manners.detour) << lane;
+                resolve |= u64::from(manners.resolve) << lane;
+            }
             fits |= u64::from(fit) << lane;
             set(&mut direction, lane, way.direction);
             stops |= u64::from(way.stops()) << lane;
-            (remaining[lane], mark[lane]) = (travel.remaining, travel.mark);
-            (stalled[lane], progress[lane]) = (travel.stalled, travel.progress);
+            remaining[lane] = way.remaining;
             following[lane] = self.following_speed(row);
-            let manners = &manners[agents.group[row].index()];
-            detours |= u64::from(manners.detour) << lane;
             set(&mut keep_right, lane, manners.keep_right.cos_and_sin());
         }
         if fits == 0 {
@@ -89,10 +94,6 @@ impl World {
         let remaining = load(simd, &remaining);
         let radius = agents.radius.lanes(simd, rows.clone());
         let preferred_speed = agents.preferred_speed.lanes(simd, rows.clone());
-        let velocity = Vec2s::from_side_by_side(simd, &agents.velocity[rows.clone()]);
-        // on the ground all of the way is along it
-        let onwards = velocity.dot(direction) + zero;
-        let made = preferred_speed.simd_gt(zero).select(onwards / preferred_speed, splat(1.0));
         // as `Travel::stall`
         let (mark, stalled) = (load(simd, &mark), load(simd, &stalled));
         let waits = remaining.simd_gt(mark - radius);
@@ -100,10 +101,16 @@ impl World {
         let stalled = waits.select(stalled + walked, zero);
         let mark = waits.select(mark, remaining);
         // as `Travel::detour`
-        let before = load(simd, &progress);
-        let progress = before + (made - before) * splat((seconds / AVERAGE).min(1.0));
-        let gets_on = progress.simd_ge(splat(NO_PROGRESS)).to_bitmask() | !detours;
-        let progress = mask(detours).select(progress, before);
+        let mut progress = load(simd, &progress);
+        let mut gets_on = everybody;
+        if detours != 0 {
+            let velocity = Vec2s::from_side_by_side(simd, &agents.velocity[rows.clone()]);
+            // on the ground all of the way is along it
+            let onwards = velocity.dot(direction) + zero;
+            let made = preferred_speed.simd_gt(zero).select(onwards / preferred_speed, splat(1.0));
+            progress = progress + (made - progress) * splat((seconds / AVERAGE).min(1.0));
+            gets_on = progress.simd_ge(splat(NO_PROGRESS)).to_bitmask() | !detours;
+        }
         let is_far = remaining.simd_gt(splat(4.0) * radius).to_bitmask();
         let max_acceleration = agents.max_acceleration.lanes(simd, rows.clone());
         let stopping = (max_acceleration * remaining).sqrt().min(remaining / splat(seconds));
@@ -114,9 +121,11 @@ impl World {
             Vec2s { x: cos * direction.x + sin * direction.y, y: cos * direction.y - sin * direction.x };
         (turned * speed).put_side_by_side(preferred);
         let fits = fits & gets_on & is_far & everybody;
-        for lane in ones(fits) {
-            let travel = &mut travels[lane];
-            (travel.mark, travel.stalled, travel.progress) = (mark[lane], stalled[lane], progress[lane]);
+        for lane in ones(fits & resolve) {
+            (travels[lane].mark, travels[lane].stalled) = (mark[lane], stalled[lane]);
+        }
+        for lane in ones(fits & detours) {
+            travels[lane].progress = progress[lane];
         }
         !fits & everybody
     }

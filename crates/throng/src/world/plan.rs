@@ -118,23 +118,22 @@ impl World {
         let at = self.world_position(row);
         let straight = travel.is_straight();
         let mut towards = leg.map_or(-at, |leg| leg.middle - at).as_vec2();
-        if straight {
-            travel.remaining = towards.length();
-        } else {
-            self.follow(row, travel, at);
+        let mut along = towards.length();
+        if !straight {
+            along = self.follow(row, travel, at).unwrap_or(along);
             towards = travel.aim().map_or(towards, |aim| (aim - at).as_vec2());
         }
         if straight || travel.has_way() {
             let altitude = leg.filter(|_| travel.turn != Turn::Aside).and_then(|leg| leg.altitude);
-            travel.set_rise(altitude.map_or(0.0, |altitude| (altitude - self.world_place(row).z) as f32));
+            travel.set_rise(altitude.map_or(0.0, |altitude| (altitude - self.world_place(row).z) as f32), along);
         }
-        let (id, remaining) = (leg.map(|leg| leg.goal), travel.distance());
+        let (id, remaining) = (leg.map(|leg| leg.goal), travel.distance(along));
         let status = self.agents.status[row];
         if status != Status::Walking {
             let comes = status == Status::Arrived && self.agents.arrived[row].is_infinite();
             return Way::at_rest(id, remaining).changing(comes || status == Status::Waiting);
         }
-        let waits = travel.turn == Turn::Aside && travel.remaining < self.agents.radius[row];
+        let waits = travel.turn == Turn::Aside && along < self.agents.radius[row];
         let direction = if waits { Vec2::ZERO } else { towards.normalize_or_zero() };
         let tolerance = leg.and_then(|leg| leg.tolerance);
         let stops = tolerance.is_some() && leg.is_some_and(|leg| leg.is_last);
@@ -142,12 +141,13 @@ impl World {
         let is_far = |tolerance: f32| remaining * 0.9999 > tolerance + self.agents.max_speed[row] * seconds * 1.01;
         let taken = id.is_some_and(|id| self.step.arrivals[id.index()] > 0);
         let may_arrive = taken || !straight || tolerance.is_none_or(|tolerance| !is_far(tolerance));
-        Way::walking(id, direction, remaining).stopping(stops).changing(may_arrive)
+        let is_plain = travel.is_plain() && tolerance.is_some();
+        Way::walking(id, direction, remaining).stopping(stops).changing(may_arrive).plain(is_plain)
     }
 
-    /// Moves on along a route.
-    fn follow(&self, row: usize, travel: &mut Travel, at: DVec2) {
-        let Some(route) = travel.route_mut() else { return };
+    /// Moves on along a route; tells how many metres of it are ahead.
+    fn follow(&self, row: usize, travel: &mut Travel, at: DVec2) -> Option<f32> {
+        let route = travel.route_mut()?;
         let heading = match self.meshes.mesh(self.agents.body(row).girth()) {
             Some(mesh) => route.advance(mesh, at),
             None => route.end().map_or(Heading::Lost, Heading::End),
@@ -155,13 +155,14 @@ impl World {
         let remaining = route.remaining(at) as f32;
         if let Heading::Corner(aim) | Heading::End(aim) = heading {
             travel.set_aim(aim);
-            travel.remaining = remaining;
+            Some(remaining)
         } else {
             travel.lose_way();
             // whoever goes first goes on doing so
             if travel.turn != Turn::First {
                 travel.give_up_turn();
             }
+            None
         }
     }
 

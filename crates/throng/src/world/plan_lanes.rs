@@ -82,7 +82,8 @@ impl World {
                     set(&mut towards, lane, (leg.middle - self.world_position(row)).as_vec2());
                     tolerance[lane] = near;
                     let taken = anybody_arrived && self.step.arrivals[leg.goal.index()] > 0;
-                    let way = Way::walking(Some(leg.goal), Vec2::ZERO, 0.0).stopping(leg.is_last).changing(taken);
+                    let way =
+                        Way::walking(Some(leg.goal), Vec2::ZERO, 0.0).stopping(leg.is_last).changing(taken).plain(true);
                     keys[lane] = way.key();
                 }
                 _ => left |= 1 << lane,
@@ -102,7 +103,6 @@ impl World {
             let key = keys[lane] | if far >> lane & 1 == 0 { MAY_CHANGE } else { 0 };
             let way = Way::with_key(key, Vec2::new(direction.x[lane], direction.y[lane]), remaining[lane]);
             all_keys |= key;
-            travels[lane].remaining = remaining[lane];
             let row = start + lane;
             shown[lane] = Shown::new(agents.position[row], agents.velocity[row], way);
         }

@@ -10,7 +10,7 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// Begins every saved state: what it is, and the version of its layout.
-const MAGIC: &[u8] = b"throng state 5\n";
+const MAGIC: &[u8] = b"throng state 6\n";
 
 /// Everything that changes while a world runs.
 #[derive(Serialize, Deserialize)]

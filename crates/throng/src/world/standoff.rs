@@ -100,7 +100,8 @@ impl World {
 
     fn begin(&mut self, agreement: Agreement) {
         let agents = &self.agents;
-        let way = agreement.first.iter().map(|&(row, past)| agents.travel[row].remaining - past).fold(0.0, f32::max);
+        let way =
+            agreement.first.iter().map(|&(row, past)| self.step.shown[row].way.remaining - past).fold(0.0, f32::max);
         let retreat = agreement.aside.iter().map(|(_, path)| path.length as f32).fold(0.0, f32::max);
         let slowest = agreement.first.iter().map(|&(row, _)| agents.preferred_speed[row]).fold(f32::INFINITY, f32::min);
         let first = |&(row, past): &(usize, f32)| First { agent: self.id(row), leg: self.agents.travel[row].leg, past };
@@ -126,9 +127,10 @@ impl World {
         standoff.first.retain(|first| {
             let Some(row) = self.row(first.agent) else { return false };
             let walks = self.agents.status[row] == Status::Walking;
+            let remaining = self.step.shown[row].way.remaining;
             let travel = &mut self.agents.travel[row];
             let mine = travel.turn == Turn::First && travel.leg == first.leg;
-            let passes = mine && walks && travel.remaining > first.past && standoff.left > 0.0;
+            let passes = mine && walks && remaining > first.past && standoff.left > 0.0;
             if mine && !passes {
                 travel.take(Turn::Free);
             }

@@ -33,8 +33,9 @@ pub(super) struct Way {
 pub(super) const WALKS: u32 = 1 << 31;
 const STOPS: u32 = 1 << 30;
 pub(super) const MAY_CHANGE: u32 = 1 << 29;
+const PLAIN: u32 = 1 << 28;
 /// What the keys of those with the same goal, or none both, have in common.
-pub(super) const GOAL: u32 = MAY_CHANGE - 1;
+pub(super) const GOAL: u32 = PLAIN - 1;
 
 impl Way {
     /// The way of who does not walk.
@@ -61,6 +62,16 @@ impl Way {
     /// With a status that may change in this sub-step.
     pub fn changing(self, may_change: bool) -> Self {
         Self { key: if may_change { self.key | MAY_CHANGE } else { self.key }, ..self }
+    }
+
+    /// Straight to the point of the stop, on the ground.
+    pub fn plain(self, is_plain: bool) -> Self {
+        Self { key: if is_plain { self.key | PLAIN } else { self.key }, ..self }
+    }
+
+    /// Whether it leads straight to the point of the stop, on the ground, and nothing was in the way of who looked.
+    pub fn is_plain(&self) -> bool {
+        self.key & PLAIN != 0
     }
 
     /// Goal and flags.
