@@ -102,13 +102,13 @@ impl Grid {
 
     /// The column of a coordinate, or the nearest one. It never falls as the coordinate rises.
     pub(super) fn column(&self, x: f32) -> usize {
-        // `as` saturates: points left of the grid go to 0
-        (((x - self.low.x) * self.inverse.x) as usize).min(self.columns - 1)
+        // `as` saturates
+        (((x - self.low.x) * self.inverse.x) as i32).clamp(0, self.columns as i32 - 1) as usize
     }
 
     /// The row of cells of a coordinate, or the nearest one.
     pub(super) fn row(&self, y: f32) -> usize {
-        (((y - self.low.y) * self.inverse.y) as usize).min(self.rows - 1)
+        (((y - self.low.y) * self.inverse.y) as i32).clamp(0, self.rows as i32 - 1) as usize
     }
 
     /// A little more than a distance: whatever rounding does, points within `range` of `from` have coordinates within
