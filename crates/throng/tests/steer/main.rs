@@ -1,0 +1,3 @@
+//! Steering: each behaviour against its definition, and what vehicles do that are steered by it.
+
+mod vehicle;
