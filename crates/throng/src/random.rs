@@ -107,7 +107,8 @@ mod tests {
     #[test]
     fn parts_draw_numbers_of_their_own() {
         let dice = Dice { seed: 1, number: 2, step: 3 };
-        let all = [dice, dice.branch(0), dice.branch(1), dice.branch(0).branch(1), dice.branch(1).branch(0), dice.at(4)];
+        let all =
+            [dice, dice.branch(0), dice.branch(1), dice.branch(0).branch(1), dice.branch(1).branch(0), dice.at(4)];
         let mut draws: Vec<f32> = all.iter().flat_map(|dice| [dice.draw(0), dice.draw(1)]).collect();
         draws.sort_by(f32::total_cmp);
         draws.dedup();

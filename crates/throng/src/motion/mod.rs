@@ -1,5 +1,5 @@
 //! Move: what a body can do. Acceleration and turn limits come before the [guard](crate::guard), headings after it.
-//! [`Vehicle`] is the body that steering behaviours steer.
+//! [`Vehicle`] is the body that [steering behaviours](crate::steer) steer.
 
 mod angle;
 mod drive;
@@ -14,4 +14,4 @@ pub(crate) use heading::wrap;
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};
 pub use vehicle::{Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
-pub(crate) use vehicle::{angle_between, part_in, turned};
+pub(crate) use vehicle::{angle_between, part_in, turned, turned_towards};

@@ -64,7 +64,9 @@ impl Vehicle {
         let up = match self.locomotion {
             Locomotion::Ground => return Basis { up: Vec3::Z, ..before.turned_to(forward, Vec3::Z) },
             Locomotion::Level => Vec3::Z,
-            Locomotion::Banking => (acceleration.reject_from_normalized(forward) / GRAVITY + Vec3::Z).normalize_or_zero(),
+            Locomotion::Banking => {
+                (acceleration.reject_from_normalized(forward) / GRAVITY + Vec3::Z).normalize_or_zero()
+            }
         };
         before.turned_to(forward, before.up.lerp(up, part_in(seconds, ROLL_TIME)))
     }
