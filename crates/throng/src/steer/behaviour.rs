@@ -94,9 +94,16 @@ impl Branch {
         memory: &mut &mut [f32],
         why: &mut Why<'_>,
     ) -> Option<Steering> {
-        let own = memory.split_off_mut(..self.words).expect("as many words as the parts need");
+        let own = self.take(memory);
         let view = View { dice: view.dice.branch(index), ..*view };
         why.part(index, |why| self.behaviour.steer(&view, own, why))
+    }
+
+    /// Its words, from the front of `memory`: for a part that is not asked.
+    pub fn take<'m>(&self, memory: &mut &'m mut [f32]) -> &'m mut [f32] {
+        let (own, rest) = std::mem::take(memory).split_at_mut(self.words);
+        *memory = rest;
+        own
     }
 }
 

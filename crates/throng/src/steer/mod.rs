@@ -25,6 +25,8 @@
 
 mod approach;
 mod behaviour;
+mod combine;
+mod group;
 mod noise;
 mod prediction;
 mod single;
@@ -35,6 +37,8 @@ mod why;
 pub use crate::motion::Steering;
 pub use crate::random::Dice;
 pub use behaviour::{Behaviour, Branch};
+pub use combine::*;
+pub use group::*;
 pub use noise::Noise;
 pub use prediction::Prediction;
 pub use single::*;

@@ -18,6 +18,16 @@ pub struct Mark {
 }
 
 impl Mark {
+    /// A neighbour, taken to be upright.
+    pub fn of(view: &View<'_>, other: &Neighbour) -> Self {
+        Self {
+            position: view.position() + other.offset,
+            velocity: other.velocity,
+            basis: Basis::facing(other.forward),
+            radius: other.radius,
+        }
+    }
+
     /// Where it will be in so many seconds if it keeps its velocity.
     pub fn position_in(&self, seconds: f32) -> Vec3 {
         self.position + self.velocity * seconds
@@ -81,12 +91,7 @@ impl Target {
             Self::Agent(number) => view.others.find(number),
             Self::Nearest(who) => {
                 let other = view.neighbours.iter().find(|other| who.counts(view, other))?;
-                Some(Mark {
-                    position: view.position() + other.offset,
-                    velocity: other.velocity,
-                    basis: Basis::facing(other.forward),
-                    radius: other.radius,
-                })
+                Some(Mark::of(view, other))
             }
         }
     }

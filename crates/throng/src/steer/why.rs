@@ -77,6 +77,11 @@ impl<'a> Why<'a> {
         Self { told: Some(told), depth: 0 }
     }
 
+    /// Whether anybody asks.
+    pub fn is_asked(&self) -> bool {
+        self.told.is_some()
+    }
+
     /// Takes a reason down; it is made only if somebody asks.
     pub fn note(&mut self, reason: impl FnOnce() -> Reason) {
         let depth = self.depth;
