@@ -2,16 +2,16 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Neighbour, Reason, View, Who, Why};
+use crate::steer::single::settling_time;
+use crate::steer::{Behaviour, Branch, Neighbour, Reason, View, Who, Why};
 
-/// Brakes behind those ahead who are slower and go the same way, or stand: nobody pushes. Nothing to correct while there is
-/// room.
+/// Lets a part go no faster than those right ahead who go the same way, or stand: nobody pushes.
 ///
 /// ```
-/// use throng::steer::{Queue, Who};
-/// let patient = Queue { who: Who::Anybody, distance: 2.0, width: 0.1, gap: 0.2, headway: 0.5 };
+/// use throng::steer::{Queue, Seek, Target};
+/// let patient = Queue { gap: 0.3, ..Queue::new(Seek { target: Target::Goal }) };
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Queue {
     /// Behind whom.
     pub who: Who,
@@ -21,36 +21,44 @@ pub struct Queue {
     pub width: f32,
     /// How far bodies should be apart at rest, metres. Limit: >= 0.
     pub gap: f32,
-    /// Seconds in which it would close a greater gap. Limit: > 0.
+    /// Seconds in which it closes all but a third of a greater gap; more, if the vehicle follows too slowly. Limit: > 0.
     pub headway: f32,
+    /// What it would do.
+    pub of: Branch,
 }
 
-impl Default for Queue {
-    fn default() -> Self {
-        Self { who: Who::Anybody, distance: 2.0, width: 0.0, gap: 0.1, headway: 0.5 }
+impl Queue {
+    /// Behind anybody within 2 m, with a gap of 0.1 m.
+    pub fn new(of: impl Into<Branch>) -> Self {
+        Self { who: Who::Anybody, distance: 2.0, width: 0.0, gap: 0.1, headway: 0.5, of: of.into() }
     }
 }
 
 impl Behaviour for Queue {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
-        let speed = view.velocity().dot(view.forward());
-        let mut slowest = (speed, None);
-        for other in view.neighbours.iter().filter(|other| self.who.counts(view, other)) {
-            let allowed = self.allowed(view, other);
-            if allowed < slowest.0 {
-                slowest = (allowed, Some(other));
-            }
-        }
-        let (allowed, other) = (slowest.0, slowest.1?);
+    fn memory(&self) -> usize {
+        self.of.words()
+    }
+
+    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let said = self.of.steer_as(0, view, &mut memory, why);
+        let wish = view.wish(said);
+        let speed = wish.dot(view.forward());
+        let counting = view.neighbours.iter().filter(|other| self.who.counts(view, other));
+        let limits = counting.map(|other| (self.allowed(view, other), other));
+        let Some((allowed, other)) = limits.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|limit| limit.0 < speed) else {
+            return said;
+        };
         why.note(|| Reason::Regards(other.number));
-        Some(view.reach(view.velocity() + view.forward() * (allowed - speed)))
+        let facing = said.and_then(|said| said.facing);
+        Some(Steering { facing, ..view.reach(wish + view.forward() * (allowed - speed)) })
     }
 
     fn check(&self) -> Result<(), Error> {
         Error::unless(self.distance > 0.0, "distance", self.distance, "greater than 0")?;
         Error::unless(self.width >= 0.0, "width of the lane", self.width, "0 or more")?;
         Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")?;
-        Error::unless_positive("headway", self.headway)
+        Error::unless_positive("headway", self.headway)?;
+        self.of.check()
     }
 }
 
@@ -64,6 +72,6 @@ impl Queue {
         if ahead <= 0.0 || ahead > self.distance || beside > radii + self.width || theirs < 0.0 {
             return f32::INFINITY;
         }
-        theirs + (ahead - radii - self.gap).max(0.0) / self.headway
+        theirs + (ahead - radii - self.gap).max(0.0) / settling_time(view, self.headway)
     }
 }

@@ -3,12 +3,12 @@
 use super::avoid_neighbours::{first_threat, note_threat};
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, View, Who, Why};
+use crate::steer::{Behaviour, Neighbour, View, Who, Why};
 
 /// Keeps clear of the first who will come too near: turns aside, and is there earlier or later, by speeding up or braking.
 ///
-/// It changes its velocity so that both are apart by a gap when they would be nearest. Who would meet exactly go to the
-/// right.
+/// It changes its velocity so that both are apart by a gap when they would be nearest; who touches somebody parts first. Who
+/// would meet exactly go to the right.
 ///
 /// ```
 /// use throng::steer::{UnalignedAvoidance, Who};
@@ -35,7 +35,10 @@ const EXACT: f32 = 0.01;
 
 impl Behaviour for UnalignedAvoidance {
     fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
-        let (time, threat) = first_threat(view, self.who, self.horizon, self.gap)?;
+        let touches =
+            |other: &&Neighbour| self.who.counts(view, other) && other.offset.length() < view.radius + other.radius;
+        let touching = view.neighbours.iter().find(touches).map(|other| (0.0, other));
+        let (time, threat) = touching.or_else(|| first_threat(view, self.who, self.horizon, self.gap))?;
         note_threat(view, time, threat, why);
         let apart = view.radius + threat.radius + self.gap;
         let miss = -view.passable(threat.offset + (threat.velocity - view.velocity()) * time);

@@ -55,18 +55,21 @@ impl Behaviour for Arrive {
 
 /// The velocity at which to come to what is so far away and moves so: its own, and more in proportion to the distance, up
 /// to the top speed.
-///
-/// The way that is left shrinks by a time constant. It is long enough for the brakes; and for no overshoot, since the
-/// velocity follows what is wanted by the vehicle's response, a part of the difference in each step: position and velocity
-/// are then a linear system, whose eigenvalues are real and positive from `seconds * (1 + q) / (1 - q)` on, `q` the square
-/// root of the part that is left. That is four times the response for short steps.
 pub(in crate::steer) fn approach(view: &View<'_>, offset: Vec3, velocity: Vec3, slowing_distance: f32) -> Vec3 {
+    let most = view.vehicle.max_speed;
+    let nearing = (offset / settling_time(view, slowing_distance / most)).clamp_length_max(most);
+    (view.passable(velocity) + nearing).clamp_length_max(most)
+}
+
+/// The least time constant, but not less than this, by which a distance can shrink without overshoot.
+///
+/// It is long enough for the brakes from the top speed. And velocity follows what is wanted by the vehicle's response, a
+/// part of the difference in each step: distance and velocity are a linear system, whose eigenvalues are real and positive
+/// from `seconds * (1 + q) / (1 - q)` on, `q` the square root of the part that is left in a step. That is four times the
+/// response for short steps.
+pub(in crate::steer) fn settling_time(view: &View<'_>, least: f32) -> f32 {
     let vehicle = &view.vehicle;
     let follows = vehicle.response + vehicle.smoothing;
     let left = if follows > 0.0 { libm::expf(-0.5 * view.seconds / follows) } else { 0.0 };
-    let time = (slowing_distance / vehicle.max_speed)
-        .max(vehicle.max_speed / vehicle.max_braking())
-        .max(view.seconds * (1.0 + left) / (1.0 - left));
-    let nearing = (offset / time).clamp_length_max(vehicle.max_speed);
-    (view.passable(velocity) + nearing).clamp_length_max(vehicle.max_speed)
+    least.max(vehicle.max_speed / vehicle.max_braking()).max(view.seconds * (1.0 + left) / (1.0 - left))
 }

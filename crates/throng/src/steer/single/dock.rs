@@ -114,7 +114,7 @@ impl Dock {
         let vehicle = &view.vehicle;
         let most = PLANNED * vehicle.max_force / vehicle.mass;
         // where it starts or ends faster, it may be so fast between
-        let fastest = (PLANNED * vehicle.max_speed).max(view.motion.speed()).max(self.speed);
+        let fastest = 1.001 * (PLANNED * vehicle.max_speed).max(view.motion.speed()).max(self.speed);
         let can = |time: &f32| {
             let end = self.end(view, self.braking(view, *time));
             let powers = end.powers(view, *time);

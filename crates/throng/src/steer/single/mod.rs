@@ -22,7 +22,7 @@ mod tether;
 mod wander;
 
 pub use arrive::Arrive;
-pub(super) use arrive::approach;
+pub(super) use arrive::{approach, settling_time};
 pub use dock::Dock;
 pub use evade::Evade;
 pub use explore::Explore;
