@@ -35,6 +35,7 @@ mod parallel;
 pub mod perceive;
 mod random;
 pub mod space;
+pub mod steer;
 mod summary;
 mod world;
 

@@ -12,6 +12,7 @@ pub(crate) enum Purpose {
     Coincident,
     CandidateAcross,
     CandidateAlong,
+    Behaviour,
 }
 
 fn mix(mut z: u64) -> u64 {
@@ -48,6 +49,27 @@ impl Dice {
         low + (high - low) * unit(self.seed, self.number, self.step, purpose)
     }
 
+    /// The `k`-th number in [0, 1) of a [behaviour](crate::steer) in this step.
+    pub fn draw(self, k: u32) -> f32 {
+        self.nth(k, Purpose::Behaviour)
+    }
+
+    /// A number of mean 0 and variance 1, normally distributed (Box and Muller 1958), from draws `2 k` and `2 k + 1`.
+    pub fn normal(self, k: u32) -> f32 {
+        let radius = libm::sqrtf(-2.0 * libm::logf(1.0 - self.draw(2 * k)));
+        radius * libm::cosf(std::f32::consts::TAU * self.draw(2 * k + 1))
+    }
+
+    /// The dice of the `index`-th part of what this belongs to: parts draw numbers of their own.
+    pub fn branch(self, index: usize) -> Self {
+        Self { seed: mix(self.seed.wrapping_add(1 + index as u64)), ..self }
+    }
+
+    /// The dice of another step.
+    pub fn at(self, step: u64) -> Self {
+        Self { step, ..self }
+    }
+
     /// The `k`-th of many numbers in [0, 1) for one purpose.
     pub(crate) fn nth(self, k: u32, purpose: Purpose) -> f32 {
         let seed = mix(self.seed.wrapping_add(u64::from(k) << 32));
@@ -69,6 +91,28 @@ mod tests {
         }
         // 1000 expected in each, standard deviation 31
         assert!(bins.iter().all(|&n| (870..1130).contains(&n)), "{bins:?}");
+    }
+
+    #[test]
+    fn normal_draws_have_the_moments_of_their_distribution() {
+        let draws: Vec<f64> =
+            (0..20_000).map(|number| f64::from(Dice { number, ..Dice::default() }.normal(3))).collect();
+        let moment = |power: i32| draws.iter().map(|x| x.powi(power)).sum::<f64>() / draws.len() as f64;
+        // standard deviations of these means: 0.007, 0.01, 0.03, 0.07
+        for (power, expected, most) in [(1, 0.0, 0.03), (2, 1.0, 0.04), (3, 0.0, 0.12), (4, 3.0, 0.28)] {
+            assert!((moment(power) - expected).abs() < most, "{power}: {}", moment(power));
+        }
+    }
+
+    #[test]
+    fn parts_draw_numbers_of_their_own() {
+        let dice = Dice { seed: 1, number: 2, step: 3 };
+        let all =
+            [dice, dice.branch(0), dice.branch(1), dice.branch(0).branch(1), dice.branch(1).branch(0), dice.at(4)];
+        let mut draws: Vec<f32> = all.iter().flat_map(|dice| [dice.draw(0), dice.draw(1)]).collect();
+        draws.sort_by(f32::total_cmp);
+        draws.dedup();
+        assert_eq!(draws.len(), 12);
     }
 
     #[test]

@@ -1,9 +1,11 @@
 //! Move: what a body can do. Acceleration and turn limits come before the [guard](crate::guard), headings after it.
+//! [`Vehicle`] is the body that [steering behaviours](crate::steer) steer.
 
 mod angle;
 mod drive;
 mod heading;
 mod limits;
+mod vehicle;
 
 pub(crate) use angle::{angle, angles};
 pub(crate) use drive::{follow, followable};
@@ -11,3 +13,5 @@ pub(crate) use heading::Turning;
 pub(crate) use heading::wrap;
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};
+pub use vehicle::{Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
+pub(crate) use vehicle::{angle_between, part_in, turned, turned_towards};

@@ -1,0 +1,136 @@
+//! Which way something faces: Reynolds' local space.
+
+use glam::{Mat3, Quat, Vec3};
+use serde::{Deserialize, Serialize};
+
+/// Three unit vectors at right angles: right-handed, so that facing +x upright is the identity.
+///
+/// Reynolds, Steering behaviors for autonomous characters, GDC 1999, "A simple vehicle model". His side points to the
+/// right, ours to the left, as turning does.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::motion::Basis;
+/// let north = Basis::facing(Vec3::Y);
+/// assert_eq!((north.side, north.up), (-Vec3::X, Vec3::Z));
+/// assert_eq!(north.to_local(Vec3::Y), Vec3::X);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Basis {
+    /// Ahead.
+    pub forward: Vec3,
+    /// To the left.
+    pub side: Vec3,
+    /// Over the head.
+    pub up: Vec3,
+}
+
+impl Default for Basis {
+    fn default() -> Self {
+        Self { forward: Vec3::X, side: Vec3::Y, up: Vec3::Z }
+    }
+}
+
+impl Basis {
+    /// Facing a direction of any length, as upright as that allows. A direction without length faces +x; straight up or
+    /// down the side stays +y.
+    pub fn facing(direction: Vec3) -> Self {
+        Self::default().turned_to(direction.normalize_or(Vec3::X), Vec3::Z)
+    }
+
+    /// The same, turned to a forward of length 1, with its up as near as possible to `up`. Where that says nothing, since
+    /// the two are in line, the side stays as near as possible to what it was.
+    pub fn turned_to(&self, forward: Vec3, up: Vec3) -> Self {
+        let least = 1e-6 * up.length_squared();
+        let across = up.cross(forward);
+        let side = if across.length_squared() > least { across } else { self.side.reject_from_normalized(forward) };
+        let side = side.try_normalize().unwrap_or_else(|| forward.any_orthonormal_vector());
+        Self { forward, side, up: forward.cross(side) }
+    }
+
+    /// How much of a vector is ahead, to the left, and up: its x, y and z for who faces so.
+    pub fn to_local(&self, vector: Vec3) -> Vec3 {
+        Vec3::new(vector.dot(self.forward), vector.dot(self.side), vector.dot(self.up))
+    }
+
+    /// The vector that is so much ahead, to the left, and up.
+    pub fn to_world(&self, local: Vec3) -> Vec3 {
+        self.forward * local.x + self.side * local.y + self.up * local.z
+    }
+
+    /// The part of a vector at right angles to forward.
+    pub fn lateral(&self, vector: Vec3) -> Vec3 {
+        vector.reject_from_normalized(self.forward)
+    }
+
+    /// The rotation that takes x to forward, y to the side, and z to up.
+    pub fn rotation(&self) -> Quat {
+        Quat::from_mat3(&Mat3::from_cols(self.forward, self.side, self.up))
+    }
+
+    /// Direction of forward along the ground, radians counter-clockwise from +x.
+    pub fn heading(&self) -> f32 {
+        libm::atan2f(self.forward.y, self.forward.x)
+    }
+}
+
+/// A vector turned about an axis of length 1, counter-clockwise if the axis points at who looks, by radians.
+pub(crate) fn turned(vector: Vec3, axis: Vec3, angle: f32) -> Vec3 {
+    let (sin, cos) = libm::sincosf(angle);
+    vector * cos + axis.cross(vector) * sin + axis * (axis.dot(vector) * (1.0 - cos))
+}
+
+/// The angle between two vectors, radians, 0 to pi.
+pub(crate) fn angle_between(a: Vec3, b: Vec3) -> f32 {
+    libm::atan2f(a.cross(b).length(), a.dot(b))
+}
+
+/// A direction turned towards another by at most so many radians, both of length 1; about `up` if they are opposite.
+pub(crate) fn turned_towards(from: Vec3, to: Vec3, most: f32, up: Vec3) -> Vec3 {
+    if angle_between(from, to) <= most {
+        return to;
+    }
+    let axis = from.cross(to).try_normalize().unwrap_or_else(|| {
+        let across = up.reject_from_normalized(from);
+        across.try_normalize().unwrap_or_else(|| from.any_orthonormal_vector())
+    });
+    turned(from, axis, most).normalize()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn unit() -> impl Strategy<Value = Vec3> {
+        let any = (-1.0f32..1.0, -1.0f32..1.0, -1.0f32..1.0).prop_map(Vec3::from);
+        any.prop_filter_map("too short", |v| (v.length() > 0.1).then(|| v.normalize()))
+    }
+
+    proptest! {
+        #[test]
+        fn a_basis_is_right_handed_and_orthonormal(forward in unit(), up in unit(), v in unit()) {
+            let basis = Basis::default().turned_to(forward, up);
+            prop_assert!(basis.forward.cross(basis.side).distance(basis.up) < 1e-5);
+            prop_assert!(basis.forward.dot(basis.side).abs() < 1e-5 && (basis.side.length() - 1.0).abs() < 1e-5);
+            prop_assert!(basis.up.dot(up) > -1e-5);
+            prop_assert!(basis.to_world(basis.to_local(v)).distance(v) < 1e-5);
+            prop_assert!((basis.rotation() * basis.to_local(v)).distance(v) < 1e-5);
+        }
+
+        #[test]
+        fn turning_towards_turns_by_the_angle(from in unit(), to in unit(), most in 0.0f32..3.0) {
+            let between = angle_between(from, to);
+            let turned = turned_towards(from, to, most, Vec3::Z);
+            prop_assert!((angle_between(from, turned) - most.min(between)).abs() < 2e-3);
+            prop_assert!((angle_between(turned, to) - (between - most).max(0.0)).abs() < 2e-3);
+        }
+    }
+
+    #[test]
+    fn straight_up_is_a_direction_too() {
+        let basis = Basis::facing(Vec3::Z);
+        assert_eq!((basis.forward, basis.side, basis.up), (Vec3::Z, Vec3::Y, -Vec3::X));
+        assert!((turned_towards(Vec3::X, -Vec3::X, 1.0, Vec3::Z).y - 1.0f32.sin()).abs() < 1e-6, "to the left");
+    }
+}

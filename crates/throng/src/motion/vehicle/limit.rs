@@ -1,0 +1,35 @@
+//! What a vehicle can do of the force that it is steered by.
+
+use super::{Locomotion, Motion, Vehicle, angle_between, turned_towards};
+use glam::Vec3;
+use std::f32::consts::PI;
+
+/// The force that is left.
+pub(super) fn limited(vehicle: &Vehicle, motion: &Motion, force: Vec3, seconds: f32) -> Vec3 {
+    let force = if vehicle.locomotion == Locomotion::Ground { force.with_z(0.0) } else { force };
+    let force = steerable(vehicle, motion, force, seconds);
+    let most = vehicle.forces;
+    let local = motion.basis.to_local(force);
+    let low = Vec3::new(-most.brake, -most.side, -most.up);
+    let high = Vec3::new(most.thrust, most.side, most.up);
+    let clamped = local.max(low).min(high);
+    let force = if clamped == local { force } else { motion.basis.to_world(clamped) };
+    force.clamp_length_max(vehicle.max_force)
+}
+
+/// At low speed a force may lead aside only within a cone about forward, which opens with the speed: OpenSteer's
+/// adjustRawSteeringForce, smooth, and without its fault that who brakes to rest sets out again.
+fn steerable(vehicle: &Vehicle, motion: &Motion, force: Vec3, seconds: f32) -> Vec3 {
+    let part = motion.speed() / (vehicle.low_speed * vehicle.max_speed);
+    let brakes = vehicle.velocity_of(motion, force, seconds).dot(motion.basis.forward) >= -1e-4 * vehicle.max_speed
+        && force.dot(motion.basis.forward) < 0.0;
+    if part >= 1.0 || vehicle.low_speed == 0.0 || brakes || force == Vec3::ZERO {
+        return force;
+    }
+    let cone = PI * part * part * (3.0 - 2.0 * part);
+    if angle_between(force, motion.basis.forward) <= cone {
+        return force;
+    }
+    let length = force.length();
+    turned_towards(motion.basis.forward, force / length, cone, motion.basis.up) * length
+}

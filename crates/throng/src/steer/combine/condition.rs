@@ -1,0 +1,57 @@
+//! When a [`Switch`](super::Switch) goes from one state to another.
+
+use crate::steer::{Neighbourhood, Target, View};
+
+/// Something that holds or not, for one agent in one step.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Condition {
+    /// A target is there, and nearer than so many metres.
+    Nearer(Target, f32),
+    /// A target is farther than so many metres, or not there.
+    Farther(Target, f32),
+    /// It has been in the state for so many seconds.
+    After(f32),
+    /// There are at least so many in a neighbourhood.
+    Crowded(Neighbourhood, usize),
+    /// The behaviour of the state had nothing to correct in its last step.
+    Done,
+    /// By chance, so many times a second on average.
+    Chance(f32),
+    /// The other does not hold.
+    Not(Box<Condition>),
+    /// All hold.
+    All(Vec<Condition>),
+    /// One holds at least.
+    Any(Vec<Condition>),
+}
+
+/// How it is with a state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Standing {
+    /// For how many seconds.
+    pub since: f32,
+    /// Whether its behaviour had nothing to correct.
+    pub done: bool,
+}
+
+impl Condition {
+    /// Whether it holds. Random numbers are those of its place in the list of exits.
+    pub(super) fn holds(&self, view: &View<'_>, standing: Standing) -> bool {
+        let away = |target: &Target| target.find(view).map(|mark| view.to(mark.position).length());
+        let part = |index: usize, condition: &Self| {
+            condition.holds(&View { dice: view.dice.branch(index), ..*view }, standing)
+        };
+        match self {
+            Self::Nearer(target, distance) => away(target).is_some_and(|away| away < *distance),
+            Self::Farther(target, distance) => away(target).is_none_or(|away| away > *distance),
+            Self::After(seconds) => standing.since >= *seconds,
+            Self::Crowded(near, least) => near.of(view).take(*least).count() == *least,
+            Self::Done => standing.done,
+            Self::Chance(rate) => view.dice.draw(0) < 1.0 - libm::expf(-rate * view.seconds),
+            Self::Not(condition) => !part(0, condition),
+            Self::All(conditions) => conditions.iter().enumerate().all(|(index, one)| part(index, one)),
+            Self::Any(conditions) => conditions.iter().enumerate().any(|(index, one)| part(index, one)),
+        }
+    }
+}

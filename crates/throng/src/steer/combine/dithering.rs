@@ -1,0 +1,48 @@
+//! Prioritised dithering: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Combining behaviors".
+
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Behaviour, Branch, View, Why, behaviour};
+
+/// In order, each part is asked with a probability; what the first says that was asked and has anything to correct. So even
+/// the least important has its turn, at the cost of one part in most steps.
+///
+/// ```
+/// use throng::steer::{AvoidNeighbours, Dithering, Wander};
+/// let parts = vec![(0.9, AvoidNeighbours::default().into()), (1.0, Wander::default().into())];
+/// let pedestrian = Dithering { every: 0.1, parts };
+/// ```
+#[derive(Clone, Debug)]
+pub struct Dithering {
+    /// How many seconds what was drawn holds, so that the time step does not show; 0: it is drawn in every step. Limit: >= 0.
+    pub every: f32,
+    /// Probabilities and parts, the most important first. Limit: probabilities from 0 to 1.
+    pub parts: Vec<(f32, Branch)>,
+}
+
+impl Behaviour for Dithering {
+    fn memory(&self) -> usize {
+        behaviour::words(self.parts.iter().map(|(_, part)| part))
+    }
+
+    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let holds = || (view.time / f64::from(self.every)).floor() as u64;
+        let dice = if self.every > 0.0 { view.dice.at(holds()) } else { view.dice };
+        for (index, (probability, part)) in self.parts.iter().enumerate() {
+            if dice.draw(index as u32) >= *probability {
+                part.take(&mut memory);
+            } else if let Some(said) = part.steer_as(index, view, &mut memory, why) {
+                return Some(said);
+            }
+        }
+        None
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless(self.every >= 0.0, "time that draws hold", self.every, "0 or more")?;
+        for &(probability, _) in &self.parts {
+            Error::unless((0.0..=1.0).contains(&probability), "probability", probability, "from 0 to 1")?;
+        }
+        behaviour::check(self.parts.iter().map(|(_, part)| part))
+    }
+}

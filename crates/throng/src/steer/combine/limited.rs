@@ -1,0 +1,41 @@
+//! Limits of its own for one behaviour (gdx-ai's limiters).
+
+use crate::Error;
+use crate::motion::{Steering, Vehicle};
+use crate::steer::{Behaviour, Branch, View, Why};
+
+/// A part that goes no faster and pushes no harder than these: who may run, but strolls.
+///
+/// ```
+/// use throng::steer::{Limited, Wander};
+/// let stroll = Limited { max_speed: 0.7, max_force: 1.0, of: Wander::default().into() };
+/// ```
+#[derive(Clone, Debug)]
+pub struct Limited {
+    /// The speed that the part takes for the top speed, m/s; that of the vehicle if it is less. Limit: > 0.
+    pub max_speed: f32,
+    /// The most force it has, newtons; that of the vehicle if it is less. Limit: > 0.
+    pub max_force: f32,
+    /// What is limited.
+    pub of: Branch,
+}
+
+impl Behaviour for Limited {
+    fn memory(&self) -> usize {
+        self.of.words()
+    }
+
+    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let own = view.vehicle;
+        let (max_speed, max_force) = (own.max_speed.min(self.max_speed), own.max_force.min(self.max_force));
+        let view = View { vehicle: Vehicle { max_speed, max_force, ..own }, ..*view };
+        let said = self.of.steer_as(0, &view, &mut memory, why)?;
+        Some(Steering { force: said.force.clamp_length_max(max_force), ..said })
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless(self.max_speed > 0.0, "top speed", self.max_speed, "greater than 0")?;
+        Error::unless(self.max_force > 0.0, "top force", self.max_force, "greater than 0")?;
+        self.of.check()
+    }
+}

@@ -1,0 +1,39 @@
+//! Priority: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Combining behaviors".
+
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Behaviour, Branch, View, Why, behaviour};
+
+/// What the first part says that has anything to correct.
+///
+/// ```
+/// use throng::steer::{Flee, Priority, Target, Wander, Who};
+/// let shy = Flee { panic_distance: 4.0, ..Flee::from(Target::Nearest(Who::OtherGroups)) };
+/// let deer = Priority { epsilon: 0.01, parts: vec![shy.into(), Wander::default().into()] };
+/// ```
+#[derive(Clone, Debug)]
+pub struct Priority {
+    /// A force no greater than this, newtons, without anything to face is nothing. Limit: >= 0.
+    pub epsilon: f32,
+    /// The parts, the most important first.
+    pub parts: Vec<Branch>,
+}
+
+impl Behaviour for Priority {
+    fn memory(&self) -> usize {
+        behaviour::words(&self.parts)
+    }
+
+    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let mut parts = self.parts.iter().enumerate();
+        parts.find_map(|(index, part)| {
+            let said = part.steer_as(index, view, &mut memory, why)?;
+            (said.facing.is_some() || said.force.length() > self.epsilon).then_some(said)
+        })
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless(self.epsilon >= 0.0, "epsilon", self.epsilon, "0 or more")?;
+        behaviour::check(&self.parts)
+    }
+}

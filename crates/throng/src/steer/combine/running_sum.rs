@@ -1,0 +1,45 @@
+//! Weighted truncated running sum: Buckland, Programming game AI by example, 2005, chapter 3 (yuka's manager).
+
+use super::add;
+use super::weighted_sum::check_weights;
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Behaviour, Branch, View, Why, behaviour};
+
+/// Forces are added in order, each times its weight and cut to what the sum still lacks of the vehicle's top force. The
+/// first come first; those after a sum that is full are not asked.
+///
+/// ```
+/// use throng::steer::{RunningSum, Seek, Separation, Target};
+/// let walker = RunningSum(vec![(1.0, Separation::default().into()), (0.5, Seek { target: Target::Goal }.into())]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct RunningSum(
+    /// Weights and parts. Limit: weights >= 0.
+    pub Vec<(f32, Branch)>,
+);
+
+impl Behaviour for RunningSum {
+    fn memory(&self) -> usize {
+        behaviour::words(self.0.iter().map(|(_, part)| part))
+    }
+
+    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let mut sum: Option<Steering> = None;
+        for (index, (weight, part)) in self.0.iter().enumerate() {
+            let left = view.vehicle.max_force - sum.map_or(0.0, |sum| sum.force.length());
+            if left <= 0.0 {
+                break;
+            }
+            if let Some(said) = part.steer_as(index, view, &mut memory, why) {
+                let force = (said.force * *weight).clamp_length_max(left);
+                sum = Some(add(sum, Steering { force, ..said }));
+            }
+        }
+        sum
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        check_weights(&self.0)
+    }
+}

@@ -1,0 +1,79 @@
+//! Switching from one behaviour to another: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Combining
+//! behaviors"; a finite state machine.
+
+use super::Condition;
+use super::condition::Standing;
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Behaviour, Branch, Reason, View, Why, behaviour};
+
+/// One behaviour at a time: a state machine. It begins in the first state.
+///
+/// ```
+/// use throng::steer::{Arrive, Condition, State, Switch, Target, Wander};
+/// let market = Target::Point(glam::Vec3::X * 20.0);
+/// let shopper = Switch(vec![
+///     State { behaviour: Wander::default().into(), exits: vec![(Condition::After(30.0), 1)] },
+///     State { behaviour: Arrive::from(market).into(), exits: vec![(Condition::Done, 0)] },
+/// ]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Switch(
+    /// The states. Limit: one at least.
+    pub Vec<State>,
+);
+
+/// A state of a [`Switch`].
+#[derive(Clone, Debug)]
+pub struct State {
+    /// What is done in it. Its memory stays while others have their turn.
+    pub behaviour: Branch,
+    /// When it is left, and for which state: the first condition that holds. Limit: indices of states.
+    pub exits: Vec<(Condition, usize)>,
+}
+
+/// Words that are its own.
+const OWN: usize = 3;
+
+impl Behaviour for Switch {
+    /// The state, for how many seconds, and whether it had nothing to correct.
+    fn memory(&self) -> usize {
+        OWN + behaviour::words(self.branches())
+    }
+
+    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let (own, mut memory) = memory.split_at_mut(OWN);
+        let [state, since, done] = own else { return None };
+        let standing = Standing { since: *since, done: *done > 0.0 };
+        let holds = |(index, (condition, _)): &(usize, &(Condition, usize))| {
+            condition.holds(&View { dice: view.dice.branch(self.0.len() + index), ..*view }, standing)
+        };
+        if let Some((_, (_, next))) = self.0[*state as usize].exits.iter().enumerate().find(holds) {
+            (*state, *since) = (*next as f32, 0.0);
+        }
+        let index = *state as usize;
+        why.note(|| Reason::State(index));
+        self.branches().take(index).for_each(|other| {
+            other.take(&mut memory);
+        });
+        let said = self.0[index].behaviour.steer_as(index, view, &mut memory, why);
+        *since += view.seconds;
+        *done = if said.is_none() { 1.0 } else { 0.0 };
+        said
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let states = self.0.len();
+        Error::unless(states > 0, "number of states", states as f64, "1 or more")?;
+        for &(_, next) in self.0.iter().flat_map(|state| &state.exits) {
+            Error::unless(next < states, "state to go to", next as f64, "less than the number of states")?;
+        }
+        behaviour::check(self.branches())
+    }
+}
+
+impl Switch {
+    fn branches(&self) -> impl Iterator<Item = &Branch> {
+        self.0.iter().map(|state| &state.behaviour)
+    }
+}

@@ -1,0 +1,46 @@
+//! Weighted sum: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Combining behaviors".
+
+use super::add;
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Behaviour, Branch, View, Why, behaviour};
+
+/// The sum of all forces, each times its weight. Cheap and smooth, but opposite forces cancel out.
+///
+/// ```
+/// use throng::steer::{MoveForward, Wander, WeightedSum};
+/// let stroll = WeightedSum(vec![(0.5, MoveForward { part: 1.0 }.into()), (1.0, Wander::default().into())]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct WeightedSum(
+    /// Weights and parts. Limit: weights >= 0.
+    pub Vec<(f32, Branch)>,
+);
+
+impl Behaviour for WeightedSum {
+    fn memory(&self) -> usize {
+        behaviour::words(self.0.iter().map(|(_, part)| part))
+    }
+
+    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let mut sum = None;
+        for (index, (weight, part)) in self.0.iter().enumerate() {
+            if let Some(said) = part.steer_as(index, view, &mut memory, why) {
+                sum = Some(add(sum, Steering { force: said.force * *weight, ..said }));
+            }
+        }
+        sum
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        check_weights(&self.0)
+    }
+}
+
+/// What is wrong with weights and parts.
+pub(super) fn check_weights(parts: &[(f32, Branch)]) -> Result<(), Error> {
+    for &(weight, _) in parts {
+        Error::unless(weight >= 0.0 && weight.is_finite(), "weight", weight, "0 or more and finite")?;
+    }
+    behaviour::check(parts.iter().map(|(_, part)| part))
+}

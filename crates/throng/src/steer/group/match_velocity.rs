@@ -1,0 +1,37 @@
+//! Velocity matching: Reynolds, Flocks, herds, and schools, SIGGRAPH 1987; "Alignment" of 1999 by velocities.
+
+use super::Neighbourhood;
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Behaviour, Reason, View, Why};
+use glam::Vec3;
+
+/// Goes as those who are near do: takes on the mean of their velocities.
+///
+/// ```
+/// use throng::steer::{MatchVelocity, Neighbourhood};
+/// let fish = MatchVelocity { near: Neighbourhood { distance: 3.0, ..Neighbourhood::default() } };
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MatchVelocity {
+    /// Whose.
+    pub near: Neighbourhood,
+}
+
+impl Behaviour for MatchVelocity {
+    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        self.near.tell(view, why);
+        let (count, sum) =
+            self.near.of(view).fold((0.0, Vec3::ZERO), |(n, sum), other| (n + 1.0, sum + other.velocity));
+        if count == 0.0 {
+            return None;
+        }
+        let mean = view.passable(sum / count);
+        why.note(|| Reason::Wishes(mean));
+        Some(view.reach(mean))
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        self.near.check()
+    }
+}

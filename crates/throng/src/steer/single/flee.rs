@@ -1,0 +1,38 @@
+//! Flee: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
+
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Behaviour, Target, View, Why};
+
+/// Goes straight away from a target at the top speed.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::steer::{Behaviour, Flee, Target, View, Why};
+/// let flee = Flee { panic_distance: 3.0, ..Flee::from(Target::Point(Vec3::Y * 4.0)) };
+/// assert_eq!(flee.steer(&View::default(), &mut [], &mut Why::default()), None);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Flee {
+    /// From whom or what.
+    pub target: Target,
+    /// How near it must be, metres; infinite: however far. Limit: > 0.
+    pub panic_distance: f32,
+}
+
+impl From<Target> for Flee {
+    fn from(target: Target) -> Self {
+        Self { target, panic_distance: f32::INFINITY }
+    }
+}
+
+impl Behaviour for Flee {
+    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let place = self.target.find(view)?.position;
+        if view.to(place).length() > self.panic_distance { None } else { view.flee(place, why) }
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless(self.panic_distance > 0.0, "panic distance", self.panic_distance, "greater than 0")
+    }
+}

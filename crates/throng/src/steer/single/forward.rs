@@ -1,0 +1,28 @@
+//! Forward: the constant urge ahead on which OpenSteer's demos put everything else.
+
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Behaviour, View, Why};
+
+/// Presses ahead with part of its force.
+///
+/// ```
+/// use throng::steer::{Behaviour, MoveForward, View, Why};
+/// let steering = MoveForward { part: 0.5 }.steer(&View::default(), &mut [], &mut Why::default());
+/// assert_eq!(steering.map(|steering| steering.force), Some(glam::Vec3::X * 2.5));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MoveForward {
+    /// Part of the top force. Limit: 0 to 1.
+    pub part: f32,
+}
+
+impl Behaviour for MoveForward {
+    fn steer(&self, view: &View<'_>, _: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
+        Some((view.forward() * (self.part * view.vehicle.max_force)).into())
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless((0.0..=1.0).contains(&self.part), "part of the force", self.part, "from 0 to 1")
+    }
+}

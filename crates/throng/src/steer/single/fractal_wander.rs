@@ -1,0 +1,41 @@
+//! Wandering by noise: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Wander" (its other way).
+
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Behaviour, Noise, Reason, View, Why};
+use glam::Vec3;
+
+/// Strolls about: the angle at which it turns aside is noise of time (Perlin 1985).
+///
+/// ```
+/// use throng::steer::{FractalWander, Noise};
+/// let drunkard = FractalWander { angle: 1.2, noise: Noise { period: 1.0, ..Noise::default() } };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FractalWander {
+    /// The most it turns aside, radians; of those who fly up and down too. Limit: 0 to 1.5.
+    pub angle: f32,
+    /// How the angle changes.
+    pub noise: Noise,
+}
+
+impl Default for FractalWander {
+    fn default() -> Self {
+        Self { angle: 0.8, noise: Noise::default() }
+    }
+}
+
+impl Behaviour for FractalWander {
+    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let angle = |k| libm::sincosf(self.angle * self.noise.at(view.time, k, view.dice));
+        let ((aside, ahead), (up, level)) = (angle(0), if view.is_on_ground() { (0.0, 1.0) } else { angle(1) });
+        let direction = view.motion.basis.to_world(Vec3::new(ahead * level, aside * level, up));
+        why.note(|| Reason::Aim(view.position() + direction));
+        view.turn(direction)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless((0.0..=1.5).contains(&self.angle), "angle of wandering", self.angle, "from 0 to 1.5")?;
+        self.noise.check()
+    }
+}

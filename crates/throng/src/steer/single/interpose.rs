@@ -1,0 +1,39 @@
+//! Interpose: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
+
+use super::approach;
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Behaviour, Reason, Target, View, Why};
+
+/// Goes between two others, as a bodyguard does: to a place on the line between where both will be when it gets there.
+///
+/// ```
+/// use throng::steer::{Interpose, Target};
+/// let guard = Interpose { between: [Target::Agent(1), Target::Agent(2)], ratio: 0.25, slowing_distance: 1.0 };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interpose {
+    /// The two.
+    pub between: [Target; 2],
+    /// Where on the line: 0 at the first, 1 at the second. Limit: 0 to 1.
+    pub ratio: f32,
+    /// How far away it begins to slow down, metres. Limit: >= 0.
+    pub slowing_distance: f32,
+}
+
+impl Behaviour for Interpose {
+    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let [first, second] = self.between.map(|target| target.find(view));
+        let (first, second) = (first?, second?);
+        let between = |seconds| first.position_in(seconds).lerp(second.position_in(seconds), self.ratio);
+        let velocity = first.velocity.lerp(second.velocity, self.ratio);
+        let place = between(view.to(between(0.0)).length() / view.vehicle.max_speed);
+        why.note(|| Reason::Aim(place));
+        Some(view.reach(approach(view, view.to(place), velocity, self.slowing_distance)))
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless((0.0..=1.0).contains(&self.ratio), "ratio", self.ratio, "from 0 to 1")?;
+        Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")
+    }
+}

@@ -1,0 +1,45 @@
+//! Behaviours of one agent, or of one towards another.
+
+mod arrive;
+mod dock;
+mod evade;
+mod explore;
+mod face;
+mod fear;
+mod flee;
+mod flow;
+mod forage;
+mod forward;
+mod fractal_wander;
+mod interpose;
+mod offset_pursuit;
+mod pursue;
+mod seek;
+mod shadow;
+mod station;
+mod target_speed;
+mod tether;
+mod wander;
+
+pub use arrive::Arrive;
+pub(super) use arrive::{approach, settling_time};
+pub use dock::Dock;
+pub use evade::Evade;
+pub use explore::Explore;
+pub use face::{Face, LookWhereYouGo};
+pub use fear::Fear;
+pub use flee::Flee;
+pub use flow::{FlowField, FollowFlow};
+pub use forage::Forage;
+pub use forward::MoveForward;
+pub use fractal_wander::FractalWander;
+pub use interpose::Interpose;
+pub use offset_pursuit::OffsetPursuit;
+pub use pursue::Pursue;
+pub use seek::Seek;
+pub use shadow::Shadow;
+pub use station::KeepStation;
+pub(super) use station::keep;
+pub use target_speed::TargetSpeed;
+pub use tether::Tether;
+pub use wander::Wander;

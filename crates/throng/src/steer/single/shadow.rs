@@ -1,0 +1,39 @@
+//! Shadowing: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
+
+use super::approach;
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Behaviour, Reason, Target, View, Why};
+
+/// Comes up to a quarry, then goes as it goes: with its velocity, facing as it does.
+///
+/// ```
+/// use throng::steer::{Shadow, Target};
+/// let detective = Shadow { quarry: Target::Agent(1), distance: 3.0, slowing_distance: 2.0 };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shadow {
+    /// Whom.
+    pub quarry: Target,
+    /// How near it comes, metres. Limit: >= 0.
+    pub distance: f32,
+    /// How far from there it begins to slow down, metres. Limit: >= 0.
+    pub slowing_distance: f32,
+}
+
+impl Behaviour for Shadow {
+    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let quarry = self.quarry.find(view)?;
+        why.note(|| Reason::Expects(quarry.position));
+        let offset = view.to(quarry.position);
+        let gap = offset.length() - self.distance;
+        let nearing = offset.normalize_or_zero() * gap.max(0.0);
+        let steering = view.reach(approach(view, nearing, quarry.velocity, self.slowing_distance));
+        Some(Steering { facing: (gap <= 0.0).then_some(quarry.basis.forward), ..steering })
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless(self.distance >= 0.0, "distance to shadow at", self.distance, "0 or more")?;
+        Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")
+    }
+}

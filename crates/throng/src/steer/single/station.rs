@@ -1,0 +1,48 @@
+//! Station keeping: a place in the frame of a leader, as wingmen have.
+
+use super::approach;
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Behaviour, Mark, Reason, Target, View, Why};
+use glam::Vec3;
+
+/// Keeps a place beside a leader: offset pursuit in the leader's frame (yuka), with the leader's velocity once there.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::steer::{KeepStation, Target};
+/// let wingman = KeepStation { leader: Target::Agent(1), offset: Vec3::new(-4.0, 3.0, 0.0), slowing_distance: 3.0 };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KeepStation {
+    /// Whom.
+    pub leader: Target,
+    /// Where: ahead of the leader, to its left, and above, metres.
+    pub offset: Vec3,
+    /// How far away it begins to slow down, metres. Limit: >= 0.
+    pub slowing_distance: f32,
+}
+
+impl Behaviour for KeepStation {
+    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let leader = self.leader.find(view)?;
+        Some(keep(view, &leader, self.offset, self.slowing_distance, why))
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")
+    }
+}
+
+/// Steers to a place in the frame of a leader.
+pub(in crate::steer) fn keep(
+    view: &View<'_>,
+    leader: &Mark,
+    offset: Vec3,
+    slowing: f32,
+    why: &mut Why<'_>,
+) -> Steering {
+    let place = leader.position + leader.basis.to_world(offset);
+    why.note(|| Reason::Aim(place));
+    view.reach(approach(view, view.to(place), leader.velocity, slowing))
+}

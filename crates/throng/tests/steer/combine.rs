@@ -1,0 +1,340 @@
+//! Combinations and cures: what they grant, whom they ask, what they keep.
+
+use crate::harness::{Actor, Stage, angle, ask, told, vector};
+use glam::{DVec3, Vec3};
+use proptest::prelude::*;
+use throng::motion::{Motion, Steering, Vehicle};
+use throng::steer::{
+    Allocation, Amortised, Behaviour, Branch, Condition, Dice, Dithering, Face, Flee, Hold, Irregular, Limited,
+    MoveForward, Neighbour, Neighbourhood, Noise, Priority, Reason, RunningSum, Seek, State, StopAndWait, Switch,
+    Target, TargetSpeed, View, Wander, WeightedSum, Who, Why,
+};
+
+/// Says what it is told to.
+#[derive(Clone, Copy, Debug)]
+struct Says(Option<Vec3>);
+
+impl Behaviour for Says {
+    fn steer(&self, _: &View<'_>, _: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
+        self.0.map(Steering::from)
+    }
+}
+
+/// Says what time it is, until a time.
+#[derive(Clone, Copy, Debug)]
+struct Clock(f64);
+
+impl Behaviour for Clock {
+    /// How often it was asked.
+    fn memory(&self) -> usize {
+        1
+    }
+
+    fn steer(&self, view: &View<'_>, memory: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
+        memory[0] += 1.0;
+        (view.time < self.0).then(|| (Vec3::X * (1.0 + view.time as f32)).into())
+    }
+}
+
+fn force(behaviour: &dyn Behaviour) -> Option<Vec3> {
+    ask(behaviour, &View::default()).map(|said| said.force)
+}
+
+fn says() -> impl Strategy<Value = Vec<Option<Vec3>>> {
+    prop::collection::vec(prop::option::of(vector(4.0)), 0..6)
+}
+
+fn branches(says: &[Option<Vec3>]) -> Vec<Branch> {
+    says.iter().map(|&one| Says(one).into()).collect()
+}
+
+fn weighted(says: &[Option<Vec3>], weight: f32) -> Vec<(f32, Branch)> {
+    branches(says).into_iter().map(|branch| (weight, branch)).collect()
+}
+
+proptest! {
+    #[test]
+    fn sums_are_sums(all in says(), weight in 0.0f32..2.0) {
+        let expected = all.iter().flatten().fold(DVec3::ZERO, |sum, f| sum + f.as_dvec3() * f64::from(weight));
+        let sum = force(&WeightedSum(weighted(&all, weight)));
+        prop_assert_eq!(sum.is_some(), all.iter().any(Option::is_some));
+        prop_assert!(sum.unwrap_or_default().as_dvec3().distance(expected) < 1e-4);
+    }
+
+    #[test]
+    fn priority_is_the_first_that_says_something(all in says(), epsilon in 0.0f32..4.0) {
+        let expected = all.iter().flatten().find(|f| f.length() > epsilon).copied();
+        let priority = Priority { epsilon, parts: branches(&all) };
+        prop_assert_eq!(force(&priority), expected);
+        let (said, reasons) = told(&priority, &View::default());
+        let winner = reasons.iter().rev().find_map(|told| match told.reason {
+            Reason::Part { said, .. } => Some(said),
+            _ => None,
+        });
+        prop_assert!(expected.is_none() || winner == Some(said));
+    }
+
+    /// As MODELS 4.1 writes it, and never more than there is.
+    #[test]
+    fn allocation_never_exceeds_its_budget(all in says(), part in 0.1f32..1.0) {
+        let (mut budget, mut sum) = (f64::from(part) * 5.0, DVec3::ZERO);
+        for wish in all.iter().flatten().map(|f| f.as_dvec3()) {
+            let length = wish.length();
+            if length > budget {
+                sum += wish * (budget / length);
+                break;
+            }
+            sum += wish;
+            budget -= length;
+        }
+        let granted = force(&Allocation { budget: part, parts: branches(&all) }).unwrap_or_default();
+        prop_assert!(granted.as_dvec3().distance(sum) < 1e-4);
+        prop_assert!(granted.length() <= part * 5.0001);
+    }
+
+    #[test]
+    fn a_running_sum_never_exceeds_the_force(all in says(), weight in 0.0f32..3.0) {
+        let mut sum = DVec3::ZERO;
+        for wish in all.iter().flatten().map(|f| f.as_dvec3() * f64::from(weight)) {
+            sum += wish.clamp_length_max((5.0 - sum.length()).max(0.0));
+        }
+        let granted = force(&RunningSum(weighted(&all, weight))).unwrap_or_default();
+        prop_assert!(granted.as_dvec3().distance(sum) < 1e-3 && granted.length() < 5.001);
+    }
+
+    #[test]
+    fn limits_of_its_own(wish in vector(9.0), most in 0.1f32..9.0) {
+        let limited = force(&Limited { max_speed: 1.0, max_force: most, of: Says(Some(wish)).into() }).expect("a force");
+        prop_assert!(limited.distance(wish.clamp_length_max(most.min(5.0))) < 1e-5);
+        let slow = Limited { max_speed: 0.5, max_force: 9.0, of: Seek { target: Target::Point(Vec3::X) }.into() };
+        prop_assert!(View::default().wish(ask(&slow, &View::default())).distance(Vec3::X * 0.5) < 1e-5);
+    }
+
+    /// It lasts as long as it should, and fades evenly.
+    #[test]
+    fn what_is_held_fades(until in 0.1f64..1.0, hold in 0.1f32..1.0) {
+        let behaviour = Hold { seconds: hold, of: Clock(until).into() };
+        let mut memory = vec![0.0; behaviour.memory()];
+        let mut last = (0.0f64, 0.0f32);
+        for step in 0..200 {
+            let time = f64::from(step) * 0.01;
+            let view = View { time, seconds: 0.01, ..View::default() };
+            let said = behaviour.steer(&view, &mut memory, &mut Why::default()).map(|said| said.force.x);
+            if time < until {
+                prop_assert_eq!(said, Some(1.0 + time as f32));
+                last = (time, 1.0 + time as f32);
+            } else {
+                let expected = last.1 * (1.0 - (time - last.0) as f32 / hold).max(0.0);
+                prop_assert!((said.unwrap_or(0.0) - expected).abs() < 1e-3, "{said:?} {expected}");
+            }
+        }
+    }
+
+    /// Within the angle and the part of the speed, and not always the same.
+    #[test]
+    fn irregular_motion_wavers_within_bounds(velocity in vector(0.9), most in 0.05f32..0.5, speed in 0.0f32..0.1) {
+        prop_assume!(velocity.truncate().length() > 0.3);
+        let steady = velocity.with_z(0.0);
+        let reach = View::default().reach(steady).force;
+        let behaviour = Irregular { angle: most, speed, noise: Noise::default(), of: Says(Some(reach)).into() };
+        let wishes: Vec<Vec3> = (0..300).map(|i| {
+            let view = View { time: f64::from(i) * 0.3, ..View::default() };
+            view.wish(ask(&behaviour, &view))
+        }).collect();
+        let aside = |wish: &Vec3| angle(*wish, steady) * steady.cross(*wish).z.signum();
+        prop_assert!(wishes.iter().all(|wish| aside(wish).abs() <= most + 1e-3));
+        prop_assert!(wishes.iter().all(|wish| (wish.length() / steady.length() - 1.0).abs() <= speed + 1e-3));
+        let mean = wishes.iter().map(aside).sum::<f32>() / 300.0;
+        prop_assert!(mean.abs() < 0.25 * most && wishes.iter().any(|wish| aside(wish).abs() > 0.2 * most), "{mean}");
+    }
+}
+
+/// Each as often as its probability says, on its own.
+#[test]
+fn dithering_asks_with_probabilities() {
+    let parts = [0.8, 0.5, 1.0].iter().zip([Vec3::X, Vec3::Y, Vec3::Z]);
+    let parts = parts.map(|(&p, v)| (p, Says(Some(v)).into())).collect::<Vec<(f32, Branch)>>();
+    let share = |every: f32, parts: &[(f32, Branch)]| {
+        let dithering = Dithering { every, parts: parts.to_vec() };
+        let sum: Vec3 = (0..4000)
+            .map(|step| {
+                let dice = Dice { step, ..Dice::default() };
+                let view = View { dice, time: step as f64 * 0.02, ..View::default() };
+                ask(&dithering, &view).expect("the last is always asked").force
+            })
+            .sum();
+        sum / 4000.0
+    };
+    for (every, most) in [(0.0, 0.03), (0.1, 0.06)] {
+        let shares = share(every, &parts);
+        assert!(shares.distance(Vec3::new(0.8, 0.1, 0.1)) < most, "{shares}");
+    }
+}
+
+/// Draws that hold for a while do not change within it.
+#[test]
+fn draws_hold_for_a_while() {
+    let dithering = Dithering { every: 0.5, parts: vec![(0.5, Says(Some(Vec3::X)).into())] };
+    let mut changes = 0;
+    let mut before = None;
+    for step in 0..1000 {
+        let view = View { dice: Dice { step, ..Dice::default() }, time: step as f64 * 0.01, ..View::default() };
+        let said = ask(&dithering, &view);
+        changes += u32::from(step > 0 && said != before && step % 50 != 0);
+        before = said;
+    }
+    assert_eq!(changes, 0);
+}
+
+#[test]
+fn who_thinks_seldom_is_asked_seldom_and_not_all_at_once() {
+    let behaviour = Amortised { every: 0.1, of: Clock(100.0).into() };
+    let mut thinks = [0; 10];
+    for number in 0..40 {
+        let mut memory = vec![0.0; behaviour.memory()];
+        let mut thoughts = Vec::new();
+        for step in 0..500 {
+            let time = step as f64 * 0.01;
+            let view = View { time, seconds: 0.01, dice: Dice { number, step, ..Dice::default() }, ..View::default() };
+            let said = behaviour.steer(&view, &mut memory, &mut Why::default()).expect("the clock runs");
+            let thought = f64::from(said.force.x) - 1.0;
+            assert!(thought <= time + 1e-6 && time - thought < 0.1, "{thought} {time}");
+            if (thought - time).abs() < 1e-6 {
+                thoughts.push(step);
+            }
+        }
+        assert!((50..=52).contains(&thoughts.len()), "{}", thoughts.len());
+        assert!(thoughts[1..].windows(2).all(|pair| pair[1] - pair[0] == 10));
+        thinks[(thoughts[2] % 10) as usize] += 1;
+    }
+    assert!(thinks.iter().all(|&count| count < 12), "{thinks:?}");
+}
+
+#[test]
+fn a_machine_goes_from_state_to_state() {
+    let (a, b) = (Target::Point(Vec3::X * 3.0), Target::Point(Vec3::Y * 3.0));
+    let state = |target, next| State {
+        behaviour: Seek { target }.into(),
+        exits: vec![(Condition::Nearer(target, 0.3), next), (Condition::After(60.0), 2)],
+    };
+    let patrol = Switch(vec![state(a, 1), state(b, 0), State { behaviour: Says(None).into(), exits: vec![] }]);
+    assert!(patrol.check().is_ok());
+    let mut stage = Stage::new(0.05, vec![Actor::new(Motion::default(), Vehicle::default(), patrol)]);
+    let mut states = Vec::new();
+    stage.run(30.0, |stage| {
+        let state = stage.actors[0].memory[0] as usize;
+        if states.last() != Some(&state) {
+            states.push(state);
+        }
+    });
+    assert!(states.len() > 5 && states.windows(2).all(|pair| pair[0] + pair[1] == 1), "{states:?}");
+}
+
+#[test]
+fn conditions_hold_when_they_should() {
+    let other =
+        Neighbour { offset: Vec3::X * 2.0, velocity: Vec3::ZERO, forward: Vec3::X, radius: 0.2, number: 1, group: 0 };
+    let holds = |condition: Condition, steps: u64| {
+        let says = |one: Vec3| Says(Some(one)).into();
+        let machine = Switch(vec![
+            State { behaviour: says(Vec3::X), exits: vec![(condition, 1)] },
+            State { behaviour: says(Vec3::Y), exits: vec![] },
+        ]);
+        let mut memory = vec![0.0; machine.memory()];
+        let neighbours = [other];
+        let mut last = None;
+        for step in 0..steps {
+            let dice = Dice { step, ..Dice::default() };
+            let view = View { neighbours: &neighbours, dice, seconds: 0.1, ..View::default() };
+            last = machine.steer(&view, &mut memory, &mut Why::default());
+        }
+        last.expect("it always says something").force == Vec3::Y
+    };
+    let (near, here) = (Target::Nearest(Who::Anybody), Neighbourhood::default());
+    assert!(holds(Condition::Nearer(near, 2.1), 1) && !holds(Condition::Nearer(near, 1.9), 1));
+    assert!(holds(Condition::Farther(near, 1.9), 1) && holds(Condition::Farther(Target::Agent(3), 9.0), 1));
+    assert!(!holds(Condition::After(0.95), 10) && holds(Condition::After(0.95), 12));
+    assert!(holds(Condition::Crowded(here, 1), 1) && !holds(Condition::Crowded(here, 2), 1));
+    assert!(!holds(Condition::Done, 3) && holds(Condition::Not(Box::new(Condition::Done)), 1));
+    assert!(!holds(Condition::Chance(0.0), 50) && holds(Condition::Chance(2.0), 50));
+    let both = vec![Condition::Crowded(here, 1), Condition::Done];
+    assert!(holds(Condition::Any(both.clone()), 1) && !holds(Condition::All(both), 1));
+}
+
+#[test]
+fn who_waits_neither_collides_nor_waits_for_ever() {
+    let walker = StopAndWait::new(Seek { target: Target::Point(Vec3::X * 50.0) });
+    let porter = Actor::new(Motion::at_rest(Vec3::X * 4.0, Vec3::Y), Vehicle::default(), MoveForward { part: 0.0 });
+    let walker = Actor::new(Motion::default(), Vehicle::default(), walker);
+    let mut stage = Stage::new(0.02, vec![walker, porter]);
+    let mut nearest = f32::INFINITY;
+    let apart = |stage: &Stage| stage.actors[0].motion.position.distance(stage.actors[1].motion.position);
+    stage.run(6.0, |stage| nearest = nearest.min(apart(stage)));
+    assert!(nearest > 0.4 && stage.actors[0].motion.speed() < 0.5, "{nearest}");
+    stage.actors[1].behaviour = TargetSpeed { speed: 1.0 }.into();
+    stage.run(6.0, |stage| nearest = nearest.min(apart(stage)));
+    assert!(nearest > 0.4 && stage.actors[0].motion.position.x > 6.0, "{nearest}");
+}
+
+/// Every behaviour is a part of any other, at any depth; each part has a memory and random numbers of its own.
+#[test]
+fn everything_nests() {
+    let wander = || Branch::from(Wander::default());
+    let wrap = |of: Branch, kind: usize| -> Branch {
+        match kind {
+            0 => WeightedSum(vec![(1.0, of), (0.5, wander())]).into(),
+            1 => Priority { epsilon: 0.0, parts: vec![Says(None).into(), of, wander()] }.into(),
+            2 => Dithering { every: 0.0, parts: vec![(0.5, wander()), (1.0, of)] }.into(),
+            3 => Allocation { budget: 1.0, parts: vec![wander(), of] }.into(),
+            4 => RunningSum(vec![(0.1, wander()), (1.0, of)]).into(),
+            5 => Amortised { every: 0.05, of }.into(),
+            6 => Hold { seconds: 0.3, of }.into(),
+            7 => Irregular { angle: 0.2, speed: 0.1, noise: Noise::default(), of }.into(),
+            8 => StopAndWait::new(of).into(),
+            9 => Limited { max_speed: 1.0, max_force: 2.0, of }.into(),
+            _ => Switch(vec![
+                State { behaviour: wander(), exits: vec![(Condition::After(0.1), 1)] },
+                State { behaviour: of, exits: vec![(Condition::Chance(3.0), 0)] },
+            ])
+            .into(),
+        }
+    };
+    for first in 0..11 {
+        for second in 0..11 {
+            let tree = wrap(wrap(wander(), first), second);
+            assert!(tree.check().is_ok());
+            let run = || {
+                let mut stage = Stage::new(0.02, vec![Actor::new(Motion::default(), Vehicle::default(), tree.clone())]);
+                stage.run(1.0, |_| ());
+                stage.actors[0].motion
+            };
+            let motion = run();
+            assert!(motion.position.is_finite() && motion.speed() > 0.01, "{first} {second}");
+            assert_eq!(motion, run(), "the same bits");
+        }
+    }
+}
+
+/// Two wanderers in one tree go different ways; faces and forces come from different parts.
+#[test]
+fn parts_are_told_apart() {
+    let sum = WeightedSum(vec![(1.0, Wander::default().into()), (1.0, Wander::default().into())]);
+    let mut memory = vec![0.0; sum.memory()];
+    sum.steer(&View::default(), &mut memory, &mut Why::default());
+    assert_ne!(memory[..3], memory[3..]);
+    let sidestep = WeightedSum(vec![
+        (1.0, Flee::from(Target::Point(Vec3::Y)).into()),
+        (1.0, Face { target: Target::Point(Vec3::Y) }.into()),
+    ]);
+    let said = ask(&sidestep, &View::default()).expect("both");
+    assert!(said.force.y < 0.0 && said.facing == Some(Vec3::Y));
+}
+
+#[test]
+fn mistakes_in_parts_are_named() {
+    let wrong = Wander { strength: 7.0, ..Wander::default() };
+    let tree = Priority { epsilon: 0.0, parts: vec![Hold { seconds: 1.0, of: wrong.into() }.into()] };
+    assert!(tree.check().expect_err("it is wrong").to_string().contains("strength of wandering is 7"));
+    let lost = Switch(vec![State { behaviour: Says(None).into(), exits: vec![(Condition::Done, 1)] }]);
+    assert!(lost.check().is_err() && Switch(vec![]).check().is_err());
+}

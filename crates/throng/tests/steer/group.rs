@@ -1,0 +1,385 @@
+//! Behaviours among others: against brute force in f64, and by what crowds of them do.
+
+use crate::harness::{Actor, RADIUS, Stage, angle, ask, flier, on_ground, vector};
+use glam::{DVec3, Vec3};
+use proptest::prelude::*;
+use throng::motion::{Motion, Vehicle};
+use throng::steer::{
+    Alignment, AvoidNeighbours, Behaviour, Boids, Branch, CloseAvoidance, Cohesion, Falloff, Flocking, FollowLeader,
+    KeepFormation, MatchVelocity, MoveForward, Neighbour, Neighbourhood, Pattern, Priority, Queue, Rule, Seek,
+    Separation, Target, TargetSpeed, Tether, UnalignedAvoidance, View, Wander, WeightedSum, Who, assign,
+};
+
+/// Others, nearest first.
+fn others() -> impl Strategy<Value = Vec<Neighbour>> {
+    let other = (vector(6.0), vector(1.5), 0usize..3);
+    prop::collection::vec(other, 0..12).prop_map(|all| {
+        let seen = |(number, (offset, velocity, group)): (usize, (Vec3, Vec3, usize))| Neighbour {
+            offset,
+            velocity,
+            forward: velocity.normalize_or(Vec3::X),
+            radius: 0.2,
+            number: number as u32 + 1,
+            group,
+        };
+        let mut all: Vec<Neighbour> = all.into_iter().enumerate().map(seen).collect();
+        all.sort_by(|a, b| a.offset.length().total_cmp(&b.offset.length()));
+        all
+    })
+}
+
+fn view<'a>(velocity: Vec3, neighbours: &'a [Neighbour]) -> View<'a> {
+    View { motion: Motion::moving(Vec3::ONE, velocity), vehicle: flier(), neighbours, ..View::default() }
+}
+
+fn double(v: Vec3) -> DVec3 {
+    v.as_dvec3()
+}
+
+fn force(behaviour: &dyn Behaviour, view: &View<'_>) -> DVec3 {
+    ask(behaviour, view).map_or(DVec3::ZERO, |said| double(said.force))
+}
+
+/// Unit length, if it has any.
+fn unit(v: DVec3) -> DVec3 {
+    v.normalize_or_zero()
+}
+
+/// Those within a distance and an angle in degrees, or three radii.
+fn near(all: &[Neighbour], forward: Vec3, distance: f64, degrees: f64) -> Vec<Neighbour> {
+    let belongs = |other: &&Neighbour| {
+        let (offset, forward) = (double(other.offset), double(forward));
+        let aside = offset.cross(forward).length().atan2(offset.dot(forward)).to_degrees();
+        offset.length() < 0.6 || offset.length() < distance && aside < degrees
+    };
+    all.iter().filter(belongs).copied().collect()
+}
+
+fn mean(all: &[Neighbour], of: impl Fn(&Neighbour) -> Vec3) -> DVec3 {
+    all.iter().map(|other| double(of(other))).sum::<DVec3>() / all.len() as f64
+}
+
+proptest! {
+    #[test]
+    fn neighbourhoods_are_those_near_and_ahead(
+        all in others(), velocity in vector(1.0), distance in 0.5f32..8.0, degrees in 5.0f32..180.0, most in 1usize..9,
+    ) {
+        prop_assume!(velocity.length() > 0.1);
+        let hood = Neighbourhood {
+            distance, angle: degrees.to_radians(), always: 3.0, most, ..Neighbourhood::default()
+        };
+        let sharp = all.iter().all(|other| (angle(other.offset, velocity).to_degrees() - degrees).abs() > 0.01);
+        prop_assume!(sharp);
+        let mut expected = near(&all, velocity, distance.into(), degrees.into());
+        expected.truncate(most);
+        prop_assert_eq!(hood.of(&view(velocity, &all)).copied().collect::<Vec<_>>(), expected);
+        for (who, own) in [(Who::OwnGroup, true), (Who::OtherGroups, false)] {
+            let hood = Neighbourhood { who, ..Neighbourhood::default() };
+            prop_assert!(hood.of(&view(velocity, &all)).all(|other| (other.group == 0) == own));
+        }
+    }
+
+    /// The sums of the papers.
+    #[test]
+    fn flocks_follow_three_rules(all in others(), velocity in vector(1.0), full in 0.1f32..2.0) {
+        prop_assume!(velocity.length() > 0.1);
+        let (view, hood) = (view(velocity, &all), Neighbourhood::default());
+        let soft = |sum: DVec3| sum * 5.0 / sum.length().max(f64::from(full));
+        let close = |a: DVec3, b: DVec3| a.distance(b) < 2e-3;
+        let push = |power: i32| -> DVec3 {
+            all.iter().map(|other| {
+                let away = -double(other.offset);
+                away.normalize() / away.length().powi(power)
+            }).sum()
+        };
+        for (falloff, power) in [(Falloff::Inverse, 1), (Falloff::InverseSquare, 2)] {
+            let said = force(&Separation { near: hood, falloff, full }, &view);
+            prop_assert!(close(said, soft(push(power))));
+        }
+        if !all.is_empty() {
+            let forward = double(view.forward());
+            let said = force(&Cohesion { near: hood, full }, &view);
+            prop_assert!(close(said, soft(mean(&all, |other| other.offset))));
+            let turn = mean(&all, |other| other.forward) - forward;
+            let said = force(&Alignment { near: hood, full }, &view);
+            prop_assert!(close(said, soft(turn)));
+            let matched = double(view.wish(ask(&MatchVelocity { near: hood }, &view)));
+            prop_assert!(close(matched, mean(&all, |other| other.velocity)));
+        }
+    }
+
+    /// OpenSteer's boids: each rule normalised, weighed, and added.
+    #[test]
+    fn flocking_is_nine_numbers(all in others(), velocity in vector(1.0)) {
+        prop_assume!(velocity.length() > 0.1);
+        let forward = view(velocity, &[]).forward();
+        let rule = |weight: f32, distance: f32, degrees: f32| Rule { weight, distance, angle: degrees.to_radians() };
+        let flocking = Flocking {
+            separation: rule(0.4, 3.0, 135.0), alignment: rule(0.3, 4.0, 45.0), cohesion: rule(0.2, 5.0, 100.0),
+            who: Who::Anybody, ..Flocking::default()
+        };
+        prop_assume!(all.iter().all(|other| [135.0, 45.0, 100.0].iter().all(|a| (angle(other.offset, forward).to_degrees() - a).abs() > 0.01)));
+        let [apart, along, together] = [(3.0, 135.0), (4.0, 45.0), (5.0, 100.0)].map(|(d, a)| near(&all, forward, d, a));
+        let mut expected = unit(apart.iter().map(|other| -double(other.offset) / double(other.offset).length_squared()).sum()) * 0.4;
+        if !along.is_empty() {
+            expected += unit(mean(&along, |other| other.forward) - double(forward)) * 0.3;
+        }
+        if !together.is_empty() {
+            expected += unit(mean(&together, |other| other.offset)) * 0.2;
+        }
+        prop_assert!(force(&flocking, &view(velocity, &all)).distance(expected * 5.0) < 5e-3);
+    }
+
+    /// MODELS 4.1 in f64: weights by the inverse square of the distance, more ahead; strict order.
+    #[test]
+    fn boids_are_those_of_1987(all in others(), velocity in vector(1.0)) {
+        prop_assume!(velocity.length() > 0.1);
+        let boids = Boids { near: Neighbourhood::default(), migration: Some(Target::Point(Vec3::X * 50.0)), ..Boids::default() };
+        let view = view(velocity, &all);
+        let (v, speed) = (double(velocity), f64::from(velocity.length()) / 1.8);
+        let weigh = |other: &Neighbour| {
+            let offset = double(other.offset);
+            let ahead = offset.normalize().dot(v.normalize()).max(0.0) * speed;
+            (1.5 / offset.length().max(0.2)).powi(2) * (1.0 + ahead)
+        };
+        let sum = |of: &dyn Fn(&Neighbour) -> DVec3| all.iter().map(|other| of(other) * weigh(other)).sum::<DVec3>();
+        let weights = all.iter().map(weigh).sum::<f64>().max(1e-30);
+        let mut left = 1.0;
+        let mut expected = DVec3::ZERO;
+        for urge in [
+            -sum(&|other| double(other.offset).normalize()),
+            sum(&|other| double(other.velocity) - v) / weights / 1.8 * 1.0,
+            sum(&|other| double(other.offset)) / weights / 4.5,
+            (DVec3::new(50.0, 0.0, 0.0) - DVec3::ONE).normalize(),
+        ].iter().zip([1.0, 0.8, 0.5, 0.4]).map(|(urge, strength)| urge.clamp_length_max(1.0) * strength) {
+            expected += urge.clamp_length_max(f64::max(left, 0.0));
+            left -= urge.length();
+        }
+        prop_assert!(force(&boids, &view).distance(expected * 5.0) < 5e-3);
+    }
+
+    /// Who meets at any angle and any time passes clear.
+    #[test]
+    fn who_changes_course_and_speed_passes_clear(degrees in 5.0f32..180.0, late in -0.3f32..0.3, gap in 0.0f32..0.4) {
+        let walk = |from: Vec3| {
+            let avoid = UnalignedAvoidance { gap, horizon: 4.0, ..UnalignedAvoidance::default() };
+            let goal = Seek { target: Target::Point(-from * 4.0) };
+            let parts = vec![(3.0, avoid.into()), (0.5, goal.into())];
+            Actor::new(Motion::moving(from, -from.normalize() * 1.4), Vehicle::default(), WeightedSum(parts))
+        };
+        let (a, b) = (Vec3::X * -7.0, -Vec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0) * (7.0 + late));
+        prop_assume!(a.distance(b) > 1.0);
+        let mut stage = Stage::new(0.02, vec![walk(a), walk(b)]);
+        let mut nearest = f32::INFINITY;
+        stage.run(15.0, |stage| {
+            nearest = nearest.min(stage.actors[0].motion.position.distance(stage.actors[1].motion.position));
+        });
+        prop_assert!(nearest > 1.95 * RADIUS + 0.3 * gap, "{nearest}");
+    }
+
+    /// OpenSteer's rules, told by angles.
+    #[test]
+    fn opensteer_turns_aside(all in others(), velocity in on_ground(1.5)) {
+        prop_assume!(velocity.length() > 0.1);
+        let all: Vec<Neighbour> = all.into_iter().filter(|other| other.offset.length() > 0.5).map(|other| Neighbour {
+            offset: other.offset.with_z(0.0), velocity: other.velocity.with_z(0.0), forward: other.velocity.with_z(0.0).normalize_or(Vec3::X), ..other
+        }).collect();
+        prop_assume!(all.iter().all(|other| other.offset.length() > 0.41));
+        let mut sharp = true;
+        // by a search for when they are nearest
+        let threats = all.iter().filter_map(|other| {
+            let relative = double(other.velocity - velocity);
+            let time = -double(other.offset).dot(relative) / relative.length_squared();
+            let miss = (double(other.offset) + relative * time).length();
+            sharp &= (miss - 0.4).abs() > 1e-3 && (time - 3.0).abs() > 1e-3 && time.abs() > 1e-3;
+            (time > 0.0 && time < 3.0 && miss < 0.4).then_some((time, other))
+        }).min_by(|a, b| a.0.total_cmp(&b.0));
+        let left = Vec3::Z.cross(velocity.normalize());
+        let expected = threats.and_then(|(time, other)| {
+            let between = angle(velocity, other.forward).to_degrees();
+            let at = if between > 135.0 { other.offset + other.velocity * time as f32 } else if between < 45.0 { other.offset } else { other.velocity };
+            sharp &= (between - 135.0).abs() > 0.1 && (between - 45.0).abs() > 0.1 && at.dot(left).abs() > 1e-3;
+            let turns = !(45.0..135.0).contains(&between) || other.velocity.length() <= velocity.length();
+            turns.then_some(if at.dot(left) > 0.0 { -left } else { left })
+        });
+        prop_assume!(sharp);
+        let said = ask(&AvoidNeighbours::default(), &View { vehicle: Vehicle::default(), ..view(velocity, &all) });
+        prop_assert_eq!(said.is_some(), expected.is_some());
+        prop_assert!(said.is_none_or(|said| said.force.distance(expected.unwrap_or_default() * 5.0) < 1e-3));
+    }
+
+    #[test]
+    fn the_nearest_who_is_too_close_is_pushed_off(all in others(), velocity in vector(1.0), gap in 0.0f32..3.0) {
+        prop_assume!(velocity.length() > 0.1);
+        let said = ask(&CloseAvoidance { who: Who::Anybody, gap }, &view(velocity, &all)).map(|said| said.force);
+        let close = all.first().filter(|other| other.offset.length() < gap + 0.4);
+        prop_assert_eq!(said.is_some(), close.is_some());
+        if let (Some(said), Some(close)) = (said, close) {
+            let side = angle(close.offset, velocity).sin() * close.offset.length();
+            prop_assume!(side > 1e-2);
+            prop_assert!(said.dot(velocity).abs() < 1e-3 && said.dot(close.offset) < 0.0 && (said.length() - 5.0).abs() < 1e-3);
+        }
+    }
+
+    /// No other way to share out the places is better.
+    #[test]
+    fn no_assignment_is_better(agents in prop::collection::vec(vector(5.0), 0..6), places in prop::collection::vec(vector(5.0), 6..7)) {
+        fn best(agents: &[Vec3], places: &[Vec3], taken: u32) -> f64 {
+            let Some((first, rest)) = agents.split_first() else { return 0.0 };
+            (0..places.len())
+                .filter(|place| taken & (1 << place) == 0)
+                .map(|place| f64::from(first.distance_squared(places[place])) + best(rest, places, taken | 1 << place))
+                .fold(f64::INFINITY, f64::min)
+        }
+        let assigned = assign(&agents, &places);
+        let cost: f64 = agents.iter().zip(&assigned).map(|(agent, &place)| f64::from(agent.distance_squared(places[place]))).sum();
+        let mut different = assigned.clone();
+        different.sort_unstable();
+        different.dedup();
+        prop_assert_eq!(different.len(), agents.len());
+        prop_assert!((cost - best(&agents, &places, 0)).abs() < 1e-3, "{cost}");
+    }
+
+    /// The queue keeps its gaps and goes as fast as its head.
+    #[test]
+    fn a_queue_does_not_push(speed in 0.0f32..1.0, gaps in prop::collection::vec(0.9f32..3.0, 1..6)) {
+        let walker = |x: f32, speed: f32, wish: f32| {
+            let queue = Queue::new(TargetSpeed { speed: wish });
+            Actor::new(Motion::moving(Vec3::X * x, Vec3::X * speed), Vehicle::default(), queue)
+        };
+        let mut actors = vec![walker(0.0, speed, speed)];
+        let mut x = 0.0;
+        for gap in gaps {
+            x -= gap;
+            actors.push(walker(x, 1.0, 1.3));
+        }
+        let mut stage = Stage::new(0.02, actors);
+        let mut nearest = f32::INFINITY;
+        stage.run(40.0, |stage| {
+            for pair in stage.actors.windows(2) {
+                nearest = nearest.min(pair[0].motion.position.x - pair[1].motion.position.x);
+            }
+        });
+        prop_assert!(nearest > 0.4, "{nearest}");
+        prop_assert!(stage.actors.iter().all(|actor| (actor.motion.speed() - speed).abs() < 0.05));
+    }
+
+    /// Whatever the pattern, each ends up in its place, and no two in one.
+    #[test]
+    fn formations_form(starts in prop::collection::vec(on_ground(6.0), 1..8), kind in 0usize..5, velocity in on_ground(0.7)) {
+        prop_assume!(velocity.length() > 0.1);
+        let pattern = [Pattern::Line, Pattern::Column, Pattern::Wedge, Pattern::Circle, Pattern::Grid][kind];
+        let count = starts.len();
+        let leader = Actor::new(Motion::moving(Vec3::ZERO, velocity), Vehicle::default(), MoveForward { part: 0.0 });
+        let basis = leader.motion.basis;
+        let places: Vec<Vec3> = (0..count).map(|i| basis.to_world(pattern.place(i, count, 1.5))).collect();
+        let apart = places.iter().enumerate().flat_map(|(i, a)| places[..i].iter().map(move |b| a.distance(*b))).fold(f32::INFINITY, f32::min);
+        prop_assert!(count < 2 || apart > 1.499, "{apart}");
+        let keep = KeepFormation { leader: Target::Agent(0), pattern, count, spacing: 1.5, slowing_distance: 1.0 };
+        let slots = assign(&starts, &places);
+        let member = |(start, slot): (&Vec3, usize)| Actor {
+            slot, ..Actor::new(Motion::at_rest(*start, Vec3::X), Vehicle::default(), keep)
+        };
+        let members = starts.iter().zip(slots.iter().copied()).map(member);
+        let mut stage = Stage::new(0.05, std::iter::once(leader).chain(members).collect());
+        stage.run(40.0, |_| ());
+        let lead = stage.actors[0].motion.position;
+        for (actor, slot) in stage.actors[1..].iter().zip(slots) {
+            prop_assert!(actor.motion.position.distance(lead + places[slot]) < 0.05);
+        }
+    }
+}
+
+/// Followers end up behind the leader, apart, and out of its way when it turns on them.
+#[test]
+fn followers_follow() {
+    for single_file in [false, true] {
+        let follow = FollowLeader { single_file, ..FollowLeader::from(Target::Agent(0)) };
+        let start =
+            |i: usize| Motion::at_rest(Vec3::new((i % 3) as f32 - 2.0, (i / 3) as f32 - 1.0, 0.0) * 1.5, Vec3::X);
+        let slow = Vehicle { max_speed: 1.0, ..Vehicle::default() };
+        let leader = Actor::new(Motion::default(), slow, Seek { target: Target::Point(Vec3::X * 1e3) });
+        let followers = (0..6).map(|i| Actor { group: 1, ..Actor::new(start(i), Vehicle::default(), follow) });
+        let mut stage = Stage::new(0.05, std::iter::once(leader).chain(followers).collect());
+        let mut nearest = f32::INFINITY;
+        stage.run(30.0, |stage| {
+            if stage.step > 100 {
+                let apart = |row: usize| stage.neighbours(row)[0].offset.length();
+                nearest = nearest.min((0..7).map(apart).fold(f32::INFINITY, f32::min));
+            }
+        });
+        let places: Vec<Vec3> =
+            stage.actors.iter().map(|actor| actor.motion.position - stage.actors[0].motion.position).collect();
+        assert!(places[1..].iter().all(|place| place.x < -0.3), "behind: {places:?}");
+        assert!(nearest > 0.35, "{nearest}");
+        if single_file {
+            assert!(places[1..].windows(2).all(|pair| pair[1].x < pair[0].x - 0.4), "{places:?}");
+            assert!(places.iter().all(|place| place.y.abs() < 0.2), "{places:?}");
+        }
+        // back through them
+        stage.actors[0].behaviour = Seek { target: Target::Point(-Vec3::X * 1e3) }.into();
+        nearest = f32::INFINITY;
+        stage.run(15.0, |stage| nearest = nearest.min(stage.neighbours(0)[0].offset.length()));
+        assert!(nearest > 0.3, "{nearest}");
+    }
+}
+
+/// The flocks become flocks: all fly the same way, together, without touching.
+#[test]
+fn flocks_form() {
+    let bird = Vehicle { max_speed: 9.0, max_force: 27.0, min_speed: 2.0, ..flier() };
+    let soft = |distance: f32| Neighbourhood { distance, ..Neighbourhood::default() };
+    let gentle = WeightedSum(vec![
+        (0.6, Separation { near: soft(5.0), full: 1.0, ..Separation::default() }.into()),
+        (0.5, MatchVelocity { near: Neighbourhood { most: 7, ..Neighbourhood::default() } }.into()),
+        (0.3, Cohesion { near: Neighbourhood { most: 7, ..Neighbourhood::default() }, full: 5.0 }.into()),
+    ]);
+    let flocks: [(&str, Branch); 3] =
+        [("flocking", Flocking::default().into()), ("boids", Boids::default().into()), ("topological", gentle.into())];
+    for (name, behaviour) in flocks {
+        let start = |i: usize| {
+            let turn = i as f32 * 2.4;
+            let place = Vec3::new(turn.cos(), turn.sin(), (i as f32 * 0.7).sin()) * (0.8 * (i as f32 + 1.0).sqrt());
+            Motion::moving(place, Vec3::new((i as f32).cos(), (i as f32).sin(), 0.0) * 2.7)
+        };
+        let pushes = WeightedSum(vec![(1.0, behaviour), (0.1, MoveForward { part: 1.0 }.into())]);
+        let pushes = Branch::from(pushes);
+        let mut stage = Stage::new(0.04, (0..24).map(|i| Actor::new(start(i), bird, pushes.clone())).collect());
+        // how much each flies as its nearest does
+        let order = |stage: &Stage| {
+            let likeness = |row: usize| stage.neighbours(row)[0].forward.dot(stage.actors[row].motion.basis.forward);
+            (0..24).map(likeness).sum::<f32>() / 24.0
+        };
+        let before = order(&stage);
+        stage.run(20.0, |_| ());
+        assert!(before < 0.5 && order(&stage) > 0.9, "{name}: {before} {}", order(&stage));
+        let nearest: Vec<f32> = (0..24).map(|row| stage.neighbours(row)[0].offset.length()).collect();
+        assert!(nearest.iter().all(|&distance| distance > 0.3), "{name}: {nearest:?}");
+        // who looks only so far loses some, who looks to the nearest few loses nobody
+        assert!(name != "topological" || nearest.iter().all(|&distance| distance < 8.0), "{nearest:?}");
+    }
+}
+
+/// Reynolds' demo of 1999: thirty who stroll about in a square hardly touch.
+#[test]
+fn strollers_hardly_touch() {
+    let touches = |avoid: fn() -> Branch| {
+        let walk = |i: usize| {
+            let place = Vec3::new((i % 6) as f32 - 2.5, (i / 6) as f32 - 2.0, 0.0) * 2.0;
+            let home = Tether { to: Target::Point(Vec3::ZERO), length: 6.0 };
+            let parts = vec![avoid(), home.into(), Wander::default().into()];
+            let slow = Vehicle { max_speed: 1.2, ..Vehicle::default() };
+            Actor::new(Motion::moving(place, Vec3::X), slow, Priority { epsilon: 0.0, parts })
+        };
+        let mut stage = Stage::new(0.04, (0..30).map(walk).collect());
+        let mut touching = 0;
+        stage.run(40.0, |stage| {
+            touching += (0..30).filter(|&row| stage.neighbours(row)[0].offset.length() < 2.0 * RADIUS).count();
+        });
+        touching
+    };
+    let never = || Tether { to: Target::Point(Vec3::ZERO), length: f32::INFINITY }.into();
+    let (without, with) = (touches(never), touches(|| UnalignedAvoidance::default().into()));
+    let turning = touches(|| AvoidNeighbours::default().into());
+    assert!(with * 20 < without && turning * 2 < without, "{without}, {with}, {turning}");
+}

@@ -1,0 +1,8 @@
+//! Steering: each behaviour against its definition, and what vehicles do that are steered by it.
+
+mod combine;
+mod group;
+mod harness;
+mod single;
+mod turned;
+mod vehicle;
