@@ -4,6 +4,7 @@ mod cells;
 mod place;
 mod rounded;
 mod shape;
+pub mod surface;
 mod walls;
 
 pub(crate) use cells::Cells;
