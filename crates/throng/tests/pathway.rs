@@ -72,8 +72,8 @@ proptest! {
                 let ahead = (along.rem_euclid(path.length()) - segment.along) * way.sign();
                 (-0.02..0.01).contains(&ahead) || (ahead - path.length()).abs() < 0.02
             });
-            prop_assume!(step.length() > 0.009 && !bend);
-            prop_assert!(step.normalize().dot(path.tangent_at(along, way)) > 0.99);
+            let straight = step.length() > 0.009 && !bend;
+            prop_assert!(!straight || step.normalize().dot(path.tangent_at(along, way)) > 0.99);
         }
     }
 

@@ -4,7 +4,7 @@ use crate::oracle::{Known, point, rotation, sweep};
 use glam::{Quat, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
-use throng::space::surface::{Cuboid, Moved, Plane, Pose, Sphere, Surface, Union};
+use throng::space::surface::{Cuboid, Moved, Plane, Pose, Sphere, Surface, Sweep, Union};
 
 fn member() -> impl Strategy<Value = Arc<dyn Surface>> {
     let ball = (point(4.0), 0.3f32..2.0)
@@ -48,7 +48,9 @@ proptest! {
     ) {
         let union = Union::new(members).unwrap();
         if union.query(ball.origin).distance < -ball.radius {
-            Known::solid(union, vec![], 0.0, |_| true).check_sweep(&ball)?;
+            let known = Known::solid(union, vec![], 0.0, |_| true);
+            known.check_way(&ball)?;
+            known.check_sweep(&Sweep { radius: 0.0, ..ball })?;
         }
     }
 }
