@@ -23,7 +23,7 @@ pub struct Error {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Kind {
-    /// Not TOML, WKT, JSON or zip.
+    /// Not TOML, WKT, OBJ, JSON or zip.
     Syntax,
     /// A key, or a choice, that does not exist.
     UnknownKey,

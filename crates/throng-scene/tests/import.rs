@@ -207,3 +207,47 @@ fn what_is_no_scene_is_said() {
     assert_eq!(open("nowhere").unwrap_err().kind, Kind::UnknownScene);
     assert_eq!(open("circle").unwrap().scene.title, "Ring of 36");
 }
+
+#[test]
+fn an_obj_file_becomes_a_surface() {
+    use throng::space::surface::Surface;
+    // a cube with its lower corner at the origin, y up, with everything that a surface does not need
+    let cube = "# a cube\nmtllib none.mtl\no cube\nv 0 0 0\nv 2 0 0 1.0\nv 2 3 0\nv 0 3 0\nvn 0 0 1\nvt 0 0\n\
+        v 0 0 -4 0.5 0.5 0.5\nv 2 0 -4\nv 2 3 -4\nv 0 3 -4 # the last\ns off\n\
+        f 1/1/1 2/1/1 3//1 4\nf 5 8 7 6\nf 1 5 6 2\nf -5 -6 -2 -1\nf 1 4 8 5\nf 2 6 7 3\n";
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cube.obj");
+    std::fs::write(&path, cube).unwrap();
+    let mesh = import::obj::load(&path, import::obj::Up::Y).unwrap();
+    assert!(mesh.is_closed() && mesh.len() == 12);
+    let bounds = mesh.bounds();
+    assert_eq!((bounds.low.to_array(), bounds.high.to_array()), ([0.0, 0.0, 0.0], [2.0, 4.0, 3.0]));
+    assert_eq!(mesh.query(glam::Vec3::new(1.0, 2.0, 2.5)).distance, -0.5);
+}
+
+#[test]
+fn what_is_wrong_with_an_obj_file_is_told_with_its_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("it.obj");
+    let says = |text: &str, expected: &str| {
+        std::fs::write(&path, text).unwrap();
+        let error = import::obj::load(&path, import::obj::Up::Z).unwrap_err().to_string();
+        assert!(error.contains(expected), "{error}");
+    };
+    let points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.1 0.1 0\n";
+    says("", "it.obj: this file has no faces");
+    says(points, "it.obj: this file has no faces");
+    says("v 0 0\n", "it.obj:1:1: this point has 2 coordinates, but needs 3");
+    says("v 0 0 0\nv 0 x 0", "it.obj:2:5: `x` is not a number");
+    says("v 0 NaN 0", "it.obj:1:5: the coordinate `NaN` is not finite");
+    says("v 0 0 1e99", "it.obj:1:7: the coordinate `1e99` is not finite");
+    says(&format!("{points}f 1 2"), "it.obj:5:1: this face has 2 corners, but needs at least 3");
+    says(&format!("{points}f 1 2 5"), "it.obj:5:7: there is no point 5");
+    says(&format!("{points}f 0 1 2"), "it.obj:5:3: there is no point 0");
+    says(&format!("{points}f 1 2 -5"), "it.obj:5:7: there is no point -5");
+    says(&format!("{points}f 1 a/2 3"), "it.obj:5:5: `a/2` names no point");
+    says(&format!("{points}f 1 2 4 3"), "it.obj:5:1: this face is not convex");
+    says("v 0 0 0\nf 1 1 1\n", "it.obj: a mesh: it has no triangle with three different corners");
+    let error = import::obj::load(folder.path().join("none.obj"), import::obj::Up::Z).unwrap_err().to_string();
+    assert!(error.contains("none.obj"), "{error}");
+}

@@ -1,6 +1,7 @@
-//! Floor plans and other programs' scenarios, as plain scenes.
+//! Floor plans and other programs' scenarios, as plain scenes; meshes, as surfaces.
 
 pub mod jupedsim;
+pub mod obj;
 mod open;
 pub mod wkt;
 

@@ -1,12 +1,15 @@
-//! Geometry: what is solid, what can be walked on, and where the nearest wall is.
+//! Geometry: what is solid, what can be walked on, where the nearest wall is, surfaces and paths that steering asks.
 
 mod cells;
+mod pathway;
 mod place;
 mod rounded;
 mod shape;
+pub mod surface;
 mod walls;
 
 pub(crate) use cells::Cells;
+pub use pathway::{OnPath, Pathway, Segment, Way};
 pub use place::{Place, check_polygon, is_inside};
 pub use rounded::{Core, Separation};
 pub use shape::{Obstacle, Walkable};

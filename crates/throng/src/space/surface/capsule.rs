@@ -1,0 +1,82 @@
+//! Capsules: everything within a radius of a segment.
+
+use super::sweep::{finite, touch_convex};
+use super::{Bounds, Surface, SurfaceHit, SurfacePoint, Sweep};
+use crate::error::Error;
+use glam::Vec3;
+
+/// A cylinder with round ends, any way up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Capsule {
+    start: Vec3,
+    end: Vec3,
+    radius: f32,
+}
+
+impl Capsule {
+    /// Everything within `radius` of the segment between two points, metres. The points may be one.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] if a point is not finite, or the radius not greater than 0 and finite.
+    pub fn new(start: Vec3, end: Vec3, radius: f32) -> Result<Self, Error> {
+        finite("an end of a capsule", start)?;
+        finite("an end of a capsule", end)?;
+        Error::unless_positive("the radius of a capsule", radius)?;
+        Ok(Self { start, end, radius })
+    }
+
+    /// How far a point in a capsule of another radius goes until it leaves it: the last of where it leaves the ball at
+    /// the start, that at the end, and the cylinder between them. None if it does not go through it.
+    fn leave(&self, radius: f32, sweep: &Sweep) -> Option<f32> {
+        let root = |offset: Vec3, direction: Vec3| {
+            let along = offset.dot(direction);
+            let beside = (offset - direction * along).length_squared();
+            (beside <= radius * radius).then(|| (radius * radius - beside).sqrt() - along)
+        };
+        let ball = |center: Vec3| root(sweep.origin - center, sweep.direction);
+        let length = self.start.distance(self.end);
+        let axis = (self.end - self.start).normalize_or_zero();
+        let flat = |v: Vec3| v - axis * v.dot(axis);
+        let turned = flat(sweep.direction);
+        let sideways = turned.length();
+        let tube = || {
+            let distance = root(flat(sweep.origin - self.start), turned / sideways)? / sideways;
+            let along = (sweep.at(distance) - self.start).dot(axis);
+            (0.0..=length).contains(&along).then_some(distance)
+        };
+        let tube = if sideways > 0.0 && length > 0.0 { tube() } else { None };
+        [ball(self.start), ball(self.end), tube].into_iter().flatten().reduce(f32::max).filter(|&t| t >= 0.0)
+    }
+}
+
+impl Surface for Capsule {
+    fn query(&self, point: Vec3) -> SurfacePoint {
+        let axis = self.end - self.start;
+        let t = (point - self.start).dot(axis) / axis.length_squared();
+        // a capsule without length has t NaN
+        let nearest = if t > 0.0 { self.start + axis * t.min(1.0) } else { self.start };
+        let offset = point - nearest;
+        let any = axis.try_normalize().map_or(Vec3::X, |axis| axis.any_orthonormal_vector());
+        let normal = offset.normalize_or(any);
+        SurfacePoint { point: nearest + normal * self.radius, normal, distance: offset.length() - self.radius }
+    }
+
+    fn sweep(&self, sweep: &Sweep) -> Option<SurfaceHit> {
+        let start = self.query(sweep.origin);
+        if !start.is_inside() {
+            return touch_convex(|p| self.query(p), sweep);
+        }
+        let touches = -start.distance <= sweep.radius;
+        let distance = match self.leave((self.radius - sweep.radius).max(0.0), sweep) {
+            Some(distance) if !touches || start.normal.dot(sweep.direction) <= 0.0 => distance,
+            // it touches already and comes no freer
+            _ => 0.0,
+        };
+        let SurfacePoint { point, normal, .. } = self.query(sweep.at(distance));
+        (distance <= sweep.reach).then_some(SurfaceHit { distance, point, normal, from_outside: false })
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds::around([self.start, self.end]).grown(self.radius)
+    }
+}

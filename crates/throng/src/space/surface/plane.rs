@@ -1,0 +1,59 @@
+//! Half-spaces.
+
+use super::sweep::finite;
+use super::{Bounds, Surface, SurfaceHit, SurfacePoint, Sweep};
+use crate::error::Error;
+use glam::Vec3;
+
+/// Everything behind a plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plane {
+    through: Vec3,
+    normal: Vec3,
+}
+
+impl Plane {
+    /// The half-space behind the plane through a point, metres; `normal` points out of it and may have any length.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] if the point is not finite, or the normal is not or has no length.
+    pub fn new(through: Vec3, normal: Vec3) -> Result<Self, Error> {
+        finite("a point of a plane", through)?;
+        let length = normal.length();
+        Error::unless_positive("the length of the normal of a plane", length)?;
+        Ok(Self { through, normal: normal / length })
+    }
+}
+
+impl Surface for Plane {
+    fn query(&self, point: Vec3) -> SurfacePoint {
+        let distance = (point - self.through).dot(self.normal);
+        SurfacePoint { point: point - self.normal * distance, normal: self.normal, distance }
+    }
+
+    fn sweep(&self, sweep: &Sweep) -> Option<SurfaceHit> {
+        let start = self.query(sweep.origin);
+        let from_outside = !start.is_inside();
+        let speed = sweep.direction.dot(self.normal);
+        let (gap, closing) = if from_outside { (start.distance, -speed) } else { (-start.distance, speed) };
+        if closing <= 0.0 {
+            return None;
+        }
+        let distance = (gap - sweep.radius).max(0.0) / closing;
+        let point = self.query(sweep.at(distance)).point;
+        (distance <= sweep.reach).then_some(SurfaceHit { distance, point, normal: self.normal, from_outside })
+    }
+
+    fn bounds(&self) -> Bounds {
+        let mut bounds = Bounds::EVERYWHERE;
+        // a plane across an axis bounds it on one side
+        for axis in 0..3 {
+            if self.normal[axis] == 1.0 {
+                bounds.high[axis] = self.through[axis];
+            } else if self.normal[axis] == -1.0 {
+                bounds.low[axis] = self.through[axis];
+            }
+        }
+        bounds
+    }
+}

@@ -1,0 +1,47 @@
+//! Balls.
+
+use super::sweep::{finite, leave_ball, touch_convex};
+use super::{Bounds, Surface, SurfaceHit, SurfacePoint, Sweep};
+use crate::error::Error;
+use glam::Vec3;
+
+/// A ball.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sphere {
+    center: Vec3,
+    radius: f32,
+}
+
+impl Sphere {
+    /// A ball round `center`, metres.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] if the centre is not finite or the radius not greater than 0 and finite.
+    pub fn new(center: Vec3, radius: f32) -> Result<Self, Error> {
+        finite("the centre of a sphere", center)?;
+        Error::unless_positive("the radius of a sphere", radius)?;
+        Ok(Self { center, radius })
+    }
+}
+
+impl Surface for Sphere {
+    fn query(&self, point: Vec3) -> SurfacePoint {
+        let offset = point - self.center;
+        let normal = offset.normalize_or(Vec3::X);
+        SurfacePoint { point: self.center + normal * self.radius, normal, distance: offset.length() - self.radius }
+    }
+
+    fn sweep(&self, sweep: &Sweep) -> Option<SurfaceHit> {
+        if !self.query(sweep.origin).is_inside() {
+            return touch_convex(|p| self.query(p), sweep);
+        }
+        let room = (self.radius - sweep.radius).max(0.0);
+        let distance = leave_ball(sweep.origin - self.center, sweep.direction, room);
+        let SurfacePoint { point, normal, .. } = self.query(sweep.at(distance));
+        (distance <= sweep.reach).then_some(SurfaceHit { distance, point, normal, from_outside: false })
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds { low: self.center, high: self.center }.grown(self.radius)
+    }
+}

@@ -1,0 +1,72 @@
+//! Triangles: the nearest point and the part of the triangle that it is on. In `f64`, because long thin ones are usual.
+
+use super::SurfacePoint;
+use glam::{DVec3, Vec3};
+
+/// A triangle, a sheet with two sides.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Triangle {
+    corners: [DVec3; 3],
+    /// Unit vector to the side from which the corners are seen counter-clockwise; zero if it has no area.
+    normal: DVec3,
+}
+
+/// A part of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Part {
+    /// Within.
+    Face,
+    /// On the edge from the corner with this index to the next.
+    Edge(usize),
+    /// At the corner with this index.
+    Corner(usize),
+}
+
+impl Triangle {
+    pub fn new(corners: [Vec3; 3]) -> Self {
+        let corners = corners.map(|corner| corner.as_dvec3());
+        let [a, b, c] = corners;
+        Self { corners, normal: (b - a).cross(c - a).normalize_or_zero() }
+    }
+
+    /// The unit normal, zero without area.
+    pub fn normal(&self) -> DVec3 {
+        self.normal
+    }
+
+    /// The nearest point to `p`, and where on the triangle it is. The normal points to the side of `p`.
+    pub fn query(&self, p: Vec3) -> (SurfacePoint, Part) {
+        let p = p.as_dvec3();
+        let (point, part) = self.nearest(p);
+        let offset = p - point;
+        let facing = if offset.dot(self.normal) < 0.0 { -self.normal } else { self.normal };
+        let normal = if part == Part::Face { facing } else { offset.normalize_or(facing) };
+        let (point, normal) = (point.as_vec3(), normal.as_vec3());
+        (SurfacePoint { point, normal, distance: offset.length() as f32 }, part)
+    }
+
+    fn nearest(&self, p: DVec3) -> (DVec3, Part) {
+        let edge = |i: usize| (self.corners[i], self.corners[(i + 1) % 3]);
+        let within = |i: usize| self.normal.cross(edge(i).1 - edge(i).0).dot(p - edge(i).0) >= 0.0;
+        if self.normal != DVec3::ZERO && (0..3).all(within) {
+            let above = (p - self.corners[0]).dot(self.normal);
+            return (p - self.normal * above, Part::Face);
+        }
+        let on_edge = |i: usize| {
+            let (start, end) = edge(i);
+            let along = end - start;
+            let t = (p - start).dot(along) / along.length_squared();
+            if t >= 1.0 {
+                (end, Part::Corner((i + 1) % 3))
+            } else if t > 0.0 {
+                (start + along * t, Part::Edge(i))
+            } else {
+                (start, Part::Corner(i))
+            }
+        };
+        let nearer = |a: (DVec3, Part), b: (DVec3, Part)| {
+            if b.0.distance_squared(p) < a.0.distance_squared(p) { b } else { a }
+        };
+        nearer(nearer(on_edge(0), on_edge(1)), on_edge(2))
+    }
+}

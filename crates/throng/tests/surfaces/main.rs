@@ -1,0 +1,9 @@
+//! Surfaces against brute force: samples of their boundaries, and whether points are inside by another formula.
+
+mod barriers;
+mod heights;
+mod meshes;
+mod mistakes;
+mod oracle;
+mod shapes;
+mod unions;
