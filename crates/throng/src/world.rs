@@ -20,6 +20,7 @@ mod schedule;
 mod snapshot;
 mod stage;
 mod standoff;
+mod steer;
 mod velocities;
 mod way;
 
@@ -32,6 +33,7 @@ use crate::guard::{Contacts, Guard};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script, Unreachable};
 use crate::perceive::{Grid, Instructions};
 use crate::space::{Place, Walls};
+use crate::steer::Event;
 use crate::summary::{Counts, Ended, Summary, Tally};
 use glam::DVec2;
 use schedule::Schedule;
@@ -90,6 +92,8 @@ pub struct World {
     stranded: Vec<(u32, Unreachable)>,
     /// Who steps aside for whom.
     standoffs: Vec<Standoff>,
+    /// What happened lately, for those who steer.
+    events: Vec<Event>,
     /// Box of the ground that ways are planned on where no walkable area bounds it. Not made anew when needed:
     /// meshes of the same ground at another time would differ.
     extent: Option<(DVec2, DVec2)>,
@@ -124,6 +128,8 @@ struct StepMemory {
     close_pair: Option<(usize, usize)>,
     near: perceive::Neighbours,
     shown: Vec<Shown>,
+    index: steer::Index,
+    planned: Vec<steer::Planned>,
     following: Vec<queue::Following>,
     seen: Vec<u32>,
     preferred: Velocities,
@@ -209,7 +215,9 @@ impl World {
 
     /// Whether anybody is off the ground, rises, or may want to.
     fn in_space_now(&self) -> bool {
-        self.agents.anybody_flies() || self.agents.climb.uniform() != Some(0.0) || self.legs.lead_up()
+        let agents = &self.agents;
+        let in_air = agents.anybody_flies() || agents.climb.uniform() != Some(0.0);
+        in_air || self.legs.lead_up() || self.anybody_steers_in_space()
     }
 
     /// Chooses the instructions that steps are made with: all give the same bits.

@@ -2,6 +2,7 @@
 
 use super::{GroupId, JourneyId, ScriptId};
 use crate::lanes::from_side_by_side;
+use crate::motion::{Attitude, Basis};
 use fearless_simd::prelude::*;
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
@@ -34,6 +35,10 @@ value! {
     GroupId: |value| value,
     JourneyId: |value| value,
     Option<ScriptId>: |value| value,
+    Attitude: |value| {
+        let Basis { forward, side, up } = value.basis;
+        [forward, side, up, value.acceleration, value.curvature].map(|v| v.to_array().map(f32::to_bits))
+    },
 }
 
 /// A value for every row. While all are the same to the bit it holds one, whatever the number of rows; reading a row

@@ -1,6 +1,7 @@
 //! The agents' state: a column a fact, a row an agent.
 
-use super::{Agent, Column, GroupId, JourneyId, ScriptId, Status, Value};
+use super::{Agent, Column, GroupId, JourneyId, ScriptId, Status, Value, Words};
+use crate::motion::Attitude;
 use crate::navigate::Travel;
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
@@ -12,6 +13,12 @@ trait Permute {
 impl<T: Default> Permute for Vec<T> {
     fn permute(&mut self, order: &[u32]) {
         *self = order.iter().map(|&row| std::mem::take(&mut self[row as usize])).collect();
+    }
+}
+
+impl Permute for Words {
+    fn permute(&mut self, order: &[u32]) {
+        self.permute(order);
     }
 }
 
@@ -48,7 +55,7 @@ macro_rules! columns {
 
             /// Whether all columns are of one length.
             pub(crate) fn is_whole(&self) -> bool {
-                [$(self.$name.len()),*].iter().all(|&len| len == self.len())
+                [$(self.$name.len()),*].iter().all(|&len| len == self.len()) && self.memory.is_whole()
             }
         }
     };
@@ -69,6 +76,10 @@ columns! {
     climb: Column<f32>,
     /// Direction of the body, radians counter-clockwise from +x, -pi to pi.
     heading: Vec<f32>,
+    /// How those who steer hold themselves.
+    attitude: Column<Attitude>,
+    /// What the behaviours of those who steer remember.
+    memory: Words,
     /// Radians a second that the body turned in the last sub-step; 0 for discs, whose turning touches nobody.
     spin: Column<f32>,
     /// Radius of the body, or of its rounding.
@@ -151,6 +162,8 @@ impl Columns {
         self.velocity.push(agent.velocity);
         self.climb.push(0.0);
         self.heading.push(heading);
+        self.attitude.push(Attitude::default());
+        self.memory.push();
         self.spin.push(0.0);
         self.radius.push(agent.radius);
         self.core.push(agent.core);

@@ -1,6 +1,8 @@
 //! What the agents of a group share.
 
 use crate::avoid::{LocalModel, Orca};
+use crate::motion::Vehicle;
+use crate::steer::Branch;
 use std::sync::Arc;
 
 /// What the agents of a group share: their local model, how far they look, and their manners.
@@ -23,6 +25,11 @@ pub struct Group {
     pub queue: bool,
     /// Whether agents that block each other's ways agree who steps aside (MODELS 1.10, narrow places).
     pub resolve: bool,
+    /// What its agents steer by, instead of walking along their ways: the velocity that their vehicles come to have is
+    /// the preferred one.
+    pub steering: Option<Branch>,
+    /// The vehicle of those who steer.
+    pub vehicle: Vehicle,
     /// Whether the [guard](crate::guard) keeps its agents from overlapping others and walls. Two who are both of
     /// groups without it may overlap; nobody else may.
     pub guard: bool,
@@ -39,6 +46,8 @@ impl Default for Group {
             detour: true,
             queue: true,
             resolve: true,
+            steering: None,
+            vehicle: Vehicle::default(),
             guard: true,
         }
     }

@@ -9,6 +9,7 @@ mod columns;
 mod group;
 mod id;
 mod trip;
+mod words;
 
 pub use body::Body;
 pub use column::{Column, Value};
@@ -16,6 +17,7 @@ pub use columns::Columns;
 pub use group::Group;
 pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId, ScriptId};
 pub use trip::Trip;
+pub use words::Words;
 
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};

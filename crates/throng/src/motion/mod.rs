@@ -13,5 +13,5 @@ pub(crate) use heading::Turning;
 pub(crate) use heading::wrap;
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};
-pub use vehicle::{Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
+pub use vehicle::{Attitude, Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
 pub(crate) use vehicle::{angle_between, part_in, turned, turned_towards};

@@ -4,6 +4,7 @@ use super::{Mark, Why};
 use crate::motion::{Locomotion, Motion, Steering, Vehicle, angle_between, part_in, turned_towards};
 use crate::random::Dice;
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
 
 /// Another agent, seen from the one that steers.
@@ -24,7 +25,7 @@ pub struct Neighbour {
 }
 
 /// Something that happened: a bang, a shout.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Event {
     /// Where.
     pub position: Vec3,

@@ -1,9 +1,10 @@
 //! 4. What is certain, and 5. move: to where the guard says nobody overlaps.
 
 use super::World;
+use super::steer::Planned;
 use crate::agent::Status;
 use crate::guard::{self, Bodies, Pose, Report, Seen};
-use crate::motion::{angle, faces, turn, wrap};
+use crate::motion::{Motion, Vehicle, angle, faces, turn, wrap};
 use glam::{Vec2, Vec3};
 
 impl World {
@@ -111,6 +112,7 @@ impl World {
 
     /// Moves everybody, one by one.
     fn advance_each(&mut self, seconds: f32) {
+        let steers: Vec<bool> = self.groups.iter().map(|group| group.steering.is_some()).collect();
         let agents = &mut self.agents;
         for row in 0..agents.len() {
             let from = agents.position[row].extend(agents.altitude[row]);
@@ -118,11 +120,21 @@ impl World {
             let velocity = velocity(from, target.place(), self.step.wishes.at(row), seconds);
             agents.position[row] = target.position;
             agents.altitude.set(row, target.altitude);
-            let velocity_before = agents.velocity[row];
+            let (velocity_before, climb_before) = (agents.velocity[row], agents.climb[row]);
             agents.velocity[row] = velocity.truncate();
             agents.climb.set(row, velocity.z);
             let before = agents.heading[row];
-            let heading = if agents.is_disc(row) {
+            let heading = if let Some(planned) =
+                self.step.planned.get(row).filter(|_| steers[agents.group[row].index()])
+            {
+                let before = agents.attitude[row].motion(from, velocity_before.extend(climb_before));
+                let vehicle = &self.groups[agents.group[row].index()].vehicle;
+                let moved = steered(vehicle, &before, planned, velocity, seconds);
+                agents.velocity[row] = moved.velocity.truncate();
+                agents.climb.set(row, moved.velocity.z);
+                agents.attitude.set(row, moved.into());
+                moved.basis.heading()
+            } else if agents.is_disc(row) {
                 let facing = faces(agents.velocity[row], self.step.preferred.ground[row], agents.max_turn_rate[row]);
                 turn(before, facing, seconds, agents.max_turn_rate[row])
             } else {
@@ -157,6 +169,16 @@ pub(super) const SEEN: f32 = 0.1;
 /// The angle between two velocities, radians, if both can be seen.
 fn angle_between(a: Vec2, b: Vec2) -> f32 {
     if a.length() < SEEN || b.length() < SEEN { 0.0 } else { angle(Vec2::new(a.dot(b), a.perp_dot(b))).abs() }
+}
+
+/// How one who steers moves that was left a velocity.
+fn steered(vehicle: &Vehicle, before: &Motion, planned: &Planned, velocity: Vec3, seconds: f32) -> Motion {
+    let wanted = (planned.motion.position - before.position) / seconds;
+    if velocity == wanted {
+        planned.motion
+    } else {
+        vehicle.diverted(before, planned.motion, planned.faces, velocity, seconds)
+    }
 }
 
 /// The velocity of a motion. What was certified as it was wished is the wish: the motion may be far below what

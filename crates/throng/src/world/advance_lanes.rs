@@ -27,7 +27,10 @@ impl World {
     /// like.
     pub(super) fn lanes_to_move(&self) -> Option<Level> {
         let agents = &self.agents;
-        let plain = agents.all_discs() && !self.in_space_now() && agents.max_turn_rate.uniform() == Some(f32::INFINITY);
+        let plain = agents.all_discs()
+            && !self.in_space_now()
+            && !self.anybody_steers()
+            && agents.max_turn_rate.uniform() == Some(f32::INFINITY);
         self.instructions.level().filter(|_| plain)
     }
 

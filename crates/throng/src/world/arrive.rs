@@ -111,7 +111,10 @@ impl World {
         match agents.status[row] {
             Status::Waiting if agents.travel[row].wait() <= seconds => Status::Walking,
             Status::Walking => {
-                let Some(stop) = self.stop(row, agents.travel[row].leg) else { return Status::Arrived };
+                let Some(stop) = self.stop(row, agents.travel[row].leg) else {
+                    let steers = self.steering(row).is_some();
+                    return if steers { Status::Walking } else { Status::Arrived };
+                };
                 let (place, goal) = (self.world_place(row), &self.goals[stop.goal.index()]);
                 let near = || match (goal.offset(place), goal.corners()) {
                     (Some((offset, _)), _) => {

@@ -2,12 +2,14 @@
 
 use super::{Settings, Slots, StepMemory, SubSteps, World};
 use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
+use crate::motion::{Attitude, Basis};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script, union};
 use crate::perceive::Instructions;
 use crate::space::{Core, Obstacle, Place, Walkable, Walls, check_polygon};
+use crate::steer::Event;
 use crate::summary::Tally;
 use crate::{Error, world::schedule::Schedule};
-use glam::{DVec2, DVec3, Vec2};
+use glam::{DVec2, DVec3, Vec2, Vec3};
 
 /// Distance from the origin, in metres, up to which a world keeps its promises: beyond it `f32` is too coarse.
 const FARTHEST: f64 = 20_000.0;
@@ -37,6 +39,7 @@ impl World {
             tally: Tally::default(),
             stranded: Vec::new(),
             standoffs: Vec::new(),
+            events: Vec::new(),
             extent: None,
             walls: Walls::default(),
             meshes: Meshes::default(),
@@ -55,6 +58,11 @@ impl World {
         Error::unless((1..=1000).contains(&group.neighbours), "neighbours", group.neighbours as f64, "from 1 to 1000")?;
         Error::unless(group.keep_right.abs() <= 0.5, "keep right", group.keep_right, "from -0.5 to 0.5 rad")?;
         group.model.check()?;
+        if let Some(steering) = &group.steering {
+            steering.check()?;
+            group.vehicle.check()?;
+            self.agents.memory.widen(steering.words());
+        }
         self.groups.push(group);
         Ok(GroupId(self.groups.len() as u32 - 1))
     }
@@ -222,6 +230,17 @@ impl World {
         Ok(())
     }
 
+    /// Lets those who steer know that something happened.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] if it is not finite.
+    pub fn notify(&mut self, event: Event) -> Result<(), Error> {
+        Error::unless_finite("place of the event", f64::from(event.position.element_sum()))?;
+        Error::unless_finite("time of the event", event.time)?;
+        self.events.push(event);
+        Ok(())
+    }
+
     /// Removes an agent; false if it is not there.
     pub fn remove_agent(&mut self, id: AgentId) -> bool {
         let Some(row) = self.row(id) else { return false };
@@ -252,7 +271,13 @@ impl World {
         self.slots.rows[slot as usize] = row;
         let heading = self.first_heading(agent);
         self.agents.push(agent, self.settings.origin, slot, number, heading, now);
-        let status = self.first_status(agent.journey);
+        let steers = self.groups[agent.group.index()].steering.is_some();
+        if steers {
+            let (sin, cos) = libm::sincosf(heading);
+            let basis = Basis::facing(Vec3::new(cos, sin, 0.0));
+            self.agents.attitude.set(row as usize, Attitude { basis, ..Attitude::default() });
+        }
+        let status = if steers { Status::Walking } else { self.first_status(agent.journey) };
         self.agents.status[row as usize] = status;
         if status == Status::Arrived {
             self.agents.arrived.set(row as usize, now);

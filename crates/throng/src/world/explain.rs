@@ -4,6 +4,7 @@ use super::World;
 use super::avoid::Sight;
 use crate::agent::AgentId;
 use crate::avoid::{Cause, NearDisc, NearEdge, Neighbour, Reason, Workspace, time_to_segment};
+use crate::steer::Told;
 use glam::{DVec2, Vec2};
 
 /// What would happen to one agent in the next sub-step, and why. Metres, seconds, radians; velocities along the ground
@@ -38,6 +39,8 @@ pub struct Explanation {
     pub edges: Vec<NearEdge>,
     /// Solid discs in view, nearest first.
     pub discs: Vec<NearDisc>,
+    /// What led to the preferred velocity, of who steers.
+    pub steering: Vec<Told>,
     /// What led to the velocity that the model chooses, as the model says; causes are indices into the lists above.
     pub reasons: Vec<Reason>,
     /// The velocity that the model chooses.
@@ -86,8 +89,14 @@ impl World {
         world.enter();
         let parts = world.sub_steps();
         let seconds = world.seconds(parts);
-        world.decide(seconds, world.time() + f64::from(seconds), |_| ());
-        Some(world.explanation(world.row(id)?, seconds))
+        let now = world.time() + f64::from(seconds);
+        let memory = world.agents.memory.clone();
+        world.decide(seconds, now, |_| ());
+        // deciding has changed what is remembered
+        world.agents.memory = memory;
+        let row = world.row(id)?;
+        let steering = world.steering_reasons(row, seconds, now);
+        Some(Explanation { steering, ..world.explanation(row, seconds) })
     }
 
     /// Explains what has been decided for a row, but not yet done.
@@ -114,6 +123,7 @@ impl World {
             max_acceleration: agents.max_acceleration[row],
             velocity: agents.velocity[row],
             preferred: self.step.preferred.ground[row],
+            steering: Vec::new(),
             reasons,
             chosen,
             limited: self.step.wishes.ground[row],

@@ -52,6 +52,7 @@ impl World {
         );
         self.agents.travel = travels;
         self.step.preferred = preferred;
+        self.steer(seconds, now);
     }
 
     /// Where the script of an agent is at a time, if it has one.

@@ -26,7 +26,7 @@ impl World {
                 let (mut lost, mut change) = (false, false);
                 let mut look = |row: usize, travel: &mut Travel| {
                     let way = world.look(row, travel, seconds);
-                    lost |= way.walks() && !travel.has_way();
+                    lost |= way.walks() && way.has_goal() && !travel.has_way();
                     change |= way.may_change();
                     way
                 };
@@ -53,7 +53,7 @@ impl World {
         self.step.anybody_may_change = changes.into_inner() || anybody;
         let rows = if anybody { 0..travels.len() } else { 0..0 };
         let mut lost: Vec<Planned> = rows
-            .filter(|&row| shown[row].way.walks() && !travels[row].has_way())
+            .filter(|&row| shown[row].way.walks() && shown[row].way.has_goal() && !travels[row].has_way())
             .map(|row| Planned { row, leg: travels[row].leg, outcome: None })
             .collect();
         if !lost.is_empty() {
@@ -115,6 +115,10 @@ impl World {
     /// up.
     fn look(&self, row: usize, travel: &mut Travel, seconds: f32) -> Way {
         let leg = self.legs.of(self.agents.journey[row], travel.leg);
+        if leg.is_none() && self.agents.status[row] == Status::Walking {
+            // who steers needs no way
+            return Way::walking(None, self.agents.velocity[row].normalize_or_zero(), 0.0);
+        }
         let at = self.world_position(row);
         let straight = travel.is_straight();
         let mut towards = leg.map_or(-at, |leg| leg.middle - at).as_vec2();

@@ -5,6 +5,7 @@ use crate::Error;
 use crate::agent::Columns;
 use crate::navigate::{Goal, Journey, Legs, Script, Unreachable};
 use crate::space::Place;
+use crate::steer::{Branch, Event};
 use crate::summary::Tally;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -28,6 +29,7 @@ struct State {
     tally: Tally,
     stranded: Vec<(u32, Unreachable)>,
     standoffs: Vec<Standoff>,
+    events: Vec<Event>,
     extent: Option<(DVec2, DVec2)>,
 }
 
@@ -49,6 +51,7 @@ impl World {
             tally: self.tally.clone(),
             stranded: self.stranded.clone(),
             standoffs: self.standoffs.clone(),
+            events: self.events.clone(),
             extent: self.extent,
         };
         // writing to memory cannot fail, and all types are serialisable
@@ -77,6 +80,8 @@ impl World {
         self.place_changed();
         self.steps = state.steps;
         self.agents = state.agents;
+        let words = self.groups.iter().filter_map(|group| group.steering.as_ref()).map(Branch::words);
+        self.agents.memory.widen(words.max().unwrap_or(0));
         self.slots = state.slots;
         self.goals = state.goals;
         self.journeys = state.journeys;
@@ -86,6 +91,7 @@ impl World {
         self.tally = state.tally;
         self.stranded = state.stranded;
         self.standoffs = state.standoffs;
+        self.events = state.events;
         self.extent = state.extent;
         self.prepare_all_meshes();
         Ok(())

@@ -27,6 +27,7 @@ mod polygons;
 mod saved;
 mod scenes;
 mod space;
+mod steering;
 mod stranded;
 mod stuck;
 mod sub_steps;

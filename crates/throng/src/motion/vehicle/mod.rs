@@ -11,7 +11,7 @@ mod step;
 
 pub use basis::Basis;
 pub(crate) use basis::{angle_between, turned, turned_towards};
-pub use state::Motion;
+pub use state::{Attitude, Motion};
 
 use crate::Error;
 use glam::Vec3;

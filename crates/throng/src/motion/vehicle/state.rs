@@ -29,6 +29,32 @@ pub struct Motion {
     pub curvature: Vec3,
 }
 
+/// How a vehicle holds itself, wherever it is and however fast: what of its [`Motion`] others do not keep.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Attitude {
+    /// Which way it faces.
+    pub basis: Basis,
+    /// As [`Motion::acceleration`].
+    pub acceleration: Vec3,
+    /// As [`Motion::curvature`].
+    pub curvature: Vec3,
+}
+
+impl Attitude {
+    /// At a place, with a velocity.
+    pub fn motion(self, position: Vec3, velocity: Vec3) -> Motion {
+        let Self { basis, acceleration, curvature } = self;
+        Motion { position, velocity, basis, acceleration, curvature }
+    }
+}
+
+impl From<Motion> for Attitude {
+    fn from(motion: Motion) -> Self {
+        let Motion { basis, acceleration, curvature, .. } = motion;
+        Self { basis, acceleration, curvature }
+    }
+}
+
 impl Motion {
     /// At rest at a place, facing a direction upright.
     pub fn at_rest(position: Vec3, facing: Vec3) -> Self {

@@ -39,6 +39,16 @@ impl Vehicle {
         motion.curvature = curvature(&before, motion, seconds);
     }
 
+    /// What becomes of the motion that a step wanted if others leave it another velocity: it looks where it goes, unless it
+    /// faces where it was told to.
+    pub fn diverted(&self, before: &Motion, wanted: Motion, faces: bool, velocity: Vec3, seconds: f32) -> Motion {
+        let forward = if faces { wanted.basis.forward } else { self.forward(before, velocity, None, seconds) };
+        let mut motion = Motion { position: before.position + velocity * seconds, velocity, ..wanted };
+        motion.basis = self.basis(&before.basis, forward, wanted.acceleration, seconds);
+        motion.curvature = curvature(before, &motion, seconds);
+        motion
+    }
+
     /// The direction it will face.
     fn forward(&self, motion: &Motion, wish: Vec3, facing: Option<Vec3>, seconds: f32) -> Vec3 {
         let before = motion.basis.forward;

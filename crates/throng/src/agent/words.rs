@@ -1,0 +1,96 @@
+//! Words of memory, as many for every row.
+
+use crate::parallel::Lists;
+use serde::{Deserialize, Serialize};
+
+/// As many words of memory for every row; none take no room. What behaviours remember of agents.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Words {
+    all: Vec<f32>,
+    /// Words of a row.
+    each: usize,
+    rows: usize,
+}
+
+impl Words {
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.rows
+    }
+
+    /// Whether there are no rows.
+    pub fn is_empty(&self) -> bool {
+        self.rows == 0
+    }
+
+    /// Those of a row.
+    pub fn of(&self, row: usize) -> &[f32] {
+        &self.all[row * self.each..(row + 1) * self.each]
+    }
+
+    /// Whether there are as many as the rows need.
+    pub(crate) fn is_whole(&self) -> bool {
+        self.all.len() == self.rows * self.each
+    }
+
+    /// Makes room for at least so many in each row; those that are new are zero.
+    pub(crate) fn widen(&mut self, each: usize) {
+        if each > self.each {
+            let mut wide = vec![0.0; self.rows * each];
+            for (row, words) in wide.chunks_exact_mut(each).enumerate() {
+                words[..self.each].copy_from_slice(self.of(row));
+            }
+            (self.all, self.each) = (wide, each);
+        }
+    }
+
+    /// Adds a row of zeros.
+    pub(crate) fn push(&mut self) {
+        self.rows += 1;
+        self.all.resize(self.rows * self.each, 0.0);
+    }
+
+    /// Makes room for more rows.
+    pub(crate) fn reserve(&mut self, additional: usize) {
+        self.all.reserve(additional * self.each);
+    }
+
+    /// Removes a row; the last row takes its place.
+    pub(crate) fn swap_remove(&mut self, row: usize) {
+        self.rows -= 1;
+        let last = self.rows * self.each;
+        self.all.copy_within(last..last + self.each, row * self.each);
+        self.all.truncate(last);
+    }
+
+    /// Moves every row: what was in row `order[k]` comes to row `k`.
+    pub(crate) fn permute(&mut self, order: &[u32]) {
+        self.all = order.iter().flat_map(|&row| self.of(row as usize)).copied().collect();
+    }
+
+    /// All of them, to be written.
+    pub(crate) fn lists(&mut self) -> Lists<'_, f32> {
+        Lists { all: &mut self.all, stride: self.each }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_keep_their_words() {
+        let mut words = Words::default();
+        (0..3).for_each(|_| words.push());
+        words.widen(2);
+        words.lists().all.copy_from_slice(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+        words.permute(&[2, 0, 1]);
+        assert_eq!((words.of(0), words.of(1), words.of(2)), (&[5.0, 6.0][..], &[1.0, 2.0][..], &[3.0, 4.0][..]));
+        words.widen(3);
+        words.swap_remove(0);
+        assert_eq!((words.len(), words.of(0), words.of(1)), (2, &[3.0, 4.0, 0.0][..], &[1.0, 2.0, 0.0][..]));
+        words.push();
+        assert_eq!(words.of(2), [0.0; 3]);
+        assert!(words.is_whole());
+    }
+}

@@ -1,0 +1,171 @@
+//! 2. What would I like, of those who steer: a behaviour gives a force, and what their body makes of it is their preferred
+//! velocity. What is safe is asked afterwards, as of everybody.
+
+use super::World;
+use crate::agent::Status;
+use crate::motion::{Basis, Locomotion, Motion};
+use crate::parallel;
+use crate::steer::{Branch, Mark, Neighbour, Others, Told, View, Why};
+use glam::Vec3;
+
+/// Seconds after which nobody remembers what happened.
+const FORGOTTEN: f64 = 600.0;
+
+/// Where the body of one who steers will be if nothing hinders it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Planned {
+    pub motion: Motion,
+    /// Whether it faces where it was told to, and not where it goes.
+    pub faces: bool,
+}
+
+/// Rows of agents by their numbers; `u32::MAX`: nobody has it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Index {
+    rows: Vec<u32>,
+    /// The place of each among those of its group, by number.
+    slots: Vec<u32>,
+    counts: Vec<u32>,
+}
+
+impl Index {
+    fn rebuild(&mut self, world: &World) {
+        let agents = &world.agents;
+        self.rows.clear();
+        self.rows.resize(world.slots.next_number as usize, u32::MAX);
+        agents.number.iter().zip(0..).for_each(|(&number, row)| self.rows[number as usize] = row);
+        self.counts.clear();
+        self.counts.resize(world.groups.len(), 0);
+        self.slots.resize(agents.len(), 0);
+        for &row in self.rows.iter().filter(|&&row| row != u32::MAX) {
+            let count = &mut self.counts[agents.group[row as usize].index()];
+            self.slots[row as usize] = *count;
+            *count += 1;
+        }
+    }
+}
+
+impl Others for World {
+    fn find(&self, number: u32) -> Option<Mark> {
+        let &row = self.step.index.rows.get(number as usize).filter(|&&row| row != u32::MAX)?;
+        let Motion { position, velocity, basis, .. } = self.motion(row as usize);
+        Some(Mark { position, velocity, basis, radius: self.agents.radius[row as usize] })
+    }
+}
+
+impl World {
+    /// The behaviour that an agent steers by.
+    pub(super) fn steering(&self, row: usize) -> Option<&Branch> {
+        self.groups[self.agents.group[row].index()].steering.as_ref()
+    }
+
+    /// Whether anybody steers.
+    pub(super) fn anybody_steers(&self) -> bool {
+        self.groups_in_use().any(|group| group.steering.is_some())
+    }
+
+    /// Whether anybody who steers may leave the ground.
+    pub(super) fn anybody_steers_in_space(&self) -> bool {
+        self.groups_in_use().any(|group| group.steering.is_some() && group.vehicle.locomotion != Locomotion::Ground)
+    }
+
+    /// The preferred velocities of those who steer.
+    pub(super) fn steer(&mut self, seconds: f32, now: f64) {
+        if !self.anybody_steers() {
+            self.step.planned.clear();
+            return;
+        }
+        self.events.retain(|event| now - event.time <= FORGOTTEN);
+        let mut index = std::mem::take(&mut self.step.index);
+        index.rebuild(self);
+        self.step.index = index;
+        let mut planned = std::mem::take(&mut self.step.planned);
+        planned.resize(self.agents.len(), Planned::default());
+        let mut memory = std::mem::take(&mut self.agents.memory);
+        let mut preferred = std::mem::take(&mut self.step.preferred);
+        let (world, each) = (&*self, memory.lists().stride);
+        let all = (&mut planned[..], memory.lists(), preferred.rows());
+        parallel::ranges(all, Vec::new, |neighbours, rows, (planned, memory, mut preferred)| {
+            for (at, row) in rows.enumerate() {
+                let Some(steering) = world.steering(row) else { continue };
+                let memory = &mut memory.all[at * each..][..steering.words()];
+                let view = world.steering_view(row, seconds, now, neighbours);
+                let steering = steering.steer(&view, memory, &mut Why::default()).unwrap_or_default();
+                let mut motion = view.motion;
+                view.vehicle.step(&mut motion, steering, seconds);
+                let moved = (motion.position - view.motion.position) / seconds;
+                super::velocities::set(&mut preferred, at, moved);
+                planned[at] = Planned { motion, faces: steering.facing.is_some() };
+            }
+        });
+        (self.step.planned, self.agents.memory, self.step.preferred) = (planned, memory, preferred);
+    }
+
+    /// What led to the steering of an agent in the sub-step that ends at `now`.
+    pub(super) fn steering_reasons(&self, row: usize, seconds: f32, now: f64) -> Vec<Told> {
+        let mut told = Vec::new();
+        if let Some(steering) = self.steering(row) {
+            let (mut memory, mut neighbours) = (self.agents.memory.of(row).to_vec(), Vec::new());
+            let view = self.steering_view(row, seconds, now, &mut neighbours);
+            steering.steer(&view, &mut memory[..steering.words()], &mut Why::asked(&mut told));
+        }
+        told
+    }
+
+    /// Where an agent is and how it moves.
+    pub(super) fn motion(&self, row: usize) -> Motion {
+        let agents = &self.agents;
+        let position = agents.position[row].extend(agents.altitude[row]);
+        let velocity = agents.velocity[row].extend(agents.climb[row]);
+        if self.steering(row).is_some() {
+            agents.attitude[row].motion(position, velocity)
+        } else {
+            let (sin, cos) = libm::sincosf(agents.heading[row]);
+            Motion { position, velocity, basis: Basis::facing(Vec3::new(cos, sin, 0.0)), ..Motion::default() }
+        }
+    }
+
+    /// What the behaviour of an agent sees.
+    fn steering_view<'a>(&'a self, row: usize, seconds: f32, now: f64, neighbours: &'a mut Vec<Neighbour>) -> View<'a> {
+        let (agents, own) = (&self.agents, self.motion(row));
+        neighbours.clear();
+        neighbours.extend(self.neighbours(row).iter().map(|&other| {
+            let other = other as usize;
+            let motion = self.motion(other);
+            Neighbour {
+                offset: motion.position - own.position,
+                velocity: motion.velocity,
+                forward: motion.basis.forward,
+                radius: agents.radius[other],
+                number: agents.number[other],
+                group: agents.group[other].index(),
+            }
+        }));
+        View {
+            motion: own,
+            vehicle: self.groups[agents.group[row].index()].vehicle,
+            radius: agents.radius[row],
+            group: agents.group[row].index(),
+            slot: self.step.index.slots[row] as usize,
+            goal: self.steering_goal(row),
+            neighbours,
+            others: self,
+            events: &self.events,
+            time: now - f64::from(seconds),
+            seconds,
+            dice: self.dice(row),
+        }
+    }
+
+    /// Where the journey of an agent leads next.
+    fn steering_goal(&self, row: usize) -> Option<Vec3> {
+        if self.agents.status[row] != Status::Walking {
+            return None;
+        }
+        let travel = &self.agents.travel[row];
+        let stop = self.stop(row, travel.leg)?;
+        let aim = travel.aim().or_else(|| self.goal_middle(row, travel.leg))?;
+        let altitude = self.goals[stop.goal.index()].altitude().unwrap_or(0.0);
+        Some((aim - self.settings.origin).as_vec2().extend(altitude as f32))
+    }
+}
