@@ -1,6 +1,8 @@
 //! How the triangles of a mesh hang together: which share corners and edges, and which way is out.
 
+use super::Bounds;
 use glam::{DVec3, Vec3};
+use std::f64::consts::TAU;
 
 /// Merges points that are equal and leaves out triangles with two equal corners.
 pub(super) fn weld(points: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<[u32; 3]>) {
@@ -53,10 +55,9 @@ pub(super) fn turn_out(points: &[Vec3], triangles: &mut [[u32; 3]], across: &mut
         members[part as usize].push(t);
     }
     let corners = |t: usize| triangles[t].map(|i| points[i as usize].as_dvec3());
-    let bounds: Vec<_> = members
-        .iter()
-        .map(|part| super::Bounds::around(part.iter().flat_map(|&t| triangles[t].map(|i| points[i as usize]))))
-        .collect();
+    let around =
+        |part: &Vec<usize>| Bounds::around(part.iter().flat_map(|&t| triangles[t].map(|i| points[i as usize])));
+    let bounds: Vec<Bounds> = members.iter().map(around).collect();
     let mut wrong: Vec<usize> = Vec::new();
     for (part, own) in members.iter().enumerate() {
         let base = corners(own[0])[0];
@@ -120,8 +121,8 @@ fn turn_over(triangle: &mut [u32; 3], across: &mut [u32; 3]) {
     across.swap(0, 2);
 }
 
-/// The solid angle under which a triangle is seen, negative from behind (Van Oosterom and Strackee, IEEE Transactions on
-/// Biomedical Engineering 30(2), 1983).
+/// The solid angle under which a triangle is seen, negative from behind (Van Oosterom and Strackee, IEEE Transactions
+/// on Biomedical Engineering 30(2), 1983).
 fn solid_angle(eye: DVec3, corners: [DVec3; 3]) -> f64 {
     let [a, b, c] = corners.map(|corner| corner - eye);
     let [x, y, z] = [a, b, c].map(DVec3::length);
