@@ -66,11 +66,10 @@ pub(super) fn turn_out(points: &[Vec3], triangles: &mut [[u32; 3]], across: &mut
         if volume.abs() <= 1e-9 * size.length().powi(3) {
             return false;
         }
-        let holds =
-            |other: usize| bounds[other].contains(bounds[part].low) && bounds[other].contains(bounds[part].high);
-        let around = |other: usize| members[other].iter().map(|&t| solid_angle(base, corners(t))).sum::<f64>();
+        let holds = |outer: Bounds| outer.contains(bounds[part].low) && outer.contains(bounds[part].high);
+        let seen = |other: usize| members[other].iter().map(|&t| solid_angle(base, corners(t))).sum::<f64>();
         // a point in a closed mesh sees it all around: 4 pi
-        let within = |other: &usize| *other != part && holds(*other) && around(*other).abs() > std::f64::consts::TAU;
+        let within = |&other: &usize| other != part && holds(bounds[other]) && seen(other).abs() > TAU;
         let hollow = (0..parts).filter(within).count() % 2 == 1;
         if (volume < 0.0) != hollow {
             wrong.extend(own);
