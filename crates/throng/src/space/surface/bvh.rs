@@ -6,7 +6,7 @@
 use super::{Bounds, SurfaceHit, Sweep};
 
 /// As many things at most in a leaf.
-const LEAF: usize = 4;
+const LEAF: usize = 2;
 
 /// A binary tree of boxes over numbered things.
 #[derive(Clone, Debug, PartialEq)]

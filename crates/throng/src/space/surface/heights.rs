@@ -4,7 +4,7 @@ use super::sweep::{finite, touch_convex};
 use super::triangle::Triangle;
 use super::{Bounds, Bvh, Surface, SurfaceHit, SurfacePoint, Sweep};
 use crate::error::Error;
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec3Swizzles};
 
 /// Everything below a ground of given heights. Each cell is two triangles, which meet along its rising diagonal (from
 /// its least x and y to its greatest). Beyond its rim the ground goes on at the height that it has there, for 100 km.
@@ -133,7 +133,7 @@ impl Surface for HeightField {
             let hits = self.grid.triangles(cell).map(|triangle| touch_convex(|p| triangle.query(p).0, sweep));
             hits.into_iter().flatten().reduce(|a, b| if b.distance < a.distance { b } else { a })
         })?;
-        Some(hit.of_solid(!self.query(sweep.origin).is_inside()))
+        Some(hit.of_solid(sweep.origin.z >= self.height(sweep.origin.xy())))
     }
 
     fn bounds(&self) -> Bounds {

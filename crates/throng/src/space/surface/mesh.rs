@@ -119,7 +119,13 @@ impl Surface for Mesh {
             let triangle = self.triangle(index);
             touch_convex(|p| triangle.query(p).0, sweep)
         })?;
-        Some(hit.of_solid(!self.query(sweep.origin).is_inside()))
+        if !self.is_closed() {
+            return Some(hit);
+        }
+        // the side is told where it touches, which is found faster: on the surface itself by the way it goes
+        let there = self.query(sweep.at(hit.distance));
+        let towards = there.normal.dot(sweep.direction) <= 0.0;
+        Some(hit.of_solid(if hit.distance > 0.0 { towards } else { !there.is_inside() }))
     }
 
     fn bounds(&self) -> Bounds {

@@ -1,6 +1,8 @@
 //! How the triangles of a mesh hang together: which share corners and edges, and which way is out.
 
+use super::Bounds;
 use glam::{DVec3, Vec3};
+use std::f64::consts::TAU;
 
 /// Merges points that are equal and leaves out triangles with two equal corners.
 pub(super) fn weld(points: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<[u32; 3]>) {
@@ -53,10 +55,9 @@ pub(super) fn turn_out(points: &[Vec3], triangles: &mut [[u32; 3]], across: &mut
         members[part as usize].push(t);
     }
     let corners = |t: usize| triangles[t].map(|i| points[i as usize].as_dvec3());
-    let bounds: Vec<_> = members
-        .iter()
-        .map(|part| super::Bounds::around(part.iter().flat_map(|&t| triangles[t].map(|i| points[i as usize]))))
-        .collect();
+    let around =
+        |part: &Vec<usize>| Bounds::around(part.iter().flat_map(|&t| triangles[t].map(|i| points[i as usize])));
+    let bounds: Vec<Bounds> = members.iter().map(around).collect();
     let mut wrong: Vec<usize> = Vec::new();
     for (part, own) in members.iter().enumerate() {
         let base = corners(own[0])[0];
@@ -65,11 +66,10 @@ pub(super) fn turn_out(points: &[Vec3], triangles: &mut [[u32; 3]], across: &mut
         if volume.abs() <= 1e-9 * size.length().powi(3) {
             return false;
         }
-        let holds =
-            |other: usize| bounds[other].contains(bounds[part].low) && bounds[other].contains(bounds[part].high);
-        let around = |other: usize| members[other].iter().map(|&t| solid_angle(base, corners(t))).sum::<f64>();
+        let holds = |outer: Bounds| outer.contains(bounds[part].low) && outer.contains(bounds[part].high);
+        let seen = |other: usize| members[other].iter().map(|&t| solid_angle(base, corners(t))).sum::<f64>();
         // a point in a closed mesh sees it all around: 4 pi
-        let within = |other: &usize| *other != part && holds(*other) && around(*other).abs() > std::f64::consts::TAU;
+        let within = |&other: &usize| other != part && holds(bounds[other]) && seen(other).abs() > TAU;
         let hollow = (0..parts).filter(within).count() % 2 == 1;
         if (volume < 0.0) != hollow {
             wrong.extend(own);
@@ -120,8 +120,8 @@ fn turn_over(triangle: &mut [u32; 3], across: &mut [u32; 3]) {
     across.swap(0, 2);
 }
 
-/// The solid angle under which a triangle is seen, negative from behind (Van Oosterom and Strackee, IEEE Transactions on
-/// Biomedical Engineering 30(2), 1983).
+/// The solid angle under which a triangle is seen, negative from behind (Van Oosterom and Strackee, IEEE Transactions
+/// on Biomedical Engineering 30(2), 1983).
 fn solid_angle(eye: DVec3, corners: [DVec3; 3]) -> f64 {
     let [a, b, c] = corners.map(|corner| corner - eye);
     let [x, y, z] = [a, b, c].map(DVec3::length);

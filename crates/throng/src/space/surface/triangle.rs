@@ -47,11 +47,10 @@ impl Triangle {
 
     fn nearest(&self, p: DVec3) -> (DVec3, Part) {
         let edge = |i: usize| (self.corners[i], self.corners[(i + 1) % 3]);
-        let within = |i: usize| self.normal.cross(edge(i).1 - edge(i).0).dot(p - edge(i).0) >= 0.0;
-        if self.normal != DVec3::ZERO && (0..3).all(within) {
-            let above = (p - self.corners[0]).dot(self.normal);
-            return (p - self.normal * above, Part::Face);
-        }
+        let beyond = |i: &usize| {
+            let (start, end) = edge(*i);
+            self.normal == DVec3::ZERO || self.normal.cross(end - start).dot(p - start) < 0.0
+        };
         let on_edge = |i: usize| {
             let (start, end) = edge(i);
             let along = end - start;
@@ -67,6 +66,10 @@ impl Triangle {
         let nearer = |a: (DVec3, Part), b: (DVec3, Part)| {
             if b.0.distance_squared(p) < a.0.distance_squared(p) { b } else { a }
         };
-        nearer(nearer(on_edge(0), on_edge(1)), on_edge(2))
+        // what is beyond no edge is above the triangle, what is beyond some is nearest to one of them
+        (0..3).filter(beyond).map(on_edge).reduce(nearer).unwrap_or_else(|| {
+            let above = (p - self.corners[0]).dot(self.normal);
+            (p - self.normal * above, Part::Face)
+        })
     }
 }

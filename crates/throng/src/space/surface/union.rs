@@ -6,9 +6,9 @@ use crate::error::Error;
 use glam::Vec3;
 use std::sync::Arc;
 
-/// Several surfaces as one: inside is what is inside any of them. Outside and at the surface the distance is exact. Deep
-/// inside several that overlap it is that to the surface of one of them, and the way out may be longer; so a ball inside
-/// gets from one member into the next only where it fits into one of them as a whole. A ray is not held up.
+/// Several surfaces as one: inside is what is inside any of them. Outside and at the surface the distance is exact.
+/// Deep inside several that overlap it is that to the surface of one of them, and the way out may be longer; so a ball
+/// inside gets from one member into the next only where it fits into one of them as a whole. A ray is not held up.
 ///
 /// ```
 /// use glam::Vec3;
