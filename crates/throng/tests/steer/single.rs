@@ -109,6 +109,21 @@ proptest! {
         prop_assert!(wish.distance((offset + theirs * time).normalize() * 1.8) < 2e-3);
     }
 
+    /// From where the menace will be when it is here, but from no place beyond half of where it is nearest.
+    #[test]
+    fn evasion_looks_ahead(velocity in vector(1.5), offset in vector(6.0)) {
+        prop_assume!(velocity.length() > 0.1 && offset.length() > 0.5);
+        let seen = Neighbour { offset, velocity, forward: velocity.normalize(), radius: 0.2, number: 1, group: 0 };
+        let view = View { neighbours: &[seen], ..view(Vec3::ZERO) };
+        let wish = view.wish(ask(&Evade::from(Target::Nearest(Who::Anybody)), &view));
+        let covers = (offset.length() / velocity.length()).min(10.0);
+        let passes = (0..4000).map(|i| i as f32 * 0.01).min_by(|a, b| {
+            (offset + velocity * *a).length().total_cmp(&(offset + velocity * *b).length())
+        });
+        let time = covers.min(0.5 * passes.expect("some time is the best"));
+        prop_assert!(angle(wish, -(offset + velocity * time)) < 0.05, "{wish}");
+    }
+
     /// A quarry that stands is passed at the distance.
     #[test]
     fn offset_pursuit_passes_at_the_distance(start in vector(1.0), distance in 0.5f32..2.0) {
