@@ -41,9 +41,10 @@ proptest! {
     #[test]
     fn arrival_does_not_overshoot(
         place in on_ground(8.0), seconds in 0.005f32..0.5, response in 0.0f32..1.0, slowing in 0.0f32..3.0, force in 1.0f32..9.0,
+        smoothing in 0.0f32..0.3,
     ) {
         prop_assume!(place.length() > 0.5);
-        let vehicle = Vehicle { response, max_force: force, ..Vehicle::default() };
+        let vehicle = Vehicle { response, smoothing, max_force: force, ..Vehicle::default() };
         let arrive = Arrive { slowing_distance: slowing, ..Arrive::from(at(place)) };
         let mut stage = Stage::new(seconds, vec![Actor::new(Motion::default(), vehicle, arrive)]);
         let mut past = f32::NEG_INFINITY;
