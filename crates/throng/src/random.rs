@@ -13,6 +13,7 @@ pub(crate) enum Purpose {
     CandidateAcross,
     CandidateAlong,
     Behaviour,
+    Noise,
 }
 
 fn mix(mut z: u64) -> u64 {

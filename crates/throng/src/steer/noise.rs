@@ -4,7 +4,7 @@
 //! twice the frequency of the one before it. Each agent and each behaviour has noise of its own.
 
 use crate::Error;
-use crate::random::Dice;
+use crate::random::{Dice, Purpose};
 
 /// How a value changes by chance as time goes by, between -1 and 1.
 ///
@@ -36,9 +36,9 @@ impl Noise {
         let (mut sum, mut most, mut amount) = (0.0, 0.0, 1.0);
         let mut frequency = 1.0 / f64::from(self.period);
         for octave in 0..self.octaves {
-            let dice = dice.branch((k * 8 + octave) as usize);
+            let draw = |step: u64| dice.at(step).nth(8 * k + octave, Purpose::Noise);
             // octaves are zero at different times
-            let wave = perlin(time * frequency + f64::from(dice.at(u64::MAX).draw(0)), dice);
+            let wave = perlin(time * frequency + f64::from(draw(u64::MAX)), draw);
             sum += amount * if self.turbulent { 2.0 * wave.abs() - 1.0 } else { wave };
             most += amount;
             amount *= self.gain;
@@ -58,11 +58,11 @@ impl Noise {
     }
 }
 
-/// One octave, between -1 and 1.
-fn perlin(x: f64, dice: Dice) -> f32 {
+/// One octave, between -1 and 1, from numbers drawn for each whole number.
+fn perlin(x: f64, draw: impl Fn(u64) -> f32) -> f32 {
     let start = x.floor();
     let (cell, part) = (start as i64 as u64, (x - start) as f32);
-    let slope = |cell: u64| 2.0 * dice.at(cell).draw(0) - 1.0;
+    let slope = |cell: u64| 2.0 * draw(cell) - 1.0;
     let (from, to) = (slope(cell) * part, slope(cell.wrapping_add(1)) * (part - 1.0));
     let fade = part * part * part * (part * (part * 6.0 - 15.0) + 10.0);
     2.0 * (from + (to - from) * fade)

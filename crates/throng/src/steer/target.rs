@@ -75,7 +75,7 @@ pub enum Target {
     Point(Vec3),
     /// Where the agent's own journey leads next.
     Goal,
-    /// The agent with this number.
+    /// The agent with this number; for itself it is nobody.
     Agent(u32),
     /// The nearest neighbour that counts.
     Nearest(Who),
@@ -88,6 +88,7 @@ impl Target {
         match self {
             Self::Point(place) => Some(at(place)),
             Self::Goal => view.goal.map(at),
+            Self::Agent(number) if number == view.dice.number => None,
             Self::Agent(number) => view.others.find(number),
             Self::Nearest(who) => {
                 let other = view.neighbours.iter().find(|other| who.counts(view, other))?;

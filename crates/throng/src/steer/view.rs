@@ -34,6 +34,19 @@ pub struct Event {
 }
 
 /// Finds agents wherever they are.
+///
+/// ```
+/// use throng::steer::{Mark, Others, Target, View};
+/// #[derive(Debug)]
+/// struct Twins;
+/// impl Others for Twins {
+///     fn find(&self, number: u32) -> Option<Mark> {
+///         (number < 2).then(Mark::default)
+///     }
+/// }
+/// let view = View { others: &Twins, ..View::default() };
+/// assert!(Target::Agent(1).find(&view).is_some() && Target::Agent(2).find(&view).is_none());
+/// ```
 pub trait Others: Debug + Sync {
     /// The agent with this number, as it is at the start of the step; `None` if it is not there.
     fn find(&self, number: u32) -> Option<Mark>;

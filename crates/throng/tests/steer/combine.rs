@@ -230,6 +230,18 @@ fn a_machine_goes_from_state_to_state() {
     assert!(states.len() > 5 && states.windows(2).all(|pair| pair[0] + pair[1] == 1), "{states:?}");
 }
 
+/// A state that is entered again begins anew.
+#[test]
+fn states_begin_anew() {
+    let state = |next| State { behaviour: Clock(9.0).into(), exits: vec![(Condition::After(0.25), next)] };
+    let machine = Switch(vec![state(1), state(0)]);
+    let mut memory = vec![0.0; machine.memory()];
+    for _ in 0..200 {
+        machine.steer(&View { seconds: 0.1, ..View::default() }, &mut memory, &mut Why::default());
+        assert!(memory[3] <= 4.0 && memory[4] <= 4.0, "{memory:?}");
+    }
+}
+
 #[test]
 fn conditions_hold_when_they_should() {
     let other =
@@ -311,6 +323,9 @@ fn everything_nests() {
             let motion = run();
             assert!(motion.position.is_finite() && motion.speed() > 0.01, "{first} {second}");
             assert_eq!(motion, run(), "the same bits");
+            let (said, reasons) = told(&*tree, &View::default());
+            assert_eq!(said, ask(&*tree, &View::default()), "asking why changes nothing");
+            assert!(reasons.iter().any(|told| told.depth > 0), "{reasons:?}");
         }
     }
 }

@@ -41,9 +41,10 @@ proptest! {
     #[test]
     fn arrival_does_not_overshoot(
         place in on_ground(8.0), seconds in 0.005f32..0.5, response in 0.0f32..1.0, slowing in 0.0f32..3.0, force in 1.0f32..9.0,
+        smoothing in 0.0f32..0.3,
     ) {
         prop_assume!(place.length() > 0.5);
-        let vehicle = Vehicle { response, max_force: force, ..Vehicle::default() };
+        let vehicle = Vehicle { response, smoothing, max_force: force, ..Vehicle::default() };
         let arrive = Arrive { slowing_distance: slowing, ..Arrive::from(at(place)) };
         let mut stage = Stage::new(seconds, vec![Actor::new(Motion::default(), vehicle, arrive)]);
         let mut past = f32::NEG_INFINITY;
@@ -107,6 +108,21 @@ proptest! {
         let view = View { neighbours: &[seen], ..view(velocity) };
         let wish = view.wish(ask(&Pursue::from(Target::Nearest(Who::Anybody)), &view));
         prop_assert!(wish.distance((offset + theirs * time).normalize() * 1.8) < 2e-3);
+    }
+
+    /// From where the menace will be when it is here, but from no place beyond half of where it is nearest.
+    #[test]
+    fn evasion_looks_ahead(velocity in vector(1.5), offset in vector(6.0)) {
+        prop_assume!(velocity.length() > 0.1 && offset.length() > 0.5);
+        let seen = Neighbour { offset, velocity, forward: velocity.normalize(), radius: 0.2, number: 1, group: 0 };
+        let view = View { neighbours: &[seen], ..view(Vec3::ZERO) };
+        let wish = view.wish(ask(&Evade::from(Target::Nearest(Who::Anybody)), &view));
+        let covers = (offset.length() / velocity.length()).min(10.0);
+        let passes = (0..4000).map(|i| i as f32 * 0.01).min_by(|a, b| {
+            (offset + velocity * *a).length().total_cmp(&(offset + velocity * *b).length())
+        });
+        let time = covers.min(0.5 * passes.expect("some time is the best"));
+        prop_assert!(angle(wish, -(offset + velocity * time)) < 0.05, "{wish}");
     }
 
     /// A quarry that stands is passed at the distance.

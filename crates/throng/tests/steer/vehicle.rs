@@ -94,6 +94,23 @@ proptest! {
         }
     }
 
+    /// Only up is a direction of its own.
+    #[test]
+    fn turned_vehicles_do_the_same_turned(
+        pushes in prop::collection::vec(vector(9.0), 1..20), turn in 0.0f32..6.0, kind in 0usize..3,
+    ) {
+        let locomotion = [Locomotion::Ground, Locomotion::Level, Locomotion::Banking][kind];
+        let vehicle = Vehicle { low_speed: 0.2, smoothing: 0.1, max_turn_rate: 2.0, locomotion, ..Vehicle::default() };
+        let by = glam::Quat::from_rotation_z(turn);
+        let (mut plain, mut turned) = (Motion::default(), Motion::at_rest(Vec3::ZERO, by * Vec3::X));
+        for push in pushes {
+            vehicle.step(&mut plain, push, 0.05);
+            vehicle.step(&mut turned, by * push, 0.05);
+            prop_assert!((by * plain.position).distance(turned.position) < 1e-3);
+            prop_assert!((by * plain.basis.up).distance(turned.basis.up) < 1e-2);
+        }
+    }
+
     #[test]
     fn each_axis_has_its_limit(force in vector(9.0), facing in vector(1.0)) {
         prop_assume!(facing.length() > 0.1);

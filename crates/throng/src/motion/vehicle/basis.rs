@@ -2,6 +2,7 @@
 
 use glam::{Mat3, Quat, Vec3};
 use serde::{Deserialize, Serialize};
+use std::f32::consts::PI;
 
 /// Three unit vectors at right angles: right-handed, so that facing +x upright is the identity.
 ///
@@ -87,7 +88,7 @@ pub(crate) fn angle_between(a: Vec3, b: Vec3) -> f32 {
 
 /// A direction turned towards another by at most so many radians, both of length 1; about `up` if they are opposite.
 pub(crate) fn turned_towards(from: Vec3, to: Vec3, most: f32, up: Vec3) -> Vec3 {
-    if angle_between(from, to) <= most {
+    if most >= PI || angle_between(from, to) <= most {
         return to;
     }
     let axis = from.cross(to).try_normalize().unwrap_or_else(|| {

@@ -4,6 +4,9 @@ use super::{Locomotion, Motion, Vehicle, angle_between, turned_towards};
 use glam::Vec3;
 use std::f32::consts::PI;
 
+/// Part of the top speed that is no speed backwards.
+const REST: f32 = 1e-4;
+
 /// The force that is left.
 pub(super) fn limited(vehicle: &Vehicle, motion: &Motion, force: Vec3, seconds: f32) -> Vec3 {
     let force = if vehicle.locomotion == Locomotion::Ground { force.with_z(0.0) } else { force };
@@ -20,10 +23,15 @@ pub(super) fn limited(vehicle: &Vehicle, motion: &Motion, force: Vec3, seconds: 
 /// At low speed a force may lead aside only within a cone about forward, which opens with the speed: OpenSteer's
 /// adjustRawSteeringForce, smooth, and without its fault that who brakes to rest sets out again.
 fn steerable(vehicle: &Vehicle, motion: &Motion, force: Vec3, seconds: f32) -> Vec3 {
+    if vehicle.low_speed == 0.0 || force == Vec3::ZERO {
+        return force;
+    }
     let part = motion.speed() / (vehicle.low_speed * vehicle.max_speed);
-    let brakes = vehicle.velocity_of(motion, force, seconds).dot(motion.basis.forward) >= -1e-4 * vehicle.max_speed
-        && force.dot(motion.basis.forward) < 0.0;
-    if part >= 1.0 || vehicle.low_speed == 0.0 || brakes || force == Vec3::ZERO {
+    let brakes = || {
+        let stops = vehicle.velocity_of(motion, force, seconds).dot(motion.basis.forward) >= -REST * vehicle.max_speed;
+        stops && force.dot(motion.basis.forward) < 0.0
+    };
+    if part >= 1.0 || brakes() {
         return force;
     }
     let cone = PI * part * part * (3.0 - 2.0 * part);

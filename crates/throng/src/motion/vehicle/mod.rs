@@ -7,37 +7,17 @@
 mod basis;
 mod limit;
 mod state;
+mod steering;
 mod step;
 
 pub use basis::Basis;
 pub(crate) use basis::{angle_between, turned, turned_towards};
 pub use state::{Attitude, Motion};
+pub use steering::Steering;
 
 use crate::Error;
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
-
-/// What steering asks of a vehicle for a step.
-///
-/// ```
-/// use glam::Vec3;
-/// use throng::motion::Steering;
-/// let aside = Steering { facing: Some(Vec3::X), ..Steering::from(Vec3::Y) };
-/// assert_eq!((aside.force, aside.facing), (Vec3::Y, Some(Vec3::X)));
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Steering {
-    /// The force, newtons: mass times an acceleration. The vehicle limits it.
-    pub force: Vec3,
-    /// A direction to face, of any length; `None`: look where you go.
-    pub facing: Option<Vec3>,
-}
-
-impl From<Vec3> for Steering {
-    fn from(force: Vec3) -> Self {
-        Self { force, facing: None }
-    }
-}
 
 /// How a vehicle holds itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

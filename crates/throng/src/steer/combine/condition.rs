@@ -1,8 +1,16 @@
 //! When a [`Switch`](super::Switch) goes from one state to another.
 
+use crate::Error;
 use crate::steer::{Neighbourhood, Target, View};
 
-/// Something that holds or not, for one agent in one step.
+/// Something that holds or not, for one agent in one step. Limit: numbers >= 0.
+///
+/// ```
+/// use throng::steer::{Condition, Target, Who};
+/// let safe = Condition::Farther(Target::Nearest(Who::OtherGroups), 8.0);
+/// let rested = Condition::All(vec![safe, Condition::After(5.0)]);
+/// assert!(rested.check().is_ok());
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Condition {
@@ -52,6 +60,22 @@ impl Condition {
             Self::Not(condition) => !part(0, condition),
             Self::All(conditions) => conditions.iter().enumerate().all(|(index, one)| part(index, one)),
             Self::Any(conditions) => conditions.iter().enumerate().any(|(index, one)| part(index, one)),
+        }
+    }
+
+    /// What is wrong with the numbers, if anything is.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] names the number.
+    pub fn check(&self) -> Result<(), Error> {
+        match self {
+            Self::Nearer(_, least) | Self::Farther(_, least) | Self::After(least) | Self::Chance(least) => {
+                Error::unless(*least >= 0.0, "number of a condition", *least, "0 or more")
+            }
+            Self::Crowded(near, _) => near.check(),
+            Self::Done => Ok(()),
+            Self::Not(condition) => condition.check(),
+            Self::All(conditions) | Self::Any(conditions) => conditions.iter().try_for_each(Self::check),
         }
     }
 }

@@ -26,7 +26,7 @@ pub struct Switch(
 /// A state of a [`Switch`].
 #[derive(Clone, Debug)]
 pub struct State {
-    /// What is done in it. Its memory stays while others have their turn.
+    /// What is done in it. Whenever the state is entered it begins anew, without memories.
     pub behaviour: Branch,
     /// When it is left, and for which state: the first condition that holds. Limit: indices of states.
     pub exits: Vec<(Condition, usize)>,
@@ -48,14 +48,16 @@ impl Behaviour for Switch {
         let holds = |(index, (condition, _)): &(usize, &(Condition, usize))| {
             condition.holds(&View { dice: view.dice.branch(self.0.len() + index), ..*view }, standing)
         };
-        if let Some((_, (_, next))) = self.0[*state as usize].exits.iter().enumerate().find(holds) {
-            (*state, *since) = (*next as f32, 0.0);
-        }
-        let index = *state as usize;
-        why.note(|| Reason::State(index));
+        let next = self.0[*state as usize].exits.iter().enumerate().find(holds).map(|(_, (_, next))| *next);
+        let index = next.unwrap_or(*state as usize);
         self.branches().take(index).for_each(|other| {
             other.take(&mut memory);
         });
+        if next.is_some() {
+            (*state, *since) = (index as f32, 0.0);
+            memory[..self.0[index].behaviour.words()].fill(0.0);
+        }
+        why.note(|| Reason::State(index));
         let said = self.0[index].behaviour.steer_as(index, view, &mut memory, why);
         *since += view.seconds;
         *done = if said.is_none() { 1.0 } else { 0.0 };
@@ -65,8 +67,9 @@ impl Behaviour for Switch {
     fn check(&self) -> Result<(), Error> {
         let states = self.0.len();
         Error::unless(states > 0, "number of states", states as f64, "1 or more")?;
-        for &(_, next) in self.0.iter().flat_map(|state| &state.exits) {
-            Error::unless(next < states, "state to go to", next as f64, "less than the number of states")?;
+        for (condition, next) in self.0.iter().flat_map(|state| &state.exits) {
+            Error::unless(*next < states, "state to go to", *next as f64, "less than the number of states")?;
+            condition.check()?;
         }
         behaviour::check(self.branches())
     }

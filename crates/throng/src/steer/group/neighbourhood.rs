@@ -36,15 +36,14 @@ impl Default for Neighbourhood {
 
 impl Neighbourhood {
     /// Those who belong to it, nearest first.
-    pub fn of<'a>(&self, view: &View<'a>) -> impl Iterator<Item = &'a Neighbour> {
-        let (view, near) = (*view, *self);
-        let cosine = if near.angle < PI { libm::cosf(near.angle) } else { -2.0 };
+    pub fn of<'v, 'a>(&'v self, view: &'v View<'a>) -> impl Iterator<Item = &'a Neighbour> + 'v {
+        let cosine = if self.angle < PI { libm::cosf(self.angle) } else { -2.0 };
         let belongs = move |other: &&Neighbour| {
             let distance = other.offset.length();
-            let in_sight = || distance <= near.distance && view.forward().dot(other.offset) > cosine * distance;
-            near.who.counts(&view, other) && (distance < near.always * view.radius || in_sight())
+            let in_sight = || distance <= self.distance && view.forward().dot(other.offset) > cosine * distance;
+            self.who.counts(view, other) && (distance < self.always * view.radius || in_sight())
         };
-        view.neighbours.iter().filter(belongs).take(near.most)
+        view.neighbours.iter().filter(belongs).take(self.most)
     }
 
     /// Tells who belongs to it.

@@ -5,8 +5,8 @@ use crate::motion::Steering;
 use crate::steer::approach::nearest_time;
 use crate::steer::{Behaviour, Prediction, Target, View, Why};
 
-/// Goes away from where a menace will be. It looks at most half as far ahead as the menace is nearest: from a place beyond
-/// it would run into the menace's arms.
+/// Goes away from where a menace will be. It looks at most half as far ahead as the menace is nearest: away from a place
+/// beyond would be into its arms. One that goes away is where it is.
 ///
 /// ```
 /// use throng::steer::{Evade, Target, Who};
@@ -35,9 +35,8 @@ impl Behaviour for Evade {
         if offset.length() > self.panic_distance {
             return None;
         }
-        let nearest = 0.5 * nearest_time(offset, view.passable(menace.velocity));
-        let time = self.prediction.of_menace(view, &menace);
-        view.flee(menace.position_in(if nearest > 0.0 { time.min(nearest) } else { time }), why)
+        let nearest = nearest_time(offset, view.passable(menace.velocity)).max(0.0);
+        view.flee(menace.position_in(self.prediction.of_menace(view, &menace).min(0.5 * nearest)), why)
     }
 
     fn check(&self) -> Result<(), Error> {

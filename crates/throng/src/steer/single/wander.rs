@@ -56,15 +56,15 @@ impl Wander {
     fn walk(&self, view: &View<'_>, point: Vec3) -> Vec3 {
         let spread = self.rate * view.seconds.sqrt();
         let dice = view.dice;
-        let any = Vec3::new(dice.normal(0), dice.normal(1), dice.normal(2));
         if view.is_on_ground() {
             let angle = match point {
                 Vec3::ZERO => TAU * dice.draw(9),
-                _ => libm::atan2f(point.y, point.x) + any.x * spread,
+                _ => libm::atan2f(point.y, point.x) + dice.normal(0) * spread,
             };
             let (sin, cos) = libm::sincosf(angle);
             return Vec3::new(cos, sin, 0.0);
         }
+        let any = Vec3::new(dice.normal(0), dice.normal(1), dice.normal(2));
         if point == Vec3::ZERO {
             return any.normalize_or(Vec3::X);
         }
