@@ -23,11 +23,11 @@ mod way;
 pub use explain::{Explanation, Seen};
 pub use stage::Stage;
 
-use crate::agent::{AgentId, Column, Columns, GoalId, Group, GroupId, JourneyId, Status};
+use crate::agent::{AgentId, Column, Columns, Cycles, GoalId, Group, GroupId, JourneyId, Status};
 use crate::guard::Pose;
 use crate::guard::{Contacts, Guard};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script, Unreachable};
-use crate::perceive::{Grid, Instructions};
+use crate::perceive::{Grid, Instructions, Near, Pack};
 use crate::space::{Place, Walls};
 use crate::summary::{Counts, Ended, Summary, Tally};
 use glam::{DVec2, Vec3};
@@ -118,11 +118,15 @@ struct StepMemory {
     long: perceive::Long,
     /// Rows of two who were within a body's width of each other when that was asked last: a guess where to look first.
     close_pair: Option<(usize, usize)>,
+    perceiving: Vec<(Pack, Vec<Near>)>,
     near: perceive::Neighbours,
     ways: Vec<Way>,
+    stuck: Vec<usize>,
     following: Vec<queue::Following>,
     seen: Vec<u32>,
+    manners: Vec<intend::Manners>,
     preferred: Vec<Vec3>,
+    avoiding: Vec<avoid::Scratch>,
     wishes: Vec<Vec3>,
     targets: Vec<Pose>,
     reach: Column<f32>,
@@ -132,6 +136,7 @@ struct StepMemory {
     measured: Vec<measure::Measured>,
     /// How many have arrived at each goal.
     arrivals: Vec<u32>,
+    cycles: Cycles,
     /// Rows with their next status, where it may be another.
     changes: Vec<(usize, Status)>,
 }

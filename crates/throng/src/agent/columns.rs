@@ -1,23 +1,23 @@
 //! The agents' state: a column a fact, a row an agent.
 
-use super::{Agent, Column, GroupId, JourneyId, ScriptId, Status, Value};
+use super::{Agent, Column, Cycles, GroupId, JourneyId, ScriptId, Status, Value};
 use crate::navigate::Travel;
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
 
 trait Permute {
-    fn permute(&mut self, order: &[u32]);
+    fn permute(&mut self, cycles: &Cycles);
 }
 
-impl<T: Default> Permute for Vec<T> {
-    fn permute(&mut self, order: &[u32]) {
-        *self = order.iter().map(|&row| std::mem::take(&mut self[row as usize])).collect();
+impl<T> Permute for Vec<T> {
+    fn permute(&mut self, cycles: &Cycles) {
+        cycles.turn(self);
     }
 }
 
 impl<T: Value> Permute for Column<T> {
-    fn permute(&mut self, order: &[u32]) {
-        self.permute(order);
+    fn permute(&mut self, cycles: &Cycles) {
+        self.permute(cycles);
     }
 }
 
@@ -41,9 +41,9 @@ macro_rules! columns {
                 $(self.$name.reserve(additional);)*
             }
 
-            /// Moves every row: who was in row `order[k]` comes to row `k`.
-            pub(crate) fn permute(&mut self, order: &[u32]) {
-                $(Permute::permute(&mut self.$name, order);)*
+            /// Moves rows along cycles.
+            pub(crate) fn permute(&mut self, cycles: &Cycles) {
+                $(Permute::permute(&mut self.$name, cycles);)*
             }
 
             /// Whether all columns are of one length.

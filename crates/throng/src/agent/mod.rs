@@ -6,6 +6,7 @@
 mod body;
 mod column;
 mod columns;
+mod cycles;
 mod group;
 mod id;
 mod trip;
@@ -13,6 +14,7 @@ mod trip;
 pub use body::Body;
 pub use column::{Column, Value};
 pub use columns::Columns;
+pub(crate) use cycles::Cycles;
 pub use group::Group;
 pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId, ScriptId};
 pub use trip::Trip;

@@ -308,6 +308,7 @@ impl Travel {
 }
 
 /// A turn to the right.
+#[derive(Clone, Debug)]
 pub(crate) struct Turned {
     sin: f32,
     cos: f32,

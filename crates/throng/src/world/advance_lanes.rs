@@ -46,20 +46,16 @@ impl World {
             (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
         );
         let turning = Turning::of(seconds);
-        parallel::ranges(
-            moving,
-            || (),
-            |(), rows, ((position, velocity, heading), (turned, course_turned, walked))| {
-                let mut moving = Moving { position, velocity, heading, turned, course_turned, walked };
-                let targets = if is_guarded {
-                    Targets::Certain(&targets[rows.clone()])
-                } else {
-                    Targets::Wished { reach, first: rows.start }
-                };
-                let (wishes, ways) = (&wishes[rows.clone()], &ways[rows]);
-                dispatch!(level, simd => move_all(simd, &mut moving, (targets, wishes, ways), turning, seconds));
-            },
-        );
+        parallel::ranges(moving, |rows, ((position, velocity, heading), (turned, course_turned, walked))| {
+            let mut moving = Moving { position, velocity, heading, turned, course_turned, walked };
+            let targets = if is_guarded {
+                Targets::Certain(&targets[rows.clone()])
+            } else {
+                Targets::Wished { reach, first: rows.start }
+            };
+            let (wishes, ways) = (&wishes[rows.clone()], &ways[rows]);
+            dispatch!(level, simd => move_all(simd, &mut moving, (targets, wishes, ways), turning, seconds));
+        });
     }
 }
 

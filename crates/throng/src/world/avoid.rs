@@ -18,15 +18,15 @@ const YIELD_AT_REST: f32 = 0.3;
 const GRANT: f32 = 2.0;
 
 /// What a thread keeps while it goes through agents.
-#[derive(Default)]
-struct Scratch {
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
     sight: Sight,
     workspace: Workspace,
     lanes: LaneScratch,
 }
 
 /// What an agent sees.
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Sight {
     near: NearWalls,
     /// Rows of the neighbours.
@@ -40,11 +40,12 @@ impl World {
     /// 3. What is safe: the local models choose velocities, bodies limit them.
     pub(super) fn avoid(&mut self, seconds: f32) {
         let mut wishes = std::mem::take(&mut self.step.wishes);
+        let mut scratch = std::mem::take(&mut self.step.avoiding);
         wishes.clear();
         wishes.resize(self.agents.len(), Vec3::ZERO);
         let world = &*self;
         let common = world.common(seconds);
-        parallel::ranges(&mut wishes[..], Scratch::default, |scratch, rows, wishes| {
+        parallel::ranges_with(&mut wishes[..], &mut scratch, |scratch, rows, wishes| {
             let Scratch { sight, workspace, lanes } = scratch;
             let mut one = |row: usize| world.wish(row, seconds, sight, workspace);
             match &common {
@@ -52,7 +53,7 @@ impl World {
                 None => rows.zip(wishes).for_each(|(row, wish)| *wish = one(row)),
             }
         });
-        self.step.wishes = wishes;
+        (self.step.wishes, self.step.avoiding) = (wishes, scratch);
     }
 
     /// The velocity that an agent will have but for the guard.

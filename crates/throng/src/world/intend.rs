@@ -10,7 +10,8 @@ use glam::{Vec2, Vec3};
 const RETURN_TIME: f32 = 0.5;
 
 /// What the agents of a group do alike.
-struct Manners {
+#[derive(Clone, Debug)]
+pub(super) struct Manners {
     detour: bool,
     bias: f32,
     keep_right: Turned,
@@ -31,24 +32,20 @@ impl World {
         let mut travels = std::mem::take(&mut self.agents.travel);
         let mut preferred = std::mem::take(&mut self.step.preferred);
         preferred.resize(self.agents.len(), Vec3::ZERO);
+        let mut manners = std::mem::take(&mut self.step.manners);
+        manners.clear();
+        manners.extend(self.groups.iter().map(Manners::of));
         let world = &*self;
-        let manners: Vec<Manners> = self.groups.iter().map(Manners::of).collect();
-        parallel::ranges(
-            (&mut travels[..], &mut preferred[..]),
-            || (),
-            |(), rows, (travels, preferred)| {
-                for ((row, travel), preferred) in rows.zip(travels).zip(preferred) {
-                    *preferred = match world.scripted(row, now) {
-                        Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
-                        None => {
-                            world.preferred_velocity(row, travel, &manners[world.agents.group[row].index()], seconds)
-                        }
-                    };
-                }
-            },
-        );
+        parallel::ranges((&mut travels[..], &mut preferred[..]), |rows, (travels, preferred)| {
+            for ((row, travel), preferred) in rows.zip(travels).zip(preferred) {
+                *preferred = match world.scripted(row, now) {
+                    Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
+                    None => world.preferred_velocity(row, travel, &manners[world.agents.group[row].index()], seconds),
+                };
+            }
+        });
         self.agents.travel = travels;
-        self.step.preferred = preferred;
+        (self.step.preferred, self.step.manners) = (preferred, manners);
     }
 
     /// Where the script of an agent is at a time, if it has one.

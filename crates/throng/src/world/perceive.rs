@@ -4,7 +4,8 @@ use super::World;
 use crate::SubSteps;
 use crate::agent::{Columns, Group};
 use crate::parallel::{self, Lists};
-use crate::perceive::{Grid, MOST_NEIGHBOURS, Near, Pack};
+use crate::perceive::{Grid, MOST_NEIGHBOURS, Near};
+use glam::Vec2;
 
 /// Part of the smallest radius (half of the narrower side of who is no disc) that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
 const FREE_MOVE: f32 = 0.25;
@@ -77,7 +78,7 @@ impl World {
         let Self { agents, groups, step, .. } = self;
         step.long.rebuild(agents, range);
         step.near.resize(step.grid.order(), most);
-        let (grid, long, level) = (&step.grid, &step.long, self.instructions.level());
+        let (grid, long, scratch, level) = (&step.grid, &step.long, &mut step.perceiving, self.instructions.level());
         let anybody_flies = agents.anybody_flies();
         let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32]| {
             let row = grid.order()[place] as usize;
@@ -117,9 +118,8 @@ impl World {
         };
         let many =
             level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
-        let scratch = || (Pack::default(), Vec::new());
         let lists = Lists { all: &mut step.near.lists, stride: most + 1 };
-        parallel::ranges(lists, scratch, |(pack, found), places, Lists { all: lists, .. }| {
+        parallel::ranges_with(lists, scratch, |(pack, found), places, Lists { all: lists, .. }| {
             let Some(level) = many else {
                 return places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| plain(found, place, list));
             };
@@ -182,6 +182,8 @@ impl Neighbours {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Long {
     rows: Vec<usize>,
+    points: Vec<Vec2>,
+    numbers: Vec<u32>,
     grid: Grid,
     /// Greatest distance of a point of a core from its centre.
     reach: f32,
@@ -198,10 +200,13 @@ impl Long {
         if !agents.all_discs() {
             self.rows.extend((0..agents.len()).filter(|&row| !agents.is_disc(row)));
         }
-        self.reach = self.rows.iter().map(|&row| agents.core[row].length()).fold(0.0, f32::max);
-        let points: Vec<_> = self.rows.iter().map(|&row| agents.position[row]).collect();
-        let numbers: Vec<_> = self.rows.iter().map(|&row| agents.number[row]).collect();
-        self.grid.rebuild(&points, &numbers, cell);
+        let Self { rows, points, numbers, .. } = self;
+        self.reach = rows.iter().map(|&row| agents.core[row].length()).fold(0.0, f32::max);
+        points.clear();
+        points.extend(rows.iter().map(|&row| agents.position[row]));
+        numbers.clear();
+        numbers.extend(rows.iter().map(|&row| agents.number[row]));
+        self.grid.rebuild(points, numbers, cell);
     }
 
     /// Puts bodies into `found`, the discs nearest to `row` by their centres, where their cores are nearer: the `k`
@@ -262,7 +267,7 @@ mod tests {
     use super::*;
     use crate::avoid::{LocalModel, Orca, Orca3d};
     use crate::{Agent, Body, Group, Settings};
-    use glam::{DVec2, Vec2};
+    use glam::DVec2;
     use proptest::prelude::*;
     use std::sync::Arc;
 

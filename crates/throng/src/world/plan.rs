@@ -18,20 +18,16 @@ impl World {
         ways.resize(travels.len(), Way::default());
         let world = &*self;
         let anybody = AtomicBool::new(false);
-        parallel::ranges(
-            (&mut travels[..], &mut ways[..]),
-            || (),
-            |(), rows, (travels, ways)| {
-                let mut lost = false;
-                for ((row, travel), way) in rows.zip(travels).zip(ways) {
-                    *way = world.look(row, travel, seconds);
-                    lost |= way.walks() && !travel.has_way();
-                }
-                if lost {
-                    anybody.store(true, Ordering::Relaxed);
-                }
-            },
-        );
+        parallel::ranges((&mut travels[..], &mut ways[..]), |rows, (travels, ways)| {
+            let mut lost = false;
+            for ((row, travel), way) in rows.zip(travels).zip(ways) {
+                *way = world.look(row, travel, seconds);
+                lost |= way.walks() && !travel.has_way();
+            }
+            if lost {
+                anybody.store(true, Ordering::Relaxed);
+            }
+        });
         let rows = if anybody.into_inner() { 0..travels.len() } else { 0..0 };
         let mut lost: Vec<Planned> = rows
             .filter(|&row| ways[row].walks() && !travels[row].has_way())
@@ -42,7 +38,7 @@ impl World {
             self.prepare_meshes(&lost);
             travels = std::mem::take(&mut self.agents.travel);
             let world = &*self;
-            parallel::rows(&mut lost, Search::default, |search, _, planned| world.plan_one(search, planned));
+            parallel::rows(&mut lost, |search: &mut Search, _, planned| world.plan_one(search, planned));
             for Planned { row, outcome, .. } in lost {
                 let travel = &mut travels[row];
                 match outcome {
@@ -80,7 +76,7 @@ impl World {
             rows.filter_map(|row| Some(Planned { row, leg: leg(row)?, outcome: None })).collect();
         self.prepare_meshes(&ways);
         let world = &*self;
-        parallel::rows(&mut ways, Search::default, |search, _, way| world.plan_one(search, way));
+        parallel::rows(&mut ways, |search: &mut Search, _, way| world.plan_one(search, way));
         for way in ways {
             let Some(Ok((route, ..))) = way.outcome else { continue };
             let at = self.world_position(way.row);

@@ -70,7 +70,7 @@ impl World {
             return;
         }
         let world = &*self;
-        parallel::rows(&mut following, || (), |(), row, out| *out = world.following(row));
+        parallel::rows(&mut following, |(), row, out| *out = world.following(row));
         free_rings(&mut following, &mut self.step.seen);
         self.step.following = following;
     }
