@@ -144,7 +144,10 @@ fn join(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
     #[cfg(feature = "parallel")]
     rayon::join(a, b);
     #[cfg(not(feature = "parallel"))]
-    (a(), b());
+    {
+        a();
+        b();
+    }
 }
 
 /// Calls `work(scratch, row, out)` for every row of a column.

@@ -14,6 +14,7 @@ mod order;
 mod perceive;
 mod plan;
 mod queue;
+mod rest;
 mod schedule;
 mod snapshot;
 mod stage;
@@ -114,6 +115,7 @@ struct Slots {
 struct StepMemory {
     /// Which groups have agents.
     groups: Vec<bool>,
+    rest: rest::Rest,
     grid: Grid,
     long: perceive::Long,
     /// Rows of two who were within a body's width of each other when that was asked last: a guess where to look first.
@@ -169,6 +171,7 @@ impl World {
 
     /// All of a sub-step that ends at `now` but the motion.
     fn decide(&mut self, seconds: f32, now: f64, mut ended: impl FnMut(Stage)) {
+        self.fall_asleep(seconds);
         self.perceive();
         ended(Stage::Perceive);
         self.intend(seconds, now);

@@ -105,6 +105,9 @@ impl Guard {
         parallel::ranges((Words(parts), &mut targets[..]), |rows, (Words(parts), targets)| {
             for ((first, part), targets) in rows.step_by(WORD).zip(parts).zip(targets.chunks_mut(WORD)) {
                 *part = Part::default();
+                if bodies.rest(first / WORD) {
+                    continue;
+                }
                 for (row, target) in (first..).zip(targets) {
                     let wish = wished(row);
                     *target = within_reach(row, bodies, wish);
@@ -114,7 +117,7 @@ impl Guard {
         });
         let mut passes = Passes { contacts, parts, waiting, scratch, targets };
         passes.look_at(|at, _, targets| {
-            let touching = rows(at, contacts.touching(at));
+            let touching = rows(at, if bodies.rest(at) { 0 } else { contacts.touching(at) });
             touching.filter(|&row| !relax::is_clear(row, solid, targets)).fold(0, |some, row| some | bit(row))
         });
         for _ in 0..relax::ITERATIONS {
@@ -154,6 +157,11 @@ impl Guard {
             report.clamped += part.clamped.count_ones() as usize;
         }
         report
+    }
+
+    /// Those of 64 rows that any pass moved in the last step, a bit each.
+    pub(crate) fn moved(&self, part: usize) -> u64 {
+        self.parts[part].moved
     }
 }
 

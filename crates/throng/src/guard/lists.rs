@@ -22,12 +22,21 @@ struct Part {
 const ROOM: usize = 3 * WORD;
 
 impl<S: Default + Send> Lists<S> {
-    /// Makes all lists anew: `list(scratch, row, items)` adds the items of a row and leaves alone what is there.
-    pub fn fill(&mut self, rows: usize, list: impl Fn(&mut S, usize, &mut Vec<u32>) + Sync) {
+    /// Makes the lists anew of all parts that are not to be kept: `list(scratch, row, items)` adds the items of a row and
+    /// leaves alone what is there.
+    pub fn fill(
+        &mut self,
+        rows: usize,
+        keep: impl Fn(usize) -> bool + Sync,
+        list: impl Fn(&mut S, usize, &mut Vec<u32>) + Sync,
+    ) {
         let empty = || Part { starts: [0; WORD + 1], items: Vec::with_capacity(ROOM), some: 0 };
         self.parts.resize_with(rows.div_ceil(WORD), empty);
         parallel::ranges_with(Words(&mut self.parts), &mut self.scratch, |scratch, part_rows, Words(parts)| {
             for (first, Part { starts, items, some }) in part_rows.step_by(WORD).zip(parts) {
+                if keep(first / WORD) {
+                    continue;
+                }
                 items.clear();
                 *some = 0;
                 for (at, end) in starts[1..].iter_mut().enumerate() {

@@ -54,6 +54,7 @@ impl World {
             radii: &agents.radius,
             reach: &step.reach,
             guarded: &step.guarded,
+            resting: step.rest.asleep(),
         }
     }
 
@@ -105,6 +106,7 @@ impl World {
 
     /// 5. Move: to where the guard said, then headings, arrivals, exits.
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
+        self.note_still();
         match self.lanes_to_move() {
             Some(level) => self.advance_many(level, seconds),
             None => self.advance_each(seconds),

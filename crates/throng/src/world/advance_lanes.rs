@@ -12,6 +12,10 @@ use crate::parallel;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use glam::{Vec2, Vec3};
+use std::ops::Range;
+
+/// What moving changes, of some rows, as it is divided.
+type Columns<'a> = ((&'a mut [Vec2], &'a mut [Vec2], &'a mut [f32]), (&'a mut [f64], &'a mut [f64], &'a mut [f64]));
 
 /// What moving changes, of some rows.
 struct Moving<'a> {
@@ -46,16 +50,18 @@ impl World {
             (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
         );
         let turning = Turning::of(seconds);
-        parallel::ranges(moving, |rows, ((position, velocity, heading), (turned, course_turned, walked))| {
-            let mut moving = Moving { position, velocity, heading, turned, course_turned, walked };
-            let targets = if is_guarded {
-                Targets::Certain(&targets[rows.clone()])
-            } else {
-                Targets::Wished { reach, first: rows.start }
+        let move_part =
+            |rows: Range<usize>, ((position, velocity, heading), (turned, course_turned, walked)): Columns<'_>| {
+                let mut moving = Moving { position, velocity, heading, turned, course_turned, walked };
+                let targets = if is_guarded {
+                    Targets::Certain(&targets[rows.clone()])
+                } else {
+                    Targets::Wished { reach, first: rows.start }
+                };
+                let (wishes, ways) = (&wishes[rows.clone()], &ways[rows]);
+                dispatch!(level, simd => move_all(simd, &mut moving, (targets, wishes, ways), turning, seconds));
             };
-            let (wishes, ways) = (&wishes[rows.clone()], &ways[rows]);
-            dispatch!(level, simd => move_all(simd, &mut moving, (targets, wishes, ways), turning, seconds));
-        });
+        parallel::ranges(moving, |rows, all| step.rest.each(rows, all, move_part));
     }
 }
 

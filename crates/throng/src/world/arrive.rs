@@ -42,7 +42,8 @@ impl World {
     pub(super) fn arrive(&mut self, seconds: f32, now: f64) {
         let mut changes = std::mem::take(&mut self.step.changes);
         changes.clear();
-        let rows = self.step.ways.iter().enumerate().filter(|(_, way)| way.may_change()).map(|(row, _)| row);
+        let Self { step, agents, .. } = &*self;
+        let rows = step.rest.awake(0..agents.len()).flatten().filter(|&row| step.ways[row].may_change());
         changes.extend(rows.map(|row| (row, self.next_status(row, seconds))));
         let mut gone = Vec::new();
         for &(row, status) in &changes {

@@ -48,10 +48,10 @@ impl World {
         parallel::ranges_with(&mut wishes[..], &mut scratch, |scratch, rows, wishes| {
             let Scratch { sight, workspace, lanes } = scratch;
             let mut one = |row: usize| world.wish(row, seconds, sight, workspace);
-            match &common {
-                Some(common) => world.avoid_many(common, rows, lanes, wishes, one),
+            world.step.rest.each(rows, wishes, |rows, wishes| match &common {
+                Some(common) => world.avoid_many(common, rows, lanes, wishes, &mut one),
                 None => rows.zip(wishes).for_each(|(row, wish)| *wish = one(row)),
-            }
+            });
         });
         (self.step.wishes, self.step.avoiding) = (wishes, scratch);
     }

@@ -232,6 +232,7 @@ impl World {
     pub(super) fn remove_row(&mut self, row: usize) {
         let (slot, number) = (self.agents.slot[row] as usize, self.agents.number[row]);
         self.stranded.retain(|&(stranded, _)| stranded != number);
+        self.step.rest.remove(row, self.agents.len() - 1, self.agents.position[row]);
         self.agents.swap_remove(row);
         let slots = &mut self.slots;
         slots.rows[slot] = u32::MAX;
@@ -354,6 +355,7 @@ impl World {
         }
         self.stranded.clear();
         self.end_standoffs();
+        self.step.rest.end();
     }
 }
 

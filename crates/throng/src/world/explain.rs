@@ -86,6 +86,7 @@ impl World {
         world.enter();
         let parts = world.sub_steps();
         let seconds = world.seconds(parts);
+        world.step.rest.end();
         world.decide(seconds, world.time() + f64::from(seconds), |_| ());
         Some(world.explanation(world.row(id)?, seconds))
     }

@@ -36,13 +36,15 @@ impl World {
         manners.clear();
         manners.extend(self.groups.iter().map(Manners::of));
         let world = &*self;
-        parallel::ranges((&mut travels[..], &mut preferred[..]), |rows, (travels, preferred)| {
-            for ((row, travel), preferred) in rows.zip(travels).zip(preferred) {
-                *preferred = match world.scripted(row, now) {
-                    Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
-                    None => world.preferred_velocity(row, travel, &manners[world.agents.group[row].index()], seconds),
-                };
-            }
+        let prefer = |row: usize, travel: &mut Travel| match world.scripted(row, now) {
+            Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
+            None => world.preferred_velocity(row, travel, &manners[world.agents.group[row].index()], seconds),
+        };
+        parallel::ranges((&mut travels[..], &mut preferred[..]), |rows, both| {
+            world.step.rest.each(rows, both, |rows, (travels, preferred)| {
+                let all = rows.zip(travels).zip(preferred);
+                all.for_each(|((row, travel), preferred)| *preferred = prefer(row, travel));
+            });
         });
         self.agents.travel = travels;
         (self.step.preferred, self.step.manners) = (preferred, manners);

@@ -35,7 +35,8 @@ impl World {
         let reach = if discs_only { most(step.reach.values()) } else { f32::INFINITY };
         let radius = most(agents.radius.values());
         let measure = |measured: &mut Measured, first: usize| {
-            for row in first..agents.len().min(first + WORD) {
+            let rows = if step.rest.sleeps(first / WORD) { 0..0 } else { first..agents.len().min(first + WORD) };
+            for row in rows {
                 if guarded {
                     contacts.of(row).iter().filter(|&&other| other as usize > row).for_each(|&other| {
                         measured.pair(agents, row, other as usize, discs_only);
@@ -76,6 +77,11 @@ impl World {
 }
 
 impl Measured {
+    /// Whether nobody overlaps.
+    pub fn no_overlap(&self) -> bool {
+        self.overlaps == 0
+    }
+
     /// Notes the separation of two, and whether they overlap.
     fn pair(&mut self, agents: &Columns, row: usize, other: usize, discs_only: bool) {
         if !discs_only || self.is_near(agents, row, other) {

@@ -28,10 +28,11 @@ impl World {
     }
 
     fn follow_grid(&mut self) {
-        let StepMemory { grid, cycles, .. } = &mut self.step;
+        let StepMemory { grid, cycles, rest, .. } = &mut self.step;
         cycles.find(grid.order());
         self.agents.permute(cycles);
         grid.rows_are_in_order();
+        rest.end();
         for (&slot, row) in self.agents.slot.iter().zip(0..) {
             self.slots.rows[slot as usize] = row;
         }

@@ -78,7 +78,8 @@ impl World {
         let Self { agents, groups, step, .. } = self;
         step.long.rebuild(agents, range);
         step.near.resize(step.grid.order(), most);
-        let (grid, long, scratch, level) = (&step.grid, &step.long, &mut step.perceiving, self.instructions.level());
+        let (grid, long, rest, scratch, level) =
+            (&step.grid, &step.long, &step.rest, &mut step.perceiving, self.instructions.level());
         let anybody_flies = agents.anybody_flies();
         let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32]| {
             let row = grid.order()[place] as usize;
@@ -119,20 +120,22 @@ impl World {
         let many =
             level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
         let lists = Lists { all: &mut step.near.lists, stride: most + 1 };
-        parallel::ranges_with(lists, scratch, |(pack, found), places, Lists { all: lists, .. }| {
-            let Some(level) = many else {
-                return places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| plain(found, place, list));
-            };
-            let left = |place: usize, list: &mut [u32]| plain(found, place, list);
-            grid.nearest_of_many(level, places.clone(), (most, range), pack, lists, left);
-            if !alike {
-                places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| shorten(place, list));
-            }
+        parallel::ranges_with(lists, scratch, |(pack, found), places, lists| {
+            rest.each_place(grid.order(), places, lists, |places, Lists { all: lists, .. }| {
+                let Some(level) = many else {
+                    return places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| plain(found, place, list));
+                };
+                let left = |place: usize, list: &mut [u32]| plain(found, place, list);
+                grid.nearest_of_many(level, places.clone(), (most, range), pack, lists, left);
+                if !alike {
+                    places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| shorten(place, list));
+                }
+            });
         });
     }
 
     /// Notes which groups have agents.
-    fn note_groups(&mut self) {
+    pub(super) fn note_groups(&mut self) {
         let Self { agents, groups, step, .. } = self;
         step.groups.clear();
         step.groups.resize(groups.len(), false);

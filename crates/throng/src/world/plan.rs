@@ -18,12 +18,14 @@ impl World {
         ways.resize(travels.len(), Way::default());
         let world = &*self;
         let anybody = AtomicBool::new(false);
-        parallel::ranges((&mut travels[..], &mut ways[..]), |rows, (travels, ways)| {
+        parallel::ranges((&mut travels[..], &mut ways[..]), |rows, both| {
             let mut lost = false;
-            for ((row, travel), way) in rows.zip(travels).zip(ways) {
-                *way = world.look(row, travel, seconds);
-                lost |= way.walks() && !travel.has_way();
-            }
+            world.step.rest.each(rows, both, |rows, (travels, ways)| {
+                for ((row, travel), way) in rows.zip(travels).zip(ways) {
+                    *way = world.look(row, travel, seconds);
+                    lost |= way.walks() && !travel.has_way();
+                }
+            });
             if lost {
                 anybody.store(true, Ordering::Relaxed);
             }

@@ -66,7 +66,7 @@ impl World {
             stalled >= LOOKS && libm::log2f(stalled).floor() > libm::log2f(before().max(0.5 * LOOKS)).floor()
         };
         rows.clear();
-        rows.extend((0..agents.len()).filter(looks));
+        rows.extend(self.step.rest.awake(0..agents.len()).flatten().filter(looks));
         rows.sort_unstable_by_key(|&row| agents.number[row]);
     }
 
