@@ -106,7 +106,7 @@ impl World {
 
     /// 5. Move: to where the guard said, then headings, arrivals, exits.
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
-        self.note_still();
+        self.note_still(seconds);
         match self.lanes_to_move() {
             Some(level) => self.advance_many(level, seconds),
             None => self.advance_each(seconds),

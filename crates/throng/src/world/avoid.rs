@@ -41,7 +41,6 @@ impl World {
     pub(super) fn avoid(&mut self, seconds: f32) {
         let mut wishes = std::mem::take(&mut self.step.wishes);
         let mut scratch = std::mem::take(&mut self.step.avoiding);
-        wishes.clear();
         wishes.resize(self.agents.len(), Vec3::ZERO);
         let world = &*self;
         let common = world.common(seconds);

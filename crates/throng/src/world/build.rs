@@ -250,6 +250,7 @@ impl World {
             self.slots.rows.len() as u32 - 1
         });
         let row = self.agents.len() as u32;
+        self.step.rest.add();
         self.slots.rows[slot as usize] = row;
         let heading = self.first_heading(agent);
         self.agents.push(agent, self.settings.origin, slot, number, heading, now);

@@ -30,6 +30,9 @@ impl World {
 
     /// Whether any two bodies are within a body's width of each other.
     fn is_crowded(&mut self) -> bool {
+        if self.step.rest.unchanged() {
+            return self.step.close_pair.is_some();
+        }
         let agents = &self.agents;
         let widest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max) * 2.0;
         let anybody_flies = agents.anybody_flies();
@@ -71,6 +74,9 @@ impl World {
 
     /// 1. Who is near: the nearest neighbours of everybody.
     pub(super) fn perceive(&mut self) {
+        if self.step.rest.is_everybodys() {
+            return;
+        }
         let range = self.rebuild_grid();
         self.sort_rows_if_scattered();
         let most = self.groups_in_use().map(|group| group.neighbours).max().unwrap_or(1);
