@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-/// Rows a thread takes at a time, at least: a multiple of the lanes of a vector.
+/// Rows a thread takes at a time, at least: a multiple of the lanes of a vector, and of the rows of a word.
 #[cfg(feature = "parallel")]
 const CHUNK: usize = 256;
 /// Parts that a thread takes at least, if there are rows enough: so that threads that have little to do can help.
@@ -17,7 +17,6 @@ pub(crate) trait Parts: Send + Sized {
     /// Rows of all of them.
     fn rows(&self) -> usize;
     /// Those before a row, and the others.
-    #[cfg_attr(not(feature = "parallel"), allow(dead_code, reason = "one thread does all"))]
     fn split(self, row: usize) -> (Self, Self);
 }
 
@@ -48,6 +47,23 @@ impl<T: Send> Parts for Lists<'_, T> {
     }
 }
 
+/// What is known of 64 rows together, one for all 64.
+pub(crate) struct Words<'a, T>(pub &'a mut [T]);
+
+/// Rows in a word: a bit each.
+pub(crate) const WORD: usize = u64::BITS as usize;
+
+impl<T: Send> Parts for Words<'_, T> {
+    fn rows(&self) -> usize {
+        self.0.len() * WORD
+    }
+
+    fn split(self, row: usize) -> (Self, Self) {
+        let (before, after) = self.0.split_at_mut(row / WORD);
+        (Self(before), Self(after))
+    }
+}
+
 macro_rules! tuple {
     ($($name:ident: $column:tt),*) => {
         impl<$($name: Parts),*> Parts for ($($name,)*) {
@@ -66,90 +82,79 @@ macro_rules! tuple {
 tuple!(A: 0, B: 1);
 tuple!(A: 0, B: 1, C: 2);
 
-/// Calls `work(scratch, rows, part)` for ranges of rows that make up all, each with its part.
-pub(crate) fn ranges<P: Parts, S>(
+/// Calls `work(rows, part)` for ranges of rows that make up all, each with its part.
+pub(crate) fn ranges<P: Parts>(all: P, work: impl Fn(Range<usize>, P) + Sync) {
+    ranges_with(all, &mut Vec::<()>::new(), |(), rows, part| work(rows, part));
+}
+
+/// Calls `work(scratch, rows, part)`: as [`ranges`], with memory that is kept, one a range.
+pub(crate) fn ranges_with<P: Parts, S: Default + Send>(
     all: P,
-    scratch: impl Fn() -> S + Sync,
+    scratch: &mut Vec<S>,
+    work: impl Fn(&mut S, Range<usize>, P) + Sync,
+) {
+    let busy = all.rows();
+    ranges_if_busy(all, busy, scratch, work);
+}
+
+/// As [`ranges_with`], where there is work for so many of the rows only: for few it is not divided.
+pub(crate) fn ranges_if_busy<P: Parts, S: Default + Send>(
+    all: P,
+    busy: usize,
+    scratch: &mut Vec<S>,
     work: impl Fn(&mut S, Range<usize>, P) + Sync,
 ) {
     let rows = 0..all.rows();
-    #[cfg(feature = "parallel")]
-    if rayon::current_num_threads() > 1 && rows.len() > CHUNK {
-        let chunk = rows.len() / (PARTS * rayon::current_num_threads());
-        return divide(all, rows, chunk.next_multiple_of(CHUNK).max(CHUNK), &scratch, &work);
-    }
-    work(&mut scratch(), rows, all);
+    let chunk = chunk(rows.len(), busy);
+    let ranges = rows.len().div_ceil(chunk).max(1);
+    scratch.resize_with(scratch.len().max(ranges), S::default);
+    divide(all, rows, chunk, scratch, &work);
 }
 
-#[cfg(feature = "parallel")]
-fn divide<P: Parts, S>(
+/// Rows of a range: a multiple of the rows of a word, or all.
+#[cfg_attr(not(feature = "parallel"), expect(unused_variables, reason = "one thread does all"))]
+fn chunk(rows: usize, busy: usize) -> usize {
+    #[cfg(feature = "parallel")]
+    if rayon::current_num_threads() > 1 && busy > CHUNK {
+        return (rows / (PARTS * rayon::current_num_threads())).next_multiple_of(CHUNK).max(CHUNK);
+    }
+    rows.max(1)
+}
+
+fn divide<P: Parts, S: Send>(
     all: P,
     rows: Range<usize>,
     chunk: usize,
-    scratch: &(impl Fn() -> S + Sync),
+    scratch: &mut [S],
     work: &(impl Fn(&mut S, Range<usize>, P) + Sync),
 ) {
     if rows.len() <= chunk {
-        return work(&mut scratch(), rows, all);
+        return work(&mut scratch[0], rows, all);
     }
     let half = (rows.len() / 2).next_multiple_of(chunk);
     let (middle, (before, after)) = (rows.start + half, all.split(half));
-    rayon::join(
-        || divide(before, rows.start..middle, chunk, scratch, work),
-        || divide(after, middle..rows.end, chunk, scratch, work),
+    let (first, others) = scratch.split_at_mut(half / chunk);
+    join(
+        || divide(before, rows.start..middle, chunk, first, work),
+        || divide(after, middle..rows.end, chunk, others, work),
     );
 }
 
+fn join(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
+    #[cfg(feature = "parallel")]
+    rayon::join(a, b);
+    #[cfg(not(feature = "parallel"))]
+    {
+        a();
+        b();
+    }
+}
+
 /// Calls `work(scratch, row, out)` for every row of a column.
-pub(crate) fn rows<T: Send, S>(
-    all: &mut [T],
-    scratch: impl Fn() -> S + Sync,
-    work: impl Fn(&mut S, usize, &mut T) + Sync,
-) {
-    ranges(all, scratch, |scratch, rows, part| {
+pub(crate) fn rows<T: Send, S: Default + Send>(all: &mut [T], work: impl Fn(&mut S, usize, &mut T) + Sync) {
+    ranges_with(all, &mut Vec::new(), |scratch, rows, part| {
         for (row, out) in rows.zip(part) {
             work(scratch, row, out);
         }
     });
-}
-
-/// Calls `work(part, state)` for every part of the rows. `rows`: how many there is work for, which tells whether it is
-/// worth dividing.
-pub(crate) fn parts<T: Send>(all: &mut [T], rows: usize, work: impl Fn(usize, &mut T) + Sync) {
-    #[cfg(feature = "parallel")]
-    {
-        use rayon::prelude::*;
-        if rayon::current_num_threads() > 1 && rows > CHUNK {
-            all.par_iter_mut().enumerate().for_each(|(part, state)| work(part, state));
-            return;
-        }
-    }
-    #[cfg(not(feature = "parallel"))]
-    let _ = rows;
-    for (part, state) in all.iter_mut().enumerate() {
-        work(part, state);
-    }
-}
-
-/// The same with the `size` elements of `out` that go with each part; of the last there may be fewer.
-pub(crate) fn parts_with<T: Send, U: Send>(
-    all: &mut [T],
-    (out, size): (&mut [U], usize),
-    rows: usize,
-    work: impl Fn(usize, &mut T, &mut [U]) + Sync,
-) {
-    #[cfg(feature = "parallel")]
-    {
-        use rayon::prelude::*;
-        if rayon::current_num_threads() > 1 && rows > CHUNK {
-            let both = all.par_iter_mut().zip(out.par_chunks_mut(size)).enumerate();
-            both.for_each(|(part, (state, out))| work(part, state, out));
-            return;
-        }
-    }
-    #[cfg(not(feature = "parallel"))]
-    let _ = rows;
-    for (part, (state, out)) in all.iter_mut().zip(out.chunks_mut(size)).enumerate() {
-        work(part, state, out);
-    }
 }

@@ -16,6 +16,7 @@ mod perceive;
 mod plan;
 mod plan_lanes;
 mod queue;
+mod rest;
 mod schedule;
 mod snapshot;
 mod stage;
@@ -27,13 +28,13 @@ mod way;
 pub use explain::{Explanation, Seen};
 pub use stage::Stage;
 
-use crate::agent::{AgentId, Column, Columns, GoalId, Group, GroupId, JourneyId, Status};
+use crate::agent::{AgentId, Column, Columns, Cycles, GoalId, Group, GroupId, JourneyId, Status};
 use crate::guard::Pose;
 use crate::guard::{Contacts, Guard};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script, Unreachable};
-use crate::perceive::{Grid, Instructions};
+use crate::perceive::{Grid, Instructions, Near, Pack};
 use crate::space::{Place, Walls};
-use crate::steer::Event;
+use crate::steer::{Event, Neighbour};
 use crate::summary::{Counts, Ended, Summary, Tally};
 use glam::DVec2;
 use schedule::Schedule;
@@ -122,17 +123,23 @@ struct Slots {
 struct StepMemory {
     /// Which groups have agents.
     groups: Vec<bool>,
+    rest: rest::Rest,
     grid: Grid,
     long: perceive::Long,
     /// Rows of two who were within a body's width of each other when that was asked last: a guess where to look first.
     close_pair: Option<(usize, usize)>,
+    perceiving: Vec<(Pack, Vec<Near>)>,
     near: perceive::Neighbours,
     shown: Vec<Shown>,
     index: steer::Index,
+    steering: Vec<Vec<Neighbour>>,
     planned: Vec<steer::Planned>,
+    stuck: Vec<usize>,
     following: Vec<queue::Following>,
     seen: Vec<u32>,
+    manners: Vec<intend::Manners>,
     preferred: Velocities,
+    avoiding: Vec<avoid::Scratch>,
     wishes: Velocities,
     targets: Vec<Pose>,
     reach: Column<f32>,
@@ -144,6 +151,7 @@ struct StepMemory {
     anybody_may_change: bool,
     /// How many have arrived at each goal.
     arrivals: Vec<u32>,
+    cycles: Cycles,
     /// Rows with their next status, where it may be another.
     changes: Vec<(usize, Status)>,
 }
@@ -176,6 +184,7 @@ impl World {
 
     /// All of a sub-step that ends at `now` but the motion.
     fn decide(&mut self, seconds: f32, now: f64, mut ended: impl FnMut(Stage)) {
+        self.fall_asleep(seconds);
         self.perceive(seconds);
         ended(Stage::Perceive);
         self.intend(seconds, now);

@@ -85,6 +85,7 @@ fn guarded(crowd: &Crowd, walls: &Walls) -> Vec<Pose> {
         radii: &crowd.radii,
         reach: &crowd.reach,
         guarded: &crowd.guarded,
+        resting: &[],
     };
     let mut contacts = Contacts::default();
     contacts.collect(&bodies, &numbers, &grid, walls, |_, _| true, |_| None);

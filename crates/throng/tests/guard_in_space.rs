@@ -69,6 +69,7 @@ fn run(all: &mut [One], walls: &Walls, reach: f32) -> Result<(), TestCaseError> 
             radii: &radii,
             reach: &reaches,
             guarded: &guarded,
+            resting: &[],
         };
         let mut contacts = Contacts::default();
         contacts.collect(&bodies, &numbers, &grid, walls, |_, _| true, |_| None);

@@ -62,6 +62,7 @@ impl Packed {
             radii: &self.radii,
             reach: &self.reach,
             guarded: &self.guarded,
+            resting: &[],
         }
     }
 

@@ -1,6 +1,6 @@
 //! A fact about all agents: kept once while it is the same for everybody.
 
-use super::{GroupId, JourneyId, ScriptId};
+use super::{Cycles, GroupId, JourneyId, ScriptId};
 use crate::lanes::from_side_by_side;
 use crate::motion::{Attitude, Basis};
 use fearless_simd::prelude::*;
@@ -166,14 +166,14 @@ impl<T: Value> Column<T> {
         }
     }
 
-    /// Moves every row: what was in row `order[k]` comes to row `k`. Notices if all have become the same.
-    pub(crate) fn permute(&mut self, order: &[u32]) {
+    /// Moves rows along cycles. Notices if all have become the same.
+    pub(crate) fn permute(&mut self, cycles: &Cycles) {
         if self.mask != 0 && self.all_same() {
             self.values.truncate(1);
             self.values.shrink_to_fit();
             self.mask = 0;
         } else if self.mask != 0 {
-            self.values = order.iter().map(|&row| self.values[row as usize]).collect();
+            cycles.turn(&mut self.values);
         }
     }
 
@@ -323,7 +323,9 @@ mod tests {
                         let mut order: Vec<u32> = (0..plain.len() as u32).collect();
                         let by = by % plain.len().max(1);
                         order.rotate_left(by);
-                        column.permute(&order);
+                        let mut cycles = Cycles::default();
+                        cycles.find(&order);
+                        column.permute(&cycles);
                         plain.rotate_left(by);
                         let same = plain.iter().all(|value: &f32| value.same(plain[0]));
                         prop_assert!(column.uniform().is_some() == (same && !plain.is_empty()));

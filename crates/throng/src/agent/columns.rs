@@ -1,30 +1,30 @@
 //! The agents' state: a column a fact, a row an agent.
 
-use super::{Agent, Column, GroupId, JourneyId, ScriptId, Status, Value, Words};
+use super::{Agent, Column, Cycles, GroupId, JourneyId, Memory, ScriptId, Status, Value};
 use crate::motion::Attitude;
 use crate::navigate::Travel;
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
 
 trait Permute {
-    fn permute(&mut self, order: &[u32]);
+    fn permute(&mut self, cycles: &Cycles);
 }
 
-impl<T: Default> Permute for Vec<T> {
-    fn permute(&mut self, order: &[u32]) {
-        *self = order.iter().map(|&row| std::mem::take(&mut self[row as usize])).collect();
+impl<T> Permute for Vec<T> {
+    fn permute(&mut self, cycles: &Cycles) {
+        cycles.turn(self);
     }
 }
 
-impl Permute for Words {
-    fn permute(&mut self, order: &[u32]) {
-        self.permute(order);
+impl Permute for Memory {
+    fn permute(&mut self, cycles: &Cycles) {
+        self.permute(cycles);
     }
 }
 
 impl<T: Value> Permute for Column<T> {
-    fn permute(&mut self, order: &[u32]) {
-        self.permute(order);
+    fn permute(&mut self, cycles: &Cycles) {
+        self.permute(cycles);
     }
 }
 
@@ -48,9 +48,9 @@ macro_rules! columns {
                 $(self.$name.reserve(additional);)*
             }
 
-            /// Moves every row: who was in row `order[k]` comes to row `k`.
-            pub(crate) fn permute(&mut self, order: &[u32]) {
-                $(Permute::permute(&mut self.$name, order);)*
+            /// Moves rows along cycles.
+            pub(crate) fn permute(&mut self, cycles: &Cycles) {
+                $(Permute::permute(&mut self.$name, cycles);)*
             }
 
             /// Whether all columns are of one length.
@@ -79,7 +79,7 @@ columns! {
     /// How those who steer hold themselves.
     attitude: Column<Attitude>,
     /// What the behaviours of those who steer remember.
-    memory: Words,
+    memory: Memory,
     /// Radians a second that the body turned in the last sub-step; 0 for discs, whose turning touches nobody.
     spin: Column<f32>,
     /// Radius of the body, or of its rounding.

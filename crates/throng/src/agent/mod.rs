@@ -6,18 +6,20 @@
 mod body;
 mod column;
 mod columns;
+mod cycles;
 mod group;
 mod id;
+mod memory;
 mod trip;
-mod words;
 
 pub use body::Body;
 pub use column::{Column, Value};
 pub use columns::Columns;
+pub(crate) use cycles::Cycles;
 pub use group::Group;
 pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId, ScriptId};
+pub use memory::Memory;
 pub use trip::Trip;
-pub use words::Words;
 
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};

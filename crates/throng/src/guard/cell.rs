@@ -79,7 +79,7 @@ pub(super) fn clamp(row: usize, solid: Solid<'_>, target: Pose, scratch: &mut Sc
     let motion = target.place() - from;
     let is_grounded = solid.is_grounded(row, target);
     let reserve = RESERVE * f64::from(bodies.radii[row]);
-    let Scratch { lines, planes, sides: all } = scratch;
+    let Scratch { lines, planes, sides: all, .. } = scratch;
     all.clear();
     all.extend(sides(row, solid));
     let sweep = solid.sweep(row, target);

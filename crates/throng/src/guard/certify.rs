@@ -5,15 +5,15 @@
 //! last; everybody else would be found as before.
 
 use super::cores::Cores;
-use super::lists::ROWS;
 use super::safe::is_safe;
 use super::solid::Solid;
 use super::{Bodies, Contacts, Pose, cell, relax};
 use crate::avoid::{Line, Plane};
 use crate::lanes::ones;
-use crate::parallel;
+use crate::parallel::{self, WORD, Words};
 use crate::space::Walls;
 use glam::Vec3;
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Rounds of certification after which everybody who is still free is clamped.
@@ -35,6 +35,7 @@ pub struct Report {
 pub struct Guard {
     parts: Vec<Part>,
     waiting: Vec<Waiting>,
+    scratch: Vec<Scratch>,
     cores: Cores,
 }
 
@@ -43,8 +44,6 @@ pub struct Guard {
 struct Part {
     /// Who gets a new target in this pass.
     moving: u64,
-    /// Their new targets.
-    targets: Vec<Pose>,
     /// Who was ever looked at.
     seen: u64,
     /// Whose target ever changed.
@@ -52,12 +51,14 @@ struct Part {
     clamped: u64,
     /// Whose motion is not what was wished.
     changed: u64,
-    scratch: Scratch,
 }
 
-/// Memory for one agent's cell.
+/// Memory for some parts.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
+    /// New targets of those who get one in this pass, row by row.
+    targets: Vec<Pose>,
+    /// One agent's cell.
     pub lines: Vec<Line>,
     pub planes: Vec<Plane>,
     pub sides: Vec<cell::Side>,
@@ -94,28 +95,33 @@ impl Guard {
         targets: &mut Vec<Pose>,
     ) -> Report {
         let count = bodies.positions.len();
-        let Self { parts, waiting, cores } = self;
+        let Self { parts, waiting, scratch, cores } = self;
         cores.rebuild(bodies);
         let solid = Solid { bodies, contacts, walls, cores };
         targets.resize(count, Pose::default());
-        parts.resize_with(count.div_ceil(ROWS), Part::default);
+        parts.resize_with(count.div_ceil(WORD), Part::default);
         waiting.clear();
         waiting.resize_with(parts.len(), Waiting::default);
-        parallel::parts_with(parts, (targets, ROWS), count, |at, part, targets| {
-            (part.seen, part.moved, part.clamped, part.changed) = (0, 0, 0, 0);
-            for (row, target) in (at * ROWS..).zip(targets) {
-                let wish = wished(row);
-                *target = within_reach(row, bodies, wish);
-                part.changed |= u64::from(differs(row, bodies, wish, *target)) * bit(row);
+        parallel::ranges((Words(parts), &mut targets[..]), |rows, (Words(parts), targets)| {
+            for ((first, part), targets) in rows.step_by(WORD).zip(parts).zip(targets.chunks_mut(WORD)) {
+                *part = Part::default();
+                if bodies.rest(first / WORD) {
+                    continue;
+                }
+                for (row, target) in (first..).zip(targets) {
+                    let wish = wished(row);
+                    *target = within_reach(row, bodies, wish);
+                    part.changed |= u64::from(differs(row, bodies, wish, *target)) * bit(row);
+                }
             }
         });
-        let mut passes = Passes { contacts, parts, waiting, targets };
+        let mut passes = Passes { contacts, parts, waiting, scratch, targets };
         passes.look_at(|at, _, targets| {
-            let touching = rows(at, contacts.touching(at));
+            let touching = rows(at, if bodies.rest(at) { 0 } else { contacts.touching(at) });
             touching.filter(|&row| !relax::is_clear(row, solid, targets)).fold(0, |some, row| some | bit(row))
         });
         for _ in 0..relax::ITERATIONS {
-            passes.run(|_, row, targets| Some(relax::relaxed(row, solid, targets)));
+            passes.run(|_, _, row, targets| Some(relax::relaxed(row, solid, targets)));
         }
         passes.look_at(|_, part, _| part.seen);
         let mut report = Report::default();
@@ -124,11 +130,11 @@ impl Guard {
             if last {
                 passes.look_at(|at, _, _| contacts.touching(at));
             }
-            let clamped = passes.run(|part, row, targets| {
+            let clamped = passes.run(|part, scratch, row, targets| {
                 let free = part.clamped & bit(row) == 0;
                 (free && (last || !is_safe(row, solid, targets))).then(|| {
                     part.clamped |= bit(row);
-                    cell::clamp(row, solid, targets[row], &mut part.scratch)
+                    cell::clamp(row, solid, targets[row], scratch)
                 })
             });
             if clamped == 0 {
@@ -137,32 +143,36 @@ impl Guard {
             report.rounds = round;
         }
         let moved = parts.iter().map(|part| part.moved.count_ones() as usize).sum();
-        parallel::parts_with(parts, (targets, ROWS), moved, |at, part, targets| {
-            for row in rows(at, part.moved) {
-                part.changed &= !bit(row);
-                part.changed |= u64::from(differs(row, bodies, wished(row), targets[row % ROWS])) * bit(row);
+        let note = |part_rows: Range<usize>, parts: &mut [Part]| {
+            for (first, part) in part_rows.step_by(WORD).zip(parts) {
+                for row in rows(first / WORD, part.moved) {
+                    part.changed &= !bit(row);
+                    part.changed |= u64::from(differs(row, bodies, wished(row), targets[row])) * bit(row);
+                }
             }
-        });
+        };
+        parallel::ranges_if_busy(Words(parts), moved, scratch, |_, rows, Words(parts)| note(rows, parts));
         for part in parts {
             report.changed += part.changed.count_ones() as usize;
             report.clamped += part.clamped.count_ones() as usize;
         }
         report
     }
+
+    /// Those of 64 rows that any pass moved in the last step, a bit each.
+    pub(crate) fn moved(&self, part: usize) -> u64 {
+        self.parts[part].moved
+    }
 }
 
 /// Puts into `targets` where each row wished to go, as far as it gets: nobody is held apart.
 pub(crate) fn unguarded(bodies: &Bodies<'_>, wished: impl Fn(usize) -> Pose + Sync, targets: &mut Vec<Pose>) {
     targets.resize(bodies.positions.len(), Pose::default());
-    parallel::ranges(
-        &mut targets[..],
-        || (),
-        |(), rows, targets| {
-            for (row, target) in rows.zip(targets) {
-                *target = within_reach(row, bodies, wished(row));
-            }
-        },
-    );
+    parallel::ranges(&mut targets[..], |rows, targets| {
+        for (row, target) in rows.zip(targets) {
+            *target = within_reach(row, bodies, wished(row));
+        }
+    });
 }
 
 /// All parts and their targets.
@@ -170,6 +180,7 @@ struct Passes<'a> {
     contacts: &'a Contacts,
     parts: &'a mut [Part],
     waiting: &'a mut [Waiting],
+    scratch: &'a mut Vec<Scratch>,
     targets: &'a mut [Pose],
 }
 
@@ -177,54 +188,63 @@ impl Passes<'_> {
     /// Has the next pass look at those of each part that `whom` gives, too.
     fn look_at(&mut self, whom: impl Fn(usize, &Part, &[Pose]) -> u64 + Sync) {
         let targets = &*self.targets;
-        parallel::parts_with(self.parts, (self.waiting, 1), targets.len(), |at, part, waiting| {
-            *waiting[0].0.get_mut() |= whom(at, part, targets);
+        parallel::ranges((Words(self.parts), Words(self.waiting)), |rows, (Words(parts), Words(waiting))| {
+            for ((first, part), waiting) in rows.step_by(WORD).zip(parts).zip(waiting) {
+                *waiting.0.get_mut() |= whom(first / WORD, part, targets);
+            }
         });
     }
 
     /// Looks at all who wait, moves those for whom `target` has a new target, and has the next pass look at them again
     /// and at those whom they could touch. Gives how many have a new target, be it the same as before.
-    fn run(&mut self, target: impl Fn(&mut Part, usize, &[Pose]) -> Option<Pose> + Sync) -> usize {
-        let Self { contacts, parts, waiting, targets } = self;
-        let rows_waiting = waiting.iter_mut().map(|waiting| waiting.0.get_mut().count_ones() as usize).sum();
-        parallel::parts_with(parts, (waiting, 1), rows_waiting, |at, part, waiting| {
-            let looked_at = std::mem::take(waiting[0].0.get_mut());
-            part.seen |= looked_at;
-            part.moving = 0;
-            part.targets.clear();
-            for row in rows(at, looked_at) {
-                if let Some(pose) = target(part, row, targets) {
-                    part.moving |= bit(row);
-                    part.targets.push(pose);
-                }
-            }
-        });
-        let moving = parts.iter().map(|part| part.moving.count_ones() as usize).sum();
-        parallel::parts_with(parts, (targets, ROWS), moving, |at, part, targets| {
-            for (row, &pose) in rows(at, part.moving).zip(&part.targets) {
-                let target = &mut targets[row % ROWS];
-                if *target != pose {
-                    part.moved |= bit(row);
-                    for row in [row as u32].iter().chain(contacts.of(row)).map(|&row| row as usize) {
-                        waiting[row / ROWS].add(bit(row));
+    fn run(&mut self, target: impl Fn(&mut Part, &mut Scratch, usize, &[Pose]) -> Option<Pose> + Sync) -> usize {
+        let Self { contacts, parts, waiting, scratch, targets } = self;
+        let busy = waiting.iter_mut().map(|waiting| waiting.0.get_mut().count_ones() as usize).sum();
+        let both = (Words(parts), Words(waiting));
+        parallel::ranges_if_busy(both, busy, scratch, |scratch, part_rows, (Words(parts), Words(waiting))| {
+            scratch.targets.clear();
+            for ((first, part), waiting) in part_rows.step_by(WORD).zip(parts).zip(waiting) {
+                let looked_at = std::mem::take(waiting.0.get_mut());
+                part.seen |= looked_at;
+                part.moving = 0;
+                for row in rows(first / WORD, looked_at) {
+                    if let Some(pose) = target(part, scratch, row, targets) {
+                        part.moving |= bit(row);
+                        scratch.targets.push(pose);
                     }
                 }
-                *target = pose;
             }
         });
-        moving
+        // divided as before: the same ranges have the same memory
+        let both = (Words(parts), &mut targets[..]);
+        parallel::ranges_if_busy(both, busy, scratch, |scratch, part_rows, (Words(parts), targets)| {
+            let mut poses = scratch.targets.iter();
+            for ((first, part), targets) in part_rows.step_by(WORD).zip(parts).zip(targets.chunks_mut(WORD)) {
+                for (row, &pose) in rows(first / WORD, part.moving).zip(&mut poses) {
+                    let target = &mut targets[row % WORD];
+                    if *target != pose {
+                        part.moved |= bit(row);
+                        for row in [row as u32].iter().chain(contacts.of(row)).map(|&row| row as usize) {
+                            waiting[row / WORD].add(bit(row));
+                        }
+                    }
+                    *target = pose;
+                }
+            }
+        });
+        parts.iter().map(|part| part.moving.count_ones() as usize).sum()
     }
 }
 
 /// The bit of a row in the sets of its part.
 #[inline]
 fn bit(row: usize) -> u64 {
-    1 << (row % ROWS)
+    1 << (row % WORD)
 }
 
 /// The rows of a set, lowest first.
 fn rows(part: usize, set: u64) -> impl Iterator<Item = usize> {
-    ones(set).map(move |at| part * ROWS + at)
+    ones(set).map(move |at| part * WORD + at)
 }
 
 /// The wish of a row, as far as it can go in a step. One that is not a number is no wish at all; the heading of a disc

@@ -128,27 +128,31 @@ impl Contacts {
         let search = Search::new(bodies, numbers, grid);
         let (usual, largest) = self.tell(search, &meets);
         let told = &self.told;
-        self.others.fill(bodies.positions.len(), |(), row, others| {
-            let start = others.len();
-            let size = search.size(row);
-            let reach = (size + largest) * (PAD * PAD);
-            let all = seen(row).is_some_and(|seen| search.take(row, reach, seen, others));
-            if !all {
-                others.truncate(start);
-                search.look(row, size.max(usual), |other| {
-                    if meets(row, other) {
-                        others.push(other as u32);
+        self.others.fill(
+            bodies.positions.len(),
+            |part| bodies.rest(part),
+            |(), row, others| {
+                let start = others.len();
+                let size = search.size(row);
+                let reach = (size + largest) * (PAD * PAD);
+                let all = seen(row).is_some_and(|seen| search.take(row, reach, seen, others));
+                if !all {
+                    others.truncate(start);
+                    search.look(row, size.max(usual), |other| {
+                        if meets(row, other) {
+                            others.push(other as u32);
+                        }
+                    });
+                    if !told.is_empty() {
+                        let first = told.partition_point(|&(of, _)| of < row as u32);
+                        others.extend(told[first..].iter().take_while(|&&(of, _)| of == row as u32).map(|&(_, by)| by));
                     }
-                });
-                if !told.is_empty() {
-                    let first = told.partition_point(|&(of, _)| of < row as u32);
-                    others.extend(told[first..].iter().take_while(|&&(of, _)| of == row as u32).map(|&(_, by)| by));
                 }
-            }
-            if others.len() > start + 1 {
-                others[start..].sort_unstable_by_key(|&other| numbers[other as usize]);
-            }
-        });
+                if others.len() > start + 1 {
+                    others[start..].sort_unstable_by_key(|&other| numbers[other as usize]);
+                }
+            },
+        );
         self.collect_walls(bodies, walls);
     }
 
@@ -189,14 +193,18 @@ impl Contacts {
             self.walls.clear();
             return;
         }
-        self.walls.fill(bodies.positions.len(), |near, row, found| {
-            let range = f64::from(bodies.bound(row) + bodies.reach[row]) * 1.0001;
-            walls.near(bodies.positions[row].as_dvec2(), range, near);
-            if !near.edges.is_empty() || !near.discs.is_empty() {
-                found.push(near.edges.len() as u32);
-                found.extend(near.edges.iter().chain(&near.discs).map(|&(_, index)| index));
-            }
-        });
+        self.walls.fill(
+            bodies.positions.len(),
+            |part| bodies.rest(part),
+            |near, row, found| {
+                let range = f64::from(bodies.bound(row) + bodies.reach[row]) * 1.0001;
+                walls.near(bodies.positions[row].as_dvec2(), range, near);
+                if !near.edges.is_empty() || !near.discs.is_empty() {
+                    found.push(near.edges.len() as u32);
+                    found.extend(near.edges.iter().chain(&near.discs).map(|&(_, index)| index));
+                }
+            },
+        );
     }
 
     /// Rows of the bodies that `row` could touch, in the order of their numbers.

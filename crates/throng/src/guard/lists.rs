@@ -1,41 +1,52 @@
 //! A list for every row, flat.
 
-use crate::parallel;
-
-/// Rows in a part: a bit of a word each.
-pub(super) const ROWS: usize = u64::BITS as usize;
+use crate::parallel::{self, WORD, Words};
 
 /// A list of numbers for every row: flat in parts that threads fill each on its own, with memory of its own.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lists<S = ()> {
-    parts: Vec<Part<S>>,
+    parts: Vec<Part>,
+    scratch: Vec<S>,
 }
 
 #[derive(Clone, Debug)]
-struct Part<S> {
+struct Part {
     /// Where the list of each row starts, and where the last one ends.
-    starts: [u32; ROWS + 1],
+    starts: [u32; WORD + 1],
     items: Vec<u32>,
     /// Rows whose lists are not empty, a bit each.
     some: u64,
-    scratch: S,
 }
 
+/// Items that there is room for from the start, in a part: most lists are short.
+const ROOM: usize = 3 * WORD;
+
 impl<S: Default + Send> Lists<S> {
-    /// Makes all lists anew: `list(scratch, row, items)` adds the items of a row and leaves alone what is there.
-    pub fn fill(&mut self, rows: usize, list: impl Fn(&mut S, usize, &mut Vec<u32>) + Sync) {
-        let empty = || Part { starts: [0; ROWS + 1], items: Vec::new(), some: 0, scratch: S::default() };
-        self.parts.resize_with(rows.div_ceil(ROWS), empty);
-        parallel::parts(&mut self.parts, rows, |part, Part { starts, items, some, scratch }| {
-            items.clear();
-            *some = 0;
-            for (at, end) in starts[1..].iter_mut().enumerate() {
-                let (row, start) = (part * ROWS + at, items.len());
-                if row < rows {
-                    list(scratch, row, items);
+    /// Makes the lists anew of all parts that are not to be kept: `list(scratch, row, items)` adds the items of a row and
+    /// leaves alone what is there.
+    pub fn fill(
+        &mut self,
+        rows: usize,
+        keep: impl Fn(usize) -> bool + Sync,
+        list: impl Fn(&mut S, usize, &mut Vec<u32>) + Sync,
+    ) {
+        let empty = || Part { starts: [0; WORD + 1], items: Vec::with_capacity(ROOM), some: 0 };
+        self.parts.resize_with(rows.div_ceil(WORD), empty);
+        parallel::ranges_with(Words(&mut self.parts), &mut self.scratch, |scratch, part_rows, Words(parts)| {
+            for (first, Part { starts, items, some }) in part_rows.step_by(WORD).zip(parts) {
+                if keep(first / WORD) {
+                    continue;
                 }
-                *some |= u64::from(items.len() > start) << at;
-                *end = items.len() as u32;
+                items.clear();
+                *some = 0;
+                for (at, end) in starts[1..].iter_mut().enumerate() {
+                    let (row, start) = (first + at, items.len());
+                    if row < rows {
+                        list(scratch, row, items);
+                    }
+                    *some |= u64::from(items.len() > start) << at;
+                    *end = items.len() as u32;
+                }
             }
         });
     }
@@ -53,7 +64,7 @@ impl<S: Default + Send> Lists<S> {
     /// The list of a row; empty if there are none.
     #[inline]
     pub fn of(&self, row: usize) -> &[u32] {
-        let Some(part) = self.parts.get(row / ROWS) else { return &[] };
-        &part.items[part.starts[row % ROWS] as usize..part.starts[row % ROWS + 1] as usize]
+        let Some(part) = self.parts.get(row / WORD) else { return &[] };
+        &part.items[part.starts[row % WORD] as usize..part.starts[row % WORD + 1] as usize]
     }
 }

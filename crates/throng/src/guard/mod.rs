@@ -86,7 +86,13 @@ pub struct Bodies<'a> {
     pub reach: &'a Column<f32>,
     /// Who is kept from overlapping: of two, one at least must be.
     pub guarded: &'a Column<bool>,
+    /// Of each 64 rows, whether they, and all whom the guard can have them meet, wish to stand where they stood in the last
+    /// step, and the guard left them there: their contacts and targets are those of that step. None beyond the end.
+    pub resting: &'a [bool],
 }
+
+/// Over how many contacts, one after the other, the motion of one may change that of another.
+pub(crate) const PASSES: usize = relax::ITERATIONS + certify::ROUNDS + 1;
 
 impl Bodies<'_> {
     /// Whether a body is a disc: centres and radii say everything about it.
@@ -99,6 +105,12 @@ impl Bodies<'_> {
     #[inline]
     fn bound(&self, row: usize) -> f32 {
         self.radii[row] + self.cores[row].length()
+    }
+
+    /// Whether 64 rows rest.
+    #[inline]
+    fn rest(&self, part: usize) -> bool {
+        self.resting.get(part) == Some(&true)
     }
 
     /// The centre of a body, in space.

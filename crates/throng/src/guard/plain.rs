@@ -138,6 +138,7 @@ proptest! {
             radii: &all.iter().map(|one| one.radius).collect(),
             reach: &all.iter().map(|one| one.reach).collect(),
             guarded: &all.iter().map(|one| one.guarded).collect(),
+            resting: &[],
         };
         // numbers run against the rows
         let numbers: Vec<u32> = (0..all.len() as u32).rev().collect();

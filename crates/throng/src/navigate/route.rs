@@ -69,7 +69,8 @@ impl Route {
         }
     }
 
-    fn is_last(&self) -> bool {
+    /// Whether its next corner is its end.
+    pub(crate) fn is_last(&self) -> bool {
         self.next as usize + 1 == self.corners.len()
     }
 

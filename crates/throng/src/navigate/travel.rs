@@ -210,6 +210,11 @@ impl Travel {
         rare.refuge.as_mut().or(rare.route.as_mut())
     }
 
+    /// Whether, while the agent stands, where it is on its way stays as it is.
+    pub(crate) fn is_settled(&self) -> bool {
+        self.turn == Turn::Free && self.route().is_none_or(Route::is_last)
+    }
+
     /// Its route to the stop, even while it steps aside.
     pub(crate) fn route_to_stop(&self) -> Option<&Route> {
         self.rare.as_ref()?.route.as_ref()
@@ -321,6 +326,7 @@ impl Travel {
 }
 
 /// A turn to the right.
+#[derive(Clone, Debug)]
 pub(crate) struct Turned {
     sin: f32,
     cos: f32,

@@ -17,6 +17,9 @@ pub(super) struct Block {
     pub halves: u32,
 }
 
+/// A point, its number and row.
+pub(super) type Point = (f32, f32, u32, u32);
+
 /// Points with their numbers and rows, in columns that are sorted together.
 pub(super) struct Points<'a> {
     pub x: &'a mut [f32],
@@ -44,11 +47,10 @@ impl Block {
 }
 
 /// Puts a block of the points from `start` to `end` into `blocks`, halved at medians across its longer sides (by number
-/// where all points coincide) until no part holds many.
-pub(super) fn divide(blocks: &mut Vec<Block>, start: u32, end: u32, points: &mut Points<'_>) {
+/// where all points coincide) until no part holds many. `part` is memory.
+pub(super) fn divide(blocks: &mut Vec<Block>, start: u32, end: u32, points: &mut Points<'_>, part: &mut Vec<Point>) {
     let first = blocks.len();
     blocks.push(Block::round(points, start, end));
-    let mut part = Vec::new();
     let mut at = first;
     while at < blocks.len() {
         let Block { low, high, start, end, .. } = blocks[at];
@@ -57,10 +59,10 @@ pub(super) fn divide(blocks: &mut Vec<Block>, start: u32, end: u32, points: &mut
             let range = start as usize..end as usize;
             part.clear();
             part.extend(range.clone().map(|k| (points.x[k], points.y[k], points.numbers[k], points.rows[k])));
-            let axis = |p: &(f32, f32, u32, u32)| if size.x >= size.y { p.0 } else { p.1 };
+            let axis = |p: &Point| if size.x >= size.y { p.0 } else { p.1 };
             let middle = part.len() / 2;
             part.select_nth_unstable_by(middle, |a, b| axis(a).total_cmp(&axis(b)).then(a.2.cmp(&b.2)));
-            for (k, &(x, y, number, row)) in range.zip(&part) {
+            for (k, &(x, y, number, row)) in range.zip(&*part) {
                 (points.x[k], points.y[k], points.numbers[k], points.rows[k]) = (x, y, number, row);
             }
             blocks[at].halves = blocks.len() as u32;

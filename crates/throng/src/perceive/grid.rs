@@ -1,6 +1,6 @@
 //! The grid: points sorted into cells.
 
-use super::block::{Block, LEAF, Points, divide};
+use super::block::{Block, LEAF, Point, Points, divide};
 use super::nearest::Near;
 use crate::lanes::LANES;
 use crate::parallel;
@@ -57,6 +57,7 @@ pub struct Grid {
     numbers: Vec<u32>,
     pub(super) order: Vec<u32>,
     cell_of: Vec<u32>,
+    part: Vec<Point>,
 }
 
 impl Grid {
@@ -94,8 +95,8 @@ impl Grid {
             let (start, end) = (self.starts[cell], self.starts[cell + 1]);
             if (end - start) as usize > LEAF {
                 self.crowded.push((cell as u32, self.blocks.len() as u32));
-                let Self { x, y, numbers, order: rows, .. } = self;
-                divide(&mut self.blocks, start, end, &mut Points { x, y, numbers, rows });
+                let Self { x, y, numbers, order: rows, part, .. } = self;
+                divide(&mut self.blocks, start, end, &mut Points { x, y, numbers, rows }, part);
             }
         }
     }
@@ -141,15 +142,11 @@ impl Grid {
         let mut cell_of = std::mem::take(&mut self.cell_of);
         cell_of.resize(count, 0);
         let grid = &*self;
-        parallel::ranges(
-            &mut cell_of[..],
-            || (),
-            |(), rows, cells| {
-                for (cell, &p) in cells.iter_mut().zip(&points[rows]) {
-                    *cell = (grid.row(p.y) * grid.columns + grid.column(p.x)) as u32;
-                }
-            },
-        );
+        parallel::ranges(&mut cell_of[..], |rows, cells| {
+            for (cell, &p) in cells.iter_mut().zip(&points[rows]) {
+                *cell = (grid.row(p.y) * grid.columns + grid.column(p.x)) as u32;
+            }
+        });
         self.starts.clear();
         self.starts.resize(self.columns * self.rows + 1, 0);
         for &c in &cell_of {
@@ -175,15 +172,11 @@ impl Grid {
         x.resize(count + LANES, 0.0);
         y.resize(count + LANES, 0.0);
         sorted.resize(count, 0);
-        parallel::ranges(
-            (&mut x[..count], &mut y[..count], &mut sorted[..]),
-            || (),
-            |(), places, (x, y, sorted)| {
-                for (((&row, x), y), number) in order[places].iter().zip(x).zip(y).zip(sorted) {
-                    (*x, *y, *number) = (points[row as usize].x, points[row as usize].y, numbers[row as usize]);
-                }
-            },
-        );
+        parallel::ranges((&mut x[..count], &mut y[..count], &mut sorted[..]), |places, (x, y, sorted)| {
+            for (((&row, x), y), number) in order[places].iter().zip(x).zip(y).zip(sorted) {
+                (*x, *y, *number) = (points[row as usize].x, points[row as usize].y, numbers[row as usize]);
+            }
+        });
     }
 
     /// Rows of the slice that the grid was built from, in the order of cells.

@@ -55,6 +55,7 @@ impl World {
             radii: &agents.radius,
             reach: &step.reach,
             guarded: &step.guarded,
+            resting: step.rest.asleep(),
         }
     }
 
@@ -101,6 +102,7 @@ impl World {
 
     /// 5. Move: to where the guard said, then headings, arrivals, exits.
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
+        self.note_still(seconds);
         match self.lanes_to_move() {
             Some(level) => self.advance_many(level, seconds),
             None => self.advance_each(seconds),
@@ -112,30 +114,27 @@ impl World {
 
     /// Moves everybody, one by one.
     fn advance_each(&mut self, seconds: f32) {
-        let steers: Vec<bool> = self.groups.iter().map(|group| group.steering.is_some()).collect();
-        let agents = &mut self.agents;
+        let Self { agents, groups, step, .. } = self;
         for row in 0..agents.len() {
             let from = agents.position[row].extend(agents.altitude[row]);
-            let target = self.step.targets[row];
-            let velocity = velocity(from, target.place(), self.step.wishes.at(row), seconds);
+            let target = step.targets[row];
+            let velocity = velocity(from, target.place(), step.wishes.at(row), seconds);
             agents.position[row] = target.position;
             agents.altitude.set(row, target.altitude);
             let (velocity_before, climb_before) = (agents.velocity[row], agents.climb[row]);
             agents.velocity[row] = velocity.truncate();
             agents.climb.set(row, velocity.z);
             let before = agents.heading[row];
-            let heading = if let Some(planned) =
-                self.step.planned.get(row).filter(|_| steers[agents.group[row].index()])
-            {
+            let group = &groups[agents.group[row].index()];
+            let heading = if group.steering.is_some() {
                 let before = agents.attitude[row].motion(from, velocity_before.extend(climb_before));
-                let vehicle = &self.groups[agents.group[row].index()].vehicle;
-                let moved = steered(vehicle, &before, planned, velocity, seconds);
+                let moved = steered(&group.vehicle, &before, &step.planned[row], velocity, seconds);
                 agents.velocity[row] = moved.velocity.truncate();
                 agents.climb.set(row, moved.velocity.z);
                 agents.attitude.set(row, moved.into());
                 moved.basis.heading()
             } else if agents.is_disc(row) {
-                let facing = faces(agents.velocity[row], self.step.preferred.ground[row], agents.max_turn_rate[row]);
+                let facing = faces(agents.velocity[row], step.preferred.ground[row], agents.max_turn_rate[row]);
                 turn(before, facing, seconds, agents.max_turn_rate[row])
             } else {
                 agents.spin.set(row, wrap(target.heading - before) / seconds);

@@ -11,6 +11,10 @@ use crate::parallel;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use glam::Vec2;
+use std::ops::Range;
+
+/// What moving changes, of some rows, as it is divided.
+type Columns<'a> = ((&'a mut [Vec2], &'a mut [Vec2], &'a mut [f32]), (&'a mut [f64], &'a mut [f64], &'a mut [f64]));
 
 /// What moving changes, of some rows.
 struct Moving<'a> {
@@ -44,10 +48,8 @@ impl World {
             (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
         );
         let turning = Turning::of(seconds);
-        parallel::ranges(
-            moving,
-            || (),
-            |(), rows, ((position, velocity, heading), (turned, course_turned, walked))| {
+        let move_part =
+            |rows: Range<usize>, ((position, velocity, heading), (turned, course_turned, walked)): Columns<'_>| {
                 let mut moving = Moving { position, velocity, heading, turned, course_turned, walked };
                 let targets = if is_guarded {
                     Targets::Certain(&targets[rows.clone()])
@@ -56,8 +58,8 @@ impl World {
                 };
                 let (wishes, status) = (&wishes[rows.clone()], &status[rows]);
                 dispatch!(level, simd => move_all(simd, &mut moving, (targets, wishes, status), turning, seconds));
-            },
-        );
+            };
+        parallel::ranges(moving, |rows, all| step.rest.each(rows, all, move_part));
     }
 }
 

@@ -45,7 +45,8 @@ impl World {
         }
         let mut changes = std::mem::take(&mut self.step.changes);
         changes.clear();
-        let rows = self.step.shown.iter().enumerate().filter(|(_, shown)| shown.way.may_change()).map(|(row, _)| row);
+        let Self { step, agents, .. } = &*self;
+        let rows = step.rest.awake(0..agents.len()).flatten().filter(|&row| step.shown[row].way.may_change());
         changes.extend(rows.map(|row| (row, self.next_status(row, seconds))));
         let mut gone = Vec::new();
         for &(row, status) in &changes {

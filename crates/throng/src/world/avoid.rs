@@ -19,15 +19,15 @@ const YIELD_AT_REST: f32 = 0.3;
 const GRANT: f32 = 2.0;
 
 /// What a thread keeps while it goes through agents.
-#[derive(Default)]
-struct Scratch {
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
     sight: Sight,
     workspace: Workspace,
     lanes: LaneScratch,
 }
 
 /// What an agent sees.
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Sight {
     near: NearWalls,
     /// Rows of the neighbours.
@@ -41,18 +41,19 @@ impl World {
     /// 3. What is safe: the local models choose velocities, bodies limit them.
     pub(super) fn avoid(&mut self, seconds: f32) {
         let mut wishes = std::mem::take(&mut self.step.wishes);
+        let mut scratch = std::mem::take(&mut self.step.avoiding);
         wishes.resize(self.agents.len(), self.in_space_now());
         let world = &*self;
         let common = world.common(seconds);
-        parallel::ranges(wishes.rows(), Scratch::default, |scratch, rows, mut wishes| {
+        parallel::ranges_with(wishes.rows(), &mut scratch, |scratch, rows, wishes| {
             let Scratch { sight, workspace, lanes } = scratch;
             let mut one = |row: usize| world.wish(row, seconds, sight, workspace);
-            match &common {
-                Some(common) => world.avoid_many(common, rows, lanes, &mut wishes.0, one),
+            world.step.rest.each(rows, wishes, |rows, mut wishes| match &common {
+                Some(common) => world.avoid_many(common, rows, lanes, wishes.0, &mut one),
                 None => rows.zip(0..).for_each(|(row, at)| set(&mut wishes, at, one(row))),
-            }
+            });
         });
-        self.step.wishes = wishes;
+        (self.step.wishes, self.step.avoiding) = (wishes, scratch);
     }
 
     /// The velocity that an agent will have but for the guard.

@@ -11,7 +11,7 @@ use glam::{Vec2, Vec3};
 use std::ops::Range;
 
 /// What a thread keeps while it goes through agents.
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct LaneScratch {
     views: Views,
     fallback: [Vec<Line>; 2],

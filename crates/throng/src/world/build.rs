@@ -251,6 +251,7 @@ impl World {
     pub(super) fn remove_row(&mut self, row: usize) {
         let (slot, number) = (self.agents.slot[row] as usize, self.agents.number[row]);
         self.stranded.retain(|&(stranded, _)| stranded != number);
+        self.step.rest.remove(row, self.agents.len() - 1, self.agents.position[row]);
         self.agents.swap_remove(row);
         let slots = &mut self.slots;
         slots.rows[slot] = u32::MAX;
@@ -268,6 +269,7 @@ impl World {
             self.slots.rows.len() as u32 - 1
         });
         let row = self.agents.len() as u32;
+        self.step.rest.add();
         self.slots.rows[slot as usize] = row;
         let heading = self.first_heading(agent);
         self.agents.push(agent, self.settings.origin, slot, number, heading, now);
@@ -379,6 +381,7 @@ impl World {
         }
         self.stranded.clear();
         self.end_standoffs();
+        self.step.rest.end();
     }
 }
 

@@ -91,6 +91,7 @@ impl World {
         let seconds = world.seconds(parts);
         let now = world.time() + f64::from(seconds);
         let memory = world.agents.memory.clone();
+        world.step.rest.end();
         world.decide(seconds, now, |_| ());
         // deciding has changed what is remembered
         world.agents.memory = memory;

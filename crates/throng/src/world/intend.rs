@@ -11,6 +11,7 @@ use glam::{Vec2, Vec3};
 const RETURN_TIME: f32 = 0.5;
 
 /// What the agents of a group do alike.
+#[derive(Clone, Debug)]
 pub(super) struct Manners {
     pub detour: bool,
     pub resolve: bool,
@@ -33,25 +34,25 @@ impl World {
         self.resolve(seconds);
         let mut travels = std::mem::take(&mut self.agents.travel);
         let mut preferred = std::mem::take(&mut self.step.preferred);
+        let mut manners = std::mem::take(&mut self.step.manners);
+        manners.clear();
+        manners.extend(self.groups.iter().map(Manners::of));
         preferred.resize(self.agents.len(), self.in_space_now());
         let world = &*self;
-        let manners: Vec<Manners> = self.groups.iter().map(Manners::of).collect();
         let level = self.lanes_to_intend();
         let one = |row: usize, travel: &mut Travel| match world.scripted(row, now) {
             Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
             None => world.preferred_velocity(row, travel, &manners[world.agents.group[row].index()], seconds),
         };
-        parallel::ranges(
-            (&mut travels[..], preferred.rows()),
-            || (),
-            |(), rows, (travels, mut preferred)| match level {
-                Some(level) => world.intend_many(level, rows, travels, &mut preferred.0, (&manners, seconds), one),
+        parallel::ranges((&mut travels[..], preferred.rows()), |rows, both| {
+            world.step.rest.each(rows, both, |rows, (travels, mut preferred)| match level {
+                Some(level) => world.intend_many(level, rows, travels, preferred.0, (&manners, seconds), one),
                 None => (rows.zip(travels).zip(0..))
                     .for_each(|((row, travel), at)| set(&mut preferred, at, one(row, travel))),
-            },
-        );
+            });
+        });
         self.agents.travel = travels;
-        self.step.preferred = preferred;
+        (self.step.preferred, self.step.manners) = (preferred, manners);
         self.steer(seconds, now);
     }
 

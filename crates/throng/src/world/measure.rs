@@ -2,11 +2,8 @@
 
 use super::World;
 use crate::agent::Columns;
-use crate::parallel;
+use crate::parallel::{self, WORD, Words};
 use crate::space::{Core, Walls};
-
-/// Rows that are measured together.
-const ROWS: usize = 256;
 
 /// What was measured, as in [`Tally`](crate::summary::Tally).
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +37,7 @@ impl World {
             looks_below: looks_below(tally.least_separation),
         };
         step.measured.clear();
-        step.measured.resize(agents.len().div_ceil(ROWS), before);
+        step.measured.resize(agents.len().div_ceil(WORD), before);
         let (contacts, near) = (&step.contacts, &step.near);
         // where nobody is guarded contacts are not collected, and who is perceived has to do
         let guarded = step.guarded.uniform() != Some(false);
@@ -48,8 +45,9 @@ impl World {
         let most = |all: &[f32]| all.iter().copied().fold(0.0, f32::max);
         let reach = if discs_only { most(step.reach.values()) } else { f32::INFINITY };
         let radius = most(agents.radius.values());
-        parallel::parts(&mut step.measured, agents.len(), |part, measured| {
-            for row in part * ROWS..agents.len().min((part + 1) * ROWS) {
+        let measure = |measured: &mut Measured, first: usize| {
+            let rows = if step.rest.sleeps(first / WORD) { 0..0 } else { first..agents.len().min(first + WORD) };
+            for row in rows {
                 if guarded {
                     contacts.of(row).iter().filter(|&&other| other as usize > row).for_each(|&other| {
                         measured.pair(agents, row, other as usize, discs_only);
@@ -78,6 +76,9 @@ impl World {
                     measured.walls(agents, row, walls, (contacts.edges_of(row), contacts.discs_of(row)));
                 }
             }
+        };
+        parallel::ranges(Words(&mut step.measured), |rows, Words(all)| {
+            rows.step_by(WORD).zip(all).for_each(|(first, measured)| measure(measured, first));
         });
         for measured in &step.measured {
             tally.least_separation = tally.least_separation.min(measured.least_separation);
@@ -88,6 +89,11 @@ impl World {
 }
 
 impl Measured {
+    /// Whether nobody overlaps.
+    pub fn no_overlap(&self) -> bool {
+        self.overlaps == 0
+    }
+
     /// Notes the separation of two, and whether they overlap.
     fn pair(&mut self, agents: &Columns, row: usize, other: usize, discs_only: bool) {
         if !discs_only || self.is_near(agents, row, other) {

@@ -1,6 +1,6 @@
 //! The order of rows: who is near on the ground is to be near in memory too.
 
-use super::World;
+use super::{StepMemory, World};
 
 /// Agents from which on it pays to move rows: fewer lie in the nearest memory, however they lie there.
 const LARGE: usize = 2048;
@@ -28,8 +28,11 @@ impl World {
     }
 
     fn follow_grid(&mut self) {
-        self.agents.permute(self.step.grid.order());
-        self.step.grid.rows_are_in_order();
+        let StepMemory { grid, cycles, rest, .. } = &mut self.step;
+        cycles.find(grid.order());
+        self.agents.permute(cycles);
+        grid.rows_are_in_order();
+        rest.end();
         for (&slot, row) in self.agents.slot.iter().zip(0..) {
             self.slots.rows[slot as usize] = row;
         }

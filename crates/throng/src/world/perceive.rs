@@ -4,7 +4,8 @@ use super::World;
 use crate::SubSteps;
 use crate::agent::{Columns, Group};
 use crate::parallel::{self, Lists};
-use crate::perceive::{Grid, MOST_NEIGHBOURS, Near, Pack};
+use crate::perceive::{Grid, MOST_NEIGHBOURS, Near};
+use glam::Vec2;
 
 /// Part of the smallest radius (half of the narrower side of who is no disc) that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
 const FREE_MOVE: f32 = 0.25;
@@ -29,6 +30,9 @@ impl World {
 
     /// Whether any two bodies are within a body's width of each other.
     fn is_crowded(&mut self) -> bool {
+        if self.step.rest.unchanged() {
+            return self.step.close_pair.is_some();
+        }
         let agents = &self.agents;
         let widest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max) * 2.0;
         let anybody_flies = agents.anybody_flies();
@@ -70,6 +74,9 @@ impl World {
 
     /// 1. Who is near: the nearest neighbours of everybody.
     pub(super) fn perceive(&mut self, seconds: f32) {
+        if self.step.rest.is_everybodys() {
+            return;
+        }
         let range = self.rebuild_grid();
         self.sort_rows_if_scattered();
         let most = self.groups_in_use().map(|group| group.neighbours).max().unwrap_or(1);
@@ -78,7 +85,8 @@ impl World {
         let Self { agents, groups, step, .. } = self;
         step.long.rebuild(agents, range);
         step.near.resize(step.grid.order(), most);
-        let (grid, long, level) = (&step.grid, &step.long, self.instructions.level());
+        let (grid, long, rest, scratch, level) =
+            (&step.grid, &step.long, &step.rest, &mut step.perceiving, self.instructions.level());
         let anybody_flies = agents.anybody_flies();
         let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32], is_close: &mut bool| {
             let row = grid.order()[place] as usize;
@@ -119,24 +127,25 @@ impl World {
         };
         let many =
             level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
-        let scratch = || (Pack::default(), Vec::new());
         let lists = Lists { all: &mut step.near.lists, stride: most + 1 };
-        parallel::ranges((lists, &mut step.near.close[..]), scratch, |(pack, found), places, (lists, are_close)| {
-            let lists = lists.all;
-            let Some(level) = many else {
-                let all = lists.chunks_mut(most + 1).zip(are_close);
-                return places.zip(all).for_each(|(place, (list, is_close))| plain(found, place, list, is_close));
-            };
-            let left = |place: usize, list: &mut [u32], is_close: &mut bool| plain(found, place, list, is_close);
-            grid.nearest_of_many(level, places.clone(), (most, range, close), pack, (lists, are_close), left);
-            if !alike {
-                places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| shorten(place, list));
-            }
+        let all = (lists, &mut step.near.close[..]);
+        parallel::ranges_with(all, scratch, |(pack, found), places, all| {
+            rest.each_place(grid.order(), places, all, |places, (Lists { all: lists, .. }, are_close)| {
+                let Some(level) = many else {
+                    let all = lists.chunks_mut(most + 1).zip(are_close);
+                    return places.zip(all).for_each(|(place, (list, is_close))| plain(found, place, list, is_close));
+                };
+                let left = |place: usize, list: &mut [u32], is_close: &mut bool| plain(found, place, list, is_close);
+                grid.nearest_of_many(level, places.clone(), (most, range, close), pack, (lists, are_close), left);
+                if !alike {
+                    places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| shorten(place, list));
+                }
+            });
         });
     }
 
     /// Notes which groups have agents.
-    fn note_groups(&mut self) {
+    pub(super) fn note_groups(&mut self) {
         let Self { agents, groups, step, .. } = self;
         step.groups.clear();
         step.groups.resize(groups.len(), false);
@@ -195,6 +204,8 @@ impl Neighbours {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Long {
     rows: Vec<usize>,
+    points: Vec<Vec2>,
+    numbers: Vec<u32>,
     grid: Grid,
     /// Greatest distance of a point of a core from its centre.
     reach: f32,
@@ -211,10 +222,13 @@ impl Long {
         if !agents.all_discs() {
             self.rows.extend((0..agents.len()).filter(|&row| !agents.is_disc(row)));
         }
-        self.reach = self.rows.iter().map(|&row| agents.core[row].length()).fold(0.0, f32::max);
-        let points: Vec<_> = self.rows.iter().map(|&row| agents.position[row]).collect();
-        let numbers: Vec<_> = self.rows.iter().map(|&row| agents.number[row]).collect();
-        self.grid.rebuild(&points, &numbers, cell);
+        let Self { rows, points, numbers, .. } = self;
+        self.reach = rows.iter().map(|&row| agents.core[row].length()).fold(0.0, f32::max);
+        points.clear();
+        points.extend(rows.iter().map(|&row| agents.position[row]));
+        numbers.clear();
+        numbers.extend(rows.iter().map(|&row| agents.number[row]));
+        self.grid.rebuild(points, numbers, cell);
     }
 
     /// Puts bodies into `found`, the discs nearest to `row` by their centres, where their cores are nearer: the `k`
@@ -275,7 +289,7 @@ mod tests {
     use super::*;
     use crate::avoid::{LocalModel, Orca, Orca3d};
     use crate::{Agent, Body, Group, Settings};
-    use glam::{DVec2, Vec2};
+    use glam::DVec2;
     use proptest::prelude::*;
     use std::sync::Arc;
 

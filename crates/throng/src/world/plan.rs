@@ -19,35 +19,29 @@ impl World {
         let world = &*self;
         let level = self.instructions.level();
         let (anybody, changes) = (AtomicBool::new(false), AtomicBool::new(false));
-        parallel::ranges(
-            (&mut travels[..], &mut shown[..]),
-            || (),
-            |(), rows, (travels, shown)| {
-                let (mut lost, mut change) = (false, false);
-                let mut look = |row: usize, travel: &mut Travel| {
-                    let way = world.look(row, travel, seconds);
-                    lost |= way.walks() && way.has_goal() && !travel.has_way();
-                    change |= way.may_change();
-                    way
-                };
-                match level {
-                    Some(level) => {
-                        let near = world.look_many(level, rows, travels, shown, seconds, look);
-                        change |= near;
-                    }
-                    None => rows.zip(travels).zip(shown).for_each(|((row, travel), shown)| {
-                        let agents = &world.agents;
-                        *shown = Shown::new(agents.position[row], agents.velocity[row], look(row, travel));
-                    }),
-                }
-                if lost {
-                    anybody.store(true, Ordering::Relaxed);
-                }
-                if change {
-                    changes.store(true, Ordering::Relaxed);
-                }
-            },
-        );
+        parallel::ranges((&mut travels[..], &mut shown[..]), |rows, both| {
+            let (mut lost, mut change) = (false, false);
+            let mut look = |row: usize, travel: &mut Travel| {
+                let way = world.look(row, travel, seconds);
+                lost |= way.walks() && way.has_goal() && !travel.has_way();
+                change |= way.may_change();
+                way
+            };
+            let mut near = false;
+            world.step.rest.each(rows, both, |rows, (travels, shown)| match level {
+                Some(level) => near |= world.look_many(level, rows, travels, shown, seconds, &mut look),
+                None => rows.zip(travels).zip(shown).for_each(|((row, travel), shown)| {
+                    let agents = &world.agents;
+                    *shown = Shown::new(agents.position[row], agents.velocity[row], look(row, travel));
+                }),
+            });
+            if lost {
+                anybody.store(true, Ordering::Relaxed);
+            }
+            if change || near {
+                changes.store(true, Ordering::Relaxed);
+            }
+        });
         let anybody = anybody.into_inner();
         // who plans may find itself there
         self.step.anybody_may_change = changes.into_inner() || anybody;
@@ -61,7 +55,7 @@ impl World {
             self.prepare_meshes(&lost);
             travels = std::mem::take(&mut self.agents.travel);
             let world = &*self;
-            parallel::rows(&mut lost, Search::default, |search, _, planned| world.plan_one(search, planned));
+            parallel::rows(&mut lost, |search: &mut Search, _, planned| world.plan_one(search, planned));
             for Planned { row, outcome, .. } in lost {
                 let travel = &mut travels[row];
                 match outcome {
@@ -99,7 +93,7 @@ impl World {
             rows.filter_map(|row| Some(Planned { row, leg: leg(row)?, outcome: None })).collect();
         self.prepare_meshes(&ways);
         let world = &*self;
-        parallel::rows(&mut ways, Search::default, |search, _, way| world.plan_one(search, way));
+        parallel::rows(&mut ways, |search: &mut Search, _, way| world.plan_one(search, way));
         for way in ways {
             let Some(Ok((route, ..))) = way.outcome else { continue };
             let at = self.world_position(way.row);

@@ -66,7 +66,7 @@ impl World {
         let queues = self.groups_in_use().any(|group| group.queue);
         following.resize(if queues { self.agents.len() } else { 0 }, Following::NOBODY);
         let world = &*self;
-        parallel::rows(&mut following, || (), |(), row, out| *out = world.following(row));
+        parallel::rows(&mut following, |(), row, out| *out = world.following(row));
         free_rings(&mut following, &mut self.step.seen);
         self.step.following = following;
     }

@@ -44,6 +44,9 @@ impl Schedule {
             self.sorted = true;
         }
         let first = self.entries.partition_point(|(time, _)| *time > now);
+        if first == self.entries.len() {
+            return Vec::new();
+        }
         let mut due = self.entries.split_off(first);
         due.reverse();
         due

@@ -50,24 +50,27 @@ impl World {
         if self.groups_in_use().all(|group| !group.resolve) {
             return;
         }
-        for row in self.stuck(seconds) {
+        let mut stuck = std::mem::take(&mut self.step.stuck);
+        self.find_stuck(seconds, &mut stuck);
+        for &row in &stuck {
             if let Some(agreement) = self.partner(row).and_then(|other| self.agree(row, other)) {
                 self.begin(agreement);
             }
         }
+        self.step.stuck = stuck;
     }
 
-    /// Those who are stuck and look round in this sub-step, by number.
-    fn stuck(&self, seconds: f32) -> Vec<usize> {
+    /// Finds those who are stuck and look round in this sub-step, by number.
+    fn find_stuck(&self, seconds: f32, rows: &mut Vec<usize>) {
         let agents = &self.agents;
         let looks = |&row: &usize| {
             let stalled = agents.travel[row].stalled;
             let before = || stalled - seconds * agents.preferred_speed[row] / agents.radius[row];
             stalled >= LOOKS && libm::log2f(stalled).floor() > libm::log2f(before().max(0.5 * LOOKS)).floor()
         };
-        let mut rows: Vec<usize> = (0..agents.len()).filter(looks).collect();
-        rows.sort_by_key(|&row| agents.number[row]);
-        rows
+        rows.clear();
+        rows.extend(self.step.rest.awake(0..agents.len()).flatten().filter(looks));
+        rows.sort_unstable_by_key(|&row| agents.number[row]);
     }
 
     /// Whether an agent can still agree with others: on the ground, since over and under there is another way out.
@@ -83,8 +86,10 @@ impl World {
     /// The nearest in whose way an agent is, and who is in its way, if both are stuck.
     fn partner(&self, row: usize) -> Option<usize> {
         let agents = &self.agents;
+        // where all is open only those agree who are stuck
+        let may_be_narrow = self.meshes.mesh(agents.body(row).girth()).is_some();
         // who joined one that began in this sub-step has found its partner
-        if !self.may_resolve(row) {
+        if !self.may_resolve(row) || agents.travel[row].stalled < STUCK && !may_be_narrow {
             return None;
         }
         let nearest = self.neighbours(row).iter().map(|&other| other as usize).find(|&other| {

@@ -83,9 +83,11 @@ impl World {
         planned.resize(self.agents.len(), Planned::default());
         let mut memory = std::mem::take(&mut self.agents.memory);
         let mut preferred = std::mem::take(&mut self.step.preferred);
-        let (world, each) = (&*self, memory.lists().stride);
+        let each = memory.lists().stride;
         let all = (&mut planned[..], memory.lists(), preferred.rows());
-        parallel::ranges(all, Vec::new, |neighbours, rows, (planned, memory, mut preferred)| {
+        let mut scratch = std::mem::take(&mut self.step.steering);
+        let world = &*self;
+        parallel::ranges_with(all, &mut scratch, |neighbours, rows, (planned, memory, mut preferred)| {
             for (at, row) in rows.enumerate() {
                 let Some(steering) = world.steering(row) else { continue };
                 let memory = &mut memory.all[at * each..][..steering.words()];
@@ -98,7 +100,8 @@ impl World {
                 planned[at] = Planned { motion, faces: steering.facing.is_some() };
             }
         });
-        (self.step.planned, self.agents.memory, self.step.preferred) = (planned, memory, preferred);
+        (self.step.planned, self.step.steering) = (planned, scratch);
+        (self.agents.memory, self.step.preferred) = (memory, preferred);
     }
 
     /// What led to the steering of an agent in the sub-step that ends at `now`.

@@ -1,18 +1,19 @@
 //! Words of memory, as many for every row.
 
+use super::Cycles;
 use crate::parallel::Lists;
 use serde::{Deserialize, Serialize};
 
 /// As many words of memory for every row; none take no room. What behaviours remember of agents.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Words {
+pub struct Memory {
     all: Vec<f32>,
     /// Words of a row.
     each: usize,
     rows: usize,
 }
 
-impl Words {
+impl Memory {
     /// Number of rows.
     pub fn len(&self) -> usize {
         self.rows
@@ -63,9 +64,10 @@ impl Words {
         self.all.truncate(last);
     }
 
-    /// Moves every row: what was in row `order[k]` comes to row `k`.
-    pub(crate) fn permute(&mut self, order: &[u32]) {
-        self.all = order.iter().flat_map(|&row| self.of(row as usize)).copied().collect();
+    /// Moves every row.
+    pub(crate) fn permute(&mut self, cycles: &Cycles) {
+        let Self { all, each, .. } = self;
+        cycles.swaps(|a, b| (0..*each).for_each(|word| all.swap(a * *each + word, b * *each + word)));
     }
 
     /// All of them, to be written.
@@ -80,11 +82,13 @@ mod tests {
 
     #[test]
     fn rows_keep_their_words() {
-        let mut words = Words::default();
+        let mut words = Memory::default();
         (0..3).for_each(|_| words.push());
         words.widen(2);
         words.lists().all.copy_from_slice(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
-        words.permute(&[2, 0, 1]);
+        let mut cycles = Cycles::default();
+        cycles.find(&[2, 0, 1]);
+        words.permute(&cycles);
         assert_eq!((words.of(0), words.of(1), words.of(2)), (&[5.0, 6.0][..], &[1.0, 2.0][..], &[3.0, 4.0][..]));
         words.widen(3);
         words.swap_remove(0);
