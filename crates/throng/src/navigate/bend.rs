@@ -54,16 +54,27 @@ impl NavMesh {
         }
     }
 
-    /// What a vertex hides from who comes to it in this direction, where paths bend that come from there: between pairs
-    /// of directions, the right one first, at most a half turn apart.
-    pub(super) fn hidden(&self, vertex: u32, along: DVec2) -> [Option<[DVec2; 2]>; 2] {
+    /// Where paths lead that bend at a vertex: between pairs of directions, the right one first, at most a half turn apart.
+    pub(super) fn taut(&self, vertex: u32) -> [Option<[DVec2; 2]>; 2] {
         match self.bends[vertex as usize] {
             None => [None; 2],
-            Some(Bend::Pinched) => [Some([along, -along]), Some([-along, along])],
+            Some(Bend::Pinched) => [Some([DVec2::X, -DVec2::X]), Some([-DVec2::X, DVec2::X])],
             Some(Bend::Round { right, left }) => {
                 let [right, left] = self.directions(vertex, [right, left]);
-                let on_left = is_left(left, along).then_some([along, left]);
-                [on_left, is_left(along, right).then_some([right, along])]
+                [Some([right, -left]), Some([-right, left])]
+            }
+        }
+    }
+
+    /// Whether a path that comes to a vertex in one direction may go on in another: round the wall, if it does not go
+    /// straight on.
+    pub(super) fn bends_to(&self, vertex: u32, along: DVec2, on: DVec2) -> bool {
+        match self.bends[vertex as usize] {
+            None => false,
+            Some(Bend::Pinched) => true,
+            Some(Bend::Round { right, left }) => {
+                let [right, left] = self.directions(vertex, [right, left]);
+                is_left(left, along) && !is_left(along, on) || is_left(along, right) && !is_left(on, along)
             }
         }
     }

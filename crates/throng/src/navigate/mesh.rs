@@ -7,6 +7,7 @@ use super::fan::Fans;
 use super::lattice::Lattice;
 use super::locate::sorted;
 use super::outline::free_ground;
+use super::tangents::Tangents;
 use super::triangulate::{NONE, Triangles, triangulate};
 use crate::space::{Obstacle, Walkable};
 use glam::DVec2;
@@ -30,6 +31,7 @@ pub struct NavMesh {
     /// How a shortest path may bend at each vertex, if it may.
     pub(super) bends: Vec<Option<Bend>>,
     pub(super) fans: Fans,
+    pub(super) tangents: Tangents,
     pub(super) islands: Vec<u32>,
     pub(super) island_count: u32,
     pub(super) grid: crate::space::Cells,
@@ -78,6 +80,7 @@ impl NavMesh {
             lattice,
             bends: bends(parts),
             fans: Fans::new(vertices.len(), &parts.corners),
+            tangents: Tangents::new(vertices.len()),
             bridges: Bridges::new(&parts.neighbours),
             triangles: parts.corners.clone(),
             neighbours: parts.neighbours.clone(),

@@ -23,6 +23,7 @@ mod refuge;
 mod route;
 mod script;
 mod sweep;
+mod tangents;
 mod travel;
 mod tree;
 mod triangulate;

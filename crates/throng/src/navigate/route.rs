@@ -60,7 +60,7 @@ impl Route {
         let moved = self.looked.is_none_or(|last| last.distance_squared(position) >= LOOK * LOOK);
         if !self.lost && (near || moved) {
             self.looked = Some(position);
-            self.look(mesh, mesh.nearest(position));
+            self.look(mesh, position);
         }
         match self.corners[self.next as usize] {
             _ if self.lost => Heading::Lost,
@@ -73,9 +73,9 @@ impl Route {
         self.next as usize + 1 == self.corners.len()
     }
 
-    fn look(&mut self, mesh: &NavMesh, eye: DVec2) {
+    fn look(&mut self, mesh: &NavMesh, position: DVec2) {
         let next = self.next as usize;
-        let here = mesh.locate(eye);
+        let (eye, here) = mesh.stand(position);
         let sees = |corner: usize| mesh.visible_from(here, eye, self.corners[corner]);
         let mut furthest = next;
         while furthest + 1 < self.corners.len() && sees(furthest + 1) {

@@ -1,6 +1,6 @@
 //! What is in sight of a point: a sweep over the triangles that it sees, from neighbour to neighbour.
 
-use super::interval::{GRAZE, SNAP, View};
+use super::interval::{SNAP, View};
 use super::mesh::{NavMesh, rotated};
 use super::triangulate::NONE;
 use glam::DVec2;
@@ -35,27 +35,14 @@ impl Sweep {
         }
     }
 
-    /// Looks from a vertex, to all sides or between two directions, the right one first; tells the vertices that it has
-    /// edges to.
-    pub fn look_out(&mut self, mesh: &NavMesh, vertex: u32, between: Option<[DVec2; 2]>, mut beside: impl FnMut(u32)) {
+    /// Looks from a vertex through the triangles round it, by what is left of each view.
+    pub fn look_out(&mut self, mesh: &NavMesh, vertex: u32, narrow: impl Fn(View) -> Option<View>) {
         let root = mesh.vertices[vertex as usize];
-        let is_between = |at: DVec2| {
-            between.is_none_or(|[right, left]| {
-                let offset = at - root;
-                right.perp_dot(offset) >= -GRAZE * right.length() && offset.perp_dot(left) >= -GRAZE * left.length()
-            })
-        };
         for &triangle in mesh.fans.round(vertex) {
             let corners = mesh.triangles[triangle as usize];
             let at = (0..2).find(|&at| corners[at] == vertex).unwrap_or(2);
-            let [_, right, left] = rotated(corners, at).map(|vertex| mesh.vertices[vertex as usize]);
-            for (index, end) in [((at + 1) % 3, right), ((at + 2) % 3, left)] {
-                if is_between(end) {
-                    beside(corners[index]);
-                }
-            }
-            let view = View { root, left, right };
-            if let Some(view) = between.map_or(Some(view), |between| view.between(between)) {
+            let [_, right, left] = rotated(mesh.corners(triangle), at);
+            if let Some(view) = narrow(View { root, left, right }) {
                 self.push(mesh, triangle, (at + 1) % 3, view);
             }
         }

@@ -1,17 +1,16 @@
 //! The shortest paths from everywhere to one target: a tree over the corners of walls, for all who go there.
 //!
 //! A shortest path is straight but where it bends round corners. So the shortest path from a corner is known from those
-//! of the corners in its sight, and Dijkstra's algorithm finds them all, the nearest first: who sees the target begins; who is
-//! done tells the corners that it hides the rest of its path from (Kapoor, Maheshwari: Efficient algorithms for
-//! Euclidean shortest path and visibility problems with polygonal obstacles, SoCG 1988, go by such tangents; here they are
-//! found by sweeping the triangles). A path from anywhere else leads by one of the corners in its own sight.
+//! of the corners that its tangents lead to, and Dijkstra's algorithm finds them all, the nearest first (Rohnert: Shortest
+//! paths in the plane with convex polygonal obstacles, Inf. Process. Lett. 23, 1986). A path from anywhere else leads by
+//! one of the corners in its own sight.
 //!
 //! The tree grows as far as it is asked for. What it tells does not depend on what it was asked before: lengths are
 //! sums from the target on, the same in any order, and of equal ones the vertex with the lower number is taken.
 
 use super::area::Target;
 use super::error::Unreachable;
-use super::interval::Way;
+use super::interval::{GRAZE, Way};
 use super::locate::TOUCH;
 use super::mesh::NavMesh;
 use super::path::Path;
@@ -125,44 +124,44 @@ impl Tree {
     ) -> Option<(f64, On)> {
         let Scratch { sweep, seen, polygons, .. } = scratch;
         let mut best = (f64::INFINITY, On::Straight(start));
-        let mut straight = |way: Option<Way>| {
-            if let Some(Way { length, end, .. }) = way.filter(|way| way.length < best.0) {
-                best = (length, On::Straight(end));
+        let straight = |best: &mut (f64, On), way: Option<Way>| {
+            if let Some(Way { length, end, .. }) = way {
+                *best = shorter(*best, (length, On::Straight(end)));
             }
         };
         seen.clear();
-        let mut see = |vertex: u32| {
+        let mut see = |best: &mut (f64, On), vertex: u32| {
             let offset = mesh.vertices[vertex as usize] - start;
             if mesh.bends_along(vertex, offset) {
-                seen.push((vertex, offset.length()));
+                if self.is_done(vertex) {
+                    *best = shorter(*best, (offset.length() + self.lengths[vertex as usize], On::By(vertex)));
+                } else {
+                    seen.push((vertex, offset.length()));
+                }
             }
         };
         for &triangle in around {
-            straight(target.straight(triangle, start));
-            mesh.triangles[triangle as usize].into_iter().for_each(&mut see);
+            straight(&mut best, target.straight(triangle, start));
+            mesh.triangles[triangle as usize].into_iter().for_each(|corner| see(&mut best, corner));
         }
         sweep.look_from(mesh, start, around);
         sweep.follow(mesh, |triangle, view, corner| {
-            straight(target.straight_through(triangle, view, polygons));
-            corner.into_iter().for_each(&mut see);
-            true
+            straight(&mut best, target.straight_through(triangle, view, polygons));
+            corner.into_iter().for_each(|corner| see(&mut best, corner));
+            target.bound(view) <= best.0 + GRAZE
         });
         seen.sort_unstable_by_key(|&(vertex, _)| vertex);
         seen.dedup_by_key(|&mut (vertex, _)| vertex);
 
-        for &(vertex, distance) in &*seen {
-            if self.is_done(vertex) {
-                best = shorter(best, vertex, distance + self.lengths[vertex as usize]);
-            }
-        }
         let nearest = seen.iter().fold(f64::INFINITY, |least, &(_, distance)| least.min(distance));
+        // the paths of those seen that are not done are at least as long as the first that is open
         while let Some(&Reverse((bits, _))) = self.open.peek()
             && nearest + f64::from_bits(bits) <= best.0
         {
             let grown = self.grow(mesh, target, scratch);
             let sees = |vertex| scratch.seen.binary_search_by_key(&vertex, |&(seen, _)| seen).ok();
             if let Some((vertex, place)) = grown.and_then(|vertex| Some((vertex, sees(vertex)?))) {
-                best = shorter(best, vertex, scratch.seen[place].1 + self.lengths[vertex as usize]);
+                best = shorter(best, (scratch.seen[place].1 + self.lengths[vertex as usize], On::By(vertex)));
             }
         }
         best.0.is_finite().then_some(best)
@@ -187,18 +186,11 @@ impl Tree {
             NONE => straight(mesh, target, vertex, scratch)?.end,
             next => mesh.vertices[next as usize],
         };
-        let mut tell = |other: u32| {
-            let offset = mesh.vertices[other as usize] - at;
-            if mesh.bends_along(other, offset) {
+        for &other in mesh.tangents(vertex, &mut scratch.sweep) {
+            let offset = at - mesh.vertices[other as usize];
+            if mesh.bends_to(vertex, offset, on - at) {
                 self.offer(other, length + offset.length(), vertex);
             }
-        };
-        for hidden in mesh.hidden(vertex, at - on).into_iter().flatten() {
-            scratch.sweep.look_out(mesh, vertex, Some(hidden), &mut tell);
-            scratch.sweep.follow(mesh, |_, _, corner| {
-                corner.into_iter().for_each(&mut tell);
-                true
-            });
         }
         Some(vertex)
     }
@@ -216,11 +208,14 @@ impl Tree {
     }
 }
 
-/// The shorter of the best way on that is known and that by a vertex; of two as long, the straight one or that by the
-/// vertex with the lower number.
-fn shorter(best: (f64, On), vertex: u32, length: f64) -> (f64, On) {
-    let is_first = matches!(best.1, On::By(other) if vertex < other);
-    if length < best.0 || length == best.0 && is_first { (length, On::By(vertex)) } else { best }
+/// The shorter of two ways on; of two as long, the straight one, or that by the vertex with the lower number.
+fn shorter(one: (f64, On), other: (f64, On)) -> (f64, On) {
+    let rank = |on: On| match on {
+        On::Straight(_) => None,
+        On::By(vertex) => Some(vertex),
+    };
+    let other_first = other.0 < one.0 || other.0 == one.0 && rank(other.1) < rank(one.1);
+    if other_first { other } else { one }
 }
 
 /// The straight way from a vertex where paths bend to the target, if it is in sight.
@@ -240,7 +235,7 @@ fn straight(mesh: &NavMesh, target: &Target<'_>, vertex: u32, scratch: &mut Scra
     for &triangle in mesh.fans.round(vertex) {
         offer(target.straight(triangle, root));
     }
-    sweep.look_out(mesh, vertex, None, |_| ());
+    sweep.look_out(mesh, vertex, |view| (!view.misses((low, high))).then_some(view));
     sweep.follow(mesh, |triangle, view, _| {
         !view.misses((low, high)) && target.bound(view) < offer(target.straight_through(triangle, view, polygons))
     });
