@@ -89,6 +89,11 @@ impl Meshes {
     /// Finds the paths that are asked for. Those who go to the same goal share a tree; what they find does not depend on
     /// which trees are kept.
     pub(crate) fn find(&mut self, goals: &[Goal], asked: &mut [Asked]) {
+        self.find_keeping(MOST_VERTICES, goals, asked);
+    }
+
+    /// The same, and keeps trees of so many vertices at most.
+    fn find_keeping(&mut self, most: usize, goals: &[Goal], asked: &mut [Asked]) {
         self.asked += 1;
         let to = |asked: &Asked| (class_of(asked.radius), asked.goal);
         asked.sort_by_key(|asked| (to(asked), asked.row));
@@ -114,12 +119,12 @@ impl Meshes {
         // those asked longest ago make room
         let wanted: usize = errands.iter().map(Errand::size).sum();
         let mut used: usize = self.trees.values().map(|kept| kept.tree.size()).sum();
-        while used > 0 && used + wanted > MOST_VERTICES {
+        while used > 0 && used + wanted > most {
             let oldest = self.trees.iter().min_by_key(|(_, kept)| kept.asked).map(|(&key, _)| key);
             used -= oldest.and_then(|key| self.trees.remove(&key)).map_or(used, |kept| kept.tree.size());
         }
         for errand in &mut errands {
-            errand.keeps = used + errand.size() <= MOST_VERTICES;
+            errand.keeps = used + errand.size() <= most;
             used += if errand.keeps { errand.size() } else { 0 };
         }
         parallel::rows(&mut errands, Scratch::default, |scratch, _, errand| errand.run(scratch));
@@ -186,4 +191,46 @@ pub(crate) fn nearest_on_ring(corners: &[DVec2], p: DVec2) -> DVec2 {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
     let nearest = edges.map(|(&a, &b)| crate::space::nearest_on_segment(a, b, p));
     nearest.min_by(|a, b| a.distance_squared(p).total_cmp(&b.distance_squared(p))).unwrap_or(p)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::space::Walkable;
+
+    #[test]
+    fn what_is_found_does_not_depend_on_what_is_kept_and_no_more_is_kept_than_there_is_room_for() {
+        let corners = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0)].map(DVec2::from);
+        let blocks = (0..16).map(|k| DVec2::new((k % 4) as f64, (k / 4) as f64) * 4.5 + 3.0);
+        let obstacles = blocks.map(|at| Some(Obstacle::rectangle(at, DVec2::splat(2.0), 0.3))).collect();
+        let place = Place { areas: vec![Walkable { outer: corners.to_vec(), holes: vec![] }], obstacles };
+        let goals: Vec<Goal> =
+            (0..6).map(|k| Goal::Point { at: DVec2::new(0.6 + 3.7 * f64::from(k), 0.7), tolerance: 0.1 }).collect();
+        let all = || (0..60).map(|row| (row, GoalId((row * row % 6) as u32)));
+        let mut meshes = Meshes::default();
+        meshes.prepare(all().map(|(_, goal)| (0.2, goal)), &place, &goals, (DVec2::ZERO, DVec2::ZERO));
+        let size = meshes.mesh(0.2).unwrap().vertices().len();
+        let found = |most: usize, at_once: usize| {
+            let mut meshes = meshes.clone();
+            let mut found = Vec::new();
+            let asked: Vec<(usize, GoalId)> = all().collect();
+            for asked in asked.chunks(at_once) {
+                let ask = |&(row, goal): &(usize, GoalId)| {
+                    let from = DVec2::new(0.5 + 0.3 * row as f64, 19.4);
+                    Asked { row, radius: 0.2, from, goal, found: None }
+                };
+                let mut asked: Vec<Asked> = asked.iter().map(ask).collect();
+                meshes.find_keeping(most, &goals, &mut asked);
+                assert!(meshes.trees.values().map(|kept| kept.tree.size()).sum::<usize>() <= most);
+                found.extend(asked.into_iter().map(|asked| (asked.row, asked.found.unwrap().unwrap())));
+            }
+            found.sort_by_key(|&(row, _)| row);
+            found
+        };
+        let expected = found(usize::MAX, 60);
+        assert!(expected.iter().all(|(_, (path, _))| path.corners.len() > 1));
+        for (most, at_once) in [(0, 1), (0, 60), (size, 7), (2 * size, 1), (3 * size + 1, 20)] {
+            assert_eq!(found(most, at_once), expected, "{most}, {at_once}");
+        }
+    }
 }
