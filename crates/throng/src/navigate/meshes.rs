@@ -228,7 +228,7 @@ mod tests {
             found
         };
         let expected = found(usize::MAX, 60);
-        assert!(expected.iter().all(|(_, (path, _))| path.corners.len() > 1));
+        assert!(expected.iter().filter(|(_, (path, _))| path.corners.len() > 1).count() > 40);
         for (most, at_once) in [(0, 1), (0, 60), (size, 7), (2 * size, 1), (3 * size + 1, 20)] {
             assert_eq!(found(most, at_once), expected, "{most}, {at_once}");
         }

@@ -6,7 +6,8 @@
 //! one of the corners in its own sight.
 //!
 //! The tree grows as far as it is asked for. What it tells does not depend on what it was asked before: lengths are
-//! sums from the target on, the same in any order, and of equal ones the vertex with the lower number is taken.
+//! sums from the target on, the same in any order, and of equal ones the vertex with the lower number is taken; from a point
+//! all ways on are compared.
 
 use super::area::Target;
 use super::error::Unreachable;
@@ -114,7 +115,8 @@ impl Tree {
         Ok(Path::through(start, points, length))
     }
 
-    /// How to go on from a point, and how long that is.
+    /// How to go on from a point, and how long that is. Of ways as long as each other the one is taken that goes straight
+    /// for the longest, of those the left one.
     fn go_on(
         &mut self,
         mesh: &NavMesh,
@@ -123,48 +125,60 @@ impl Tree {
         scratch: &mut Scratch,
     ) -> Option<(f64, On)> {
         let Scratch { sweep, seen, polygons, .. } = scratch;
-        let mut best = (f64::INFINITY, On::Straight(start));
-        let straight = |best: &mut (f64, On), way: Option<Way>| {
-            if let Some(Way { length, end, .. }) = way {
-                *best = shorter(*best, (length, On::Straight(end)));
-            }
+        let offset = |vertex: u32| mesh.vertices[vertex as usize] - start;
+        let mut straight: Option<Way> = None;
+        let mut shortest = f64::INFINITY;
+        let mut offer = |shortest: &mut f64, way: Option<Way>| {
+            straight = shorter(straight, way);
+            *shortest = straight.map_or(*shortest, |way| shortest.min(way.length));
         };
         seen.clear();
-        let mut see = |best: &mut (f64, On), vertex: u32| {
-            let offset = mesh.vertices[vertex as usize] - start;
+        let mut see = |shortest: &mut f64, vertex: u32| {
+            let offset = offset(vertex);
             if mesh.bends_along(vertex, offset) {
+                seen.push((vertex, offset.length()));
                 if self.is_done(vertex) {
-                    *best = shorter(*best, (offset.length() + self.lengths[vertex as usize], On::By(vertex)));
-                } else {
-                    seen.push((vertex, offset.length()));
+                    *shortest = shortest.min(offset.length() + self.lengths[vertex as usize]);
                 }
             }
         };
         for &triangle in around {
-            straight(&mut best, target.straight(triangle, start));
-            mesh.triangles[triangle as usize].into_iter().for_each(|corner| see(&mut best, corner));
+            offer(&mut shortest, target.straight(triangle, start));
+            mesh.triangles[triangle as usize].into_iter().for_each(|corner| see(&mut shortest, corner));
         }
         sweep.look_from(mesh, start, around);
         sweep.follow(mesh, |triangle, view, corner| {
-            straight(&mut best, target.straight_through(triangle, view, polygons));
-            corner.into_iter().for_each(|corner| see(&mut best, corner));
-            target.bound(view) <= best.0 + GRAZE
+            offer(&mut shortest, target.straight_through(triangle, view, polygons));
+            corner.into_iter().for_each(|corner| see(&mut shortest, corner));
+            target.bound(view) <= shortest + GRAZE
         });
         seen.sort_unstable_by_key(|&(vertex, _)| vertex);
         seen.dedup_by_key(|&mut (vertex, _)| vertex);
 
-        let nearest = seen.iter().fold(f64::INFINITY, |least, &(_, distance)| least.min(distance));
+        let open = seen.iter().filter(|&&(vertex, _)| !self.is_done(vertex));
+        let nearest = open.fold(f64::INFINITY, |least, &(_, distance)| least.min(distance));
         // the paths of those seen that are not done are at least as long as the first that is open
         while let Some(&Reverse((bits, _))) = self.open.peek()
-            && nearest + f64::from_bits(bits) <= best.0
+            && nearest + f64::from_bits(bits) <= shortest + GRAZE
         {
-            let grown = self.grow(mesh, target, scratch);
-            let sees = |vertex| scratch.seen.binary_search_by_key(&vertex, |&(seen, _)| seen).ok();
-            if let Some((vertex, place)) = grown.and_then(|vertex| Some((vertex, sees(vertex)?))) {
-                best = shorter(best, (scratch.seen[place].1 + self.lengths[vertex as usize], On::By(vertex)));
+            if let Some(grown) = self.grow(mesh, target, scratch)
+                && let Ok(place) = scratch.seen.binary_search_by_key(&grown, |&(vertex, _)| vertex)
+            {
+                shortest = shortest.min(scratch.seen[place].1 + self.lengths[grown as usize]);
             }
         }
-        best.0.is_finite().then_some(best)
+        if let Some(Way { length, end, .. }) = straight.filter(|way| way.length <= shortest + GRAZE) {
+            return Some((length, On::Straight(end)));
+        }
+        let by =
+            scratch.seen.iter().map(|&(vertex, distance)| (distance + self.lengths[vertex as usize], distance, vertex));
+        by.filter(|&(length, ..)| length <= shortest + GRAZE)
+            .reduce(|one, other| {
+                let is_left = offset(one.2).perp_dot(offset(other.2)) > 0.0;
+                let comes_first = other.1 > one.1 + GRAZE || other.1 >= one.1 - GRAZE && is_left;
+                if comes_first { other } else { one }
+            })
+            .map(|(length, _, vertex)| (length, On::By(vertex)))
     }
 
     /// Whether the path from a vertex is known and cannot become shorter.
@@ -208,14 +222,9 @@ impl Tree {
     }
 }
 
-/// The shorter of two ways on; of two as long, the straight one, or that by the vertex with the lower number.
-fn shorter(one: (f64, On), other: (f64, On)) -> (f64, On) {
-    let rank = |on: On| match on {
-        On::Straight(_) => None,
-        On::By(vertex) => Some(vertex),
-    };
-    let other_first = other.0 < one.0 || other.0 == one.0 && rank(other.1) < rank(one.1);
-    if other_first { other } else { one }
+/// The shorter of two ways, or the first.
+fn shorter(one: Option<Way>, other: Option<Way>) -> Option<Way> {
+    one.into_iter().chain(other).min_by(|one, other| one.length.total_cmp(&other.length))
 }
 
 /// The straight way from a vertex where paths bend to the target, if it is in sight.
@@ -229,7 +238,7 @@ fn straight(mesh: &NavMesh, target: &Target<'_>, vertex: u32, scratch: &mut Scra
     }
     let mut best: Option<Way> = None;
     let mut offer = |way: Option<Way>| {
-        best = best.into_iter().chain(way).min_by(|one, other| one.length.total_cmp(&other.length));
+        best = shorter(best, way);
         best.map_or(f64::INFINITY, |best| best.length)
     };
     for &triangle in mesh.fans.round(vertex) {
