@@ -66,7 +66,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         );
     }
 
-    let exit = pairs[0].1;
+    let (starts, exit) = (pairs.iter().map(|pair| pair.0).collect::<Vec<_>>(), pairs[0].1);
+    for count in [1, 10, 500] {
+        let clock = Instant::now();
+        let found = mesh.paths(&starts[..count], exit).iter().filter(|path| path.is_ok()).count();
+        println!("{count} paths to one point: {:?}; {found} found", clock.elapsed());
+    }
+
     let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| exit + DVec2::new(x, y));
     let clock = Instant::now();
     let area = mesh.area(&corners)?;
@@ -74,6 +80,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let clock = Instant::now();
     let found = pairs.iter().filter(|pair| mesh.path_to(&mut search, pair.0, &area).is_ok()).count();
     println!("500 paths to an area: {:?}; {found} found; cutting it took {cut:?}", clock.elapsed());
+    let clock = Instant::now();
+    let found = mesh.paths_to(&starts, &area).iter().filter(|path| path.is_ok()).count();
+    println!("the same together: {:?}; {found} found", clock.elapsed());
 
     let clock = Instant::now();
     let seen = pairs.iter().cycle().take(50_000).filter(|(a, b)| mesh.visible(*a, a.lerp(*b, 0.05))).count();

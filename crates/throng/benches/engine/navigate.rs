@@ -35,6 +35,15 @@ fn paths_through_rooms_squared(bencher: Bencher, side: u32) {
         .bench_local(|| ends.iter().filter_map(|&(from, to)| mesh.path(&mut search, from, to).ok()).count());
 }
 
+/// From places all over the floor to one.
+#[divan::bench(args = [3, 10, 30], sample_count = 10, sample_size = 1)]
+fn paths_to_one_place_in_rooms_squared(bencher: Bencher, side: u32) {
+    let (mesh, mut dice) = (mesh(side), Dice(11));
+    let from: Vec<DVec2> = (0..500).map(|_| on_floor(side, &mut dice)).collect();
+    let to = on_floor(side, &mut dice);
+    bencher.counter(ItemsCount::new(from.len())).bench_local(|| mesh.paths(&from, to));
+}
+
 /// Whether two places some metres apart see each other.
 #[divan::bench(args = [3, 30])]
 fn sights_in_rooms_squared(bencher: Bencher, side: u32) {

@@ -1,11 +1,11 @@
 //! Where a path may end: a point, or the part of an area that is on the mesh.
 
-use super::error::NavError;
+use super::error::{NavError, Unreachable};
 use super::interval::{View, Way, clip};
 use super::locate::closest_convex;
 use super::mesh::NavMesh;
 use super::outline::{Shapes, area_shapes, erode, grow};
-use super::triangulate::triangulate;
+use super::triangulate::{NONE, triangulate};
 use crate::space::nearest_on_segment;
 use glam::DVec2;
 use std::ops::Range;
@@ -202,6 +202,15 @@ impl Target<'_> {
         matches!(self, Self::Point { triangles, .. } if triangles.contains(&triangle))
     }
 
+    /// That it is on an island of one of these triangles.
+    pub fn check_island(&self, mesh: &NavMesh, triangles: &[u32]) -> Result<(), Unreachable> {
+        let home = triangles.iter().map(|&triangle| mesh.islands[triangle as usize]);
+        if home.clone().any(|island| self.on_island(mesh, island)) {
+            return Ok(());
+        }
+        Err(Unreachable::NoWay { from: home.min().unwrap_or(NONE), to: self.first_island(mesh) })
+    }
+
     pub fn on_island(&self, mesh: &NavMesh, island: u32) -> bool {
         match self {
             Self::Point { triangles, .. } => triangles.iter().any(|&t| mesh.islands[t as usize] == island),
@@ -224,6 +233,14 @@ impl Target<'_> {
         }
     }
 
+    /// A box round it.
+    pub fn bounds(&self) -> (DVec2, DVec2) {
+        match self {
+            Self::Point { at, .. } => (*at, *at),
+            Self::Area(area) => (area.low, area.high),
+        }
+    }
+
     /// The shortest way from a point of a triangle to the part of the target in it.
     pub fn straight(&self, triangle: u32, from: DVec2) -> Option<Way> {
         let way = |end: DVec2| Way { length: end.distance(from), via: None, end };
@@ -232,6 +249,17 @@ impl Target<'_> {
             Self::Area(area) => area.pieces[area.in_triangle(triangle)]
                 .iter()
                 .map(|&piece| way(closest_convex(area.polygon(piece), from)))
+                .min_by(|one, other| one.length.total_cmp(&other.length)),
+        }
+    }
+
+    /// The shortest straight way through an interval to the part of the target in the triangle behind it.
+    pub fn straight_through(&self, triangle: u32, view: &View, scratch: &mut [Vec<DVec2>; 2]) -> Option<Way> {
+        match self {
+            Self::Point { at, triangles, .. } => triangles.contains(&triangle).then(|| view.straight(*at)).flatten(),
+            Self::Area(area) => area.pieces[area.in_triangle(triangle)]
+                .iter()
+                .filter_map(|&piece| view.straight_to(area.polygon(piece), scratch))
                 .min_by(|one, other| one.length.total_cmp(&other.length)),
         }
     }

@@ -7,6 +7,9 @@ use glam::DVec2;
 /// Points nearer than this are one, metres.
 pub(super) const SNAP: f64 = 1e-8;
 
+/// A point this near to the edge of a view counts as on it, metres.
+pub(super) const GRAZE: f64 = 1e-9;
+
 /// A root that sees an interval. Looking ahead from the root, `left` is on the left; what is ahead lies to the left of
 /// the line from `left` to `right`.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +20,17 @@ pub(super) struct View {
     pub left: DVec2,
     /// Right end of the interval.
     pub right: DVec2,
+}
+
+/// What a view shows of the triangle behind its interval.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ahead {
+    /// How far the corner ahead lies to the left of the left edge of the view, and of its right edge.
+    pub sides: (f64, f64),
+    /// Whether the corner ahead is in sight.
+    pub sees_corner: bool,
+    /// What is in sight through the edge to the left of that corner, and through the edge to its right.
+    pub through: [Option<View>; 2],
 }
 
 /// A way through an interval to a point.
@@ -36,6 +50,53 @@ impl View {
         let ray = through - self.root;
         let length = ray.length();
         if length < SNAP { 0.0 } else { ray.perp_dot(point - self.root) / length }
+    }
+
+    /// What is in sight of a triangle ahead, whose edge from `a` to `b` holds the interval.
+    pub fn ahead(&self, [a, b, c]: [DVec2; 3]) -> Ahead {
+        let sides = (self.left_of(self.left, c), self.left_of(self.right, c));
+        let (shows_left, shows_right) = (sides.0 <= GRAZE, sides.0 > GRAZE || sides.1 >= -GRAZE);
+        let sees_corner = shows_left && shows_right;
+        let through_left = shows_left.then(|| View {
+            left: if self.left == a { a } else { self.hit(self.left, a, c) },
+            right: if sees_corner { c } else { self.hit(self.right, a, c) },
+            ..*self
+        });
+        let through_right = shows_right.then(|| View {
+            left: if sees_corner { c } else { self.hit(self.left, c, b) },
+            right: if self.right == b { b } else { self.hit(self.right, c, b) },
+            ..*self
+        });
+        Ahead { sides, sees_corner, through: [through_left, through_right] }
+    }
+
+    /// The part of the view between two directions, the right one first, that are less than a half turn apart.
+    pub fn between(&self, [right, left]: [DVec2; 2]) -> Option<Self> {
+        let (own_right, own_left) = (self.right - self.root, self.left - self.root);
+        let within = |right: DVec2, left: DVec2, d: DVec2| right.perp_dot(d) >= 0.0 && d.perp_dot(left) >= 0.0;
+        let end = |direction: DVec2, own: DVec2, own_end: DVec2| {
+            if within(own_right, own_left, direction) {
+                Some(self.hit(self.root + direction, self.left, self.right))
+            } else {
+                within(right, left, own).then_some(own_end)
+            }
+        };
+        let (right, left) = (end(right, own_right, self.right)?, end(left, own_left, self.left)?);
+        Some(Self { left, right, ..*self })
+    }
+
+    /// Whether all of a box is out of the view, to one side of it.
+    pub fn misses(&self, (low, high): (DVec2, DVec2)) -> bool {
+        let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
+        let (right, left) = (self.right - self.root, self.left - self.root);
+        let beside = |side: DVec2, sign: f64| corners.iter().all(|&at| side.perp_dot(at - self.root) * sign > GRAZE);
+        beside(left, 1.0) || beside(right, -1.0)
+    }
+
+    /// The straight way to `point` behind the interval, if it is in sight.
+    pub fn straight(&self, point: DVec2) -> Option<Way> {
+        let seen = self.left_of(self.left, point) <= GRAZE && self.left_of(self.right, point) >= -GRAZE;
+        seen.then(|| Way { length: point.distance(self.root), via: None, end: point })
     }
 
     /// The shortest way through the interval to `point` behind it.
@@ -60,8 +121,8 @@ impl View {
         self.way(ahead).length
     }
 
-    /// The shortest way through the interval to a convex polygon behind it.
-    pub fn way_to(&self, polygon: &[DVec2], scratch: &mut [Vec<DVec2>; 2]) -> Option<Way> {
+    /// The shortest straight way to a convex polygon behind the interval, if some of it is in sight.
+    pub fn straight_to(&self, polygon: &[DVec2], scratch: &mut [Vec<DVec2>; 2]) -> Option<Way> {
         let [first, second] = scratch;
         let seen = if self.left.distance_squared(self.root) < SNAP * SNAP
             || self.right.distance_squared(self.root) < SNAP * SNAP
@@ -73,21 +134,20 @@ impl View {
             clip(first, self.root, self.right, second);
             second
         };
-        let mut best: Option<Way> = None;
-        let mut offer = |way: Way| {
-            if best.is_none_or(|best| way.length < best.length) {
-                best = Some(way);
-            }
-        };
-        if !seen.is_empty() {
+        (!seen.is_empty()).then(|| {
             let end = closest_convex(seen, self.root);
-            offer(Way { length: end.distance(self.root), via: None, end });
-        }
-        for via in [self.left, self.right] {
+            Way { length: end.distance(self.root), via: None, end }
+        })
+    }
+
+    /// The shortest way through the interval to a convex polygon behind it.
+    pub fn way_to(&self, polygon: &[DVec2], scratch: &mut [Vec<DVec2>; 2]) -> Option<Way> {
+        let around = [self.left, self.right].map(|via| {
             let end = closest_convex(polygon, via);
-            offer(Way { length: via.distance(self.root) + end.distance(via), via: Some(via), end });
-        }
-        best
+            Way { length: via.distance(self.root) + end.distance(via), via: Some(via), end }
+        });
+        let straight = self.straight_to(polygon, scratch);
+        straight.into_iter().chain(around).min_by(|one, other| one.length.total_cmp(&other.length))
     }
 
     /// A lower bound for ways through the interval to a box.

@@ -56,12 +56,27 @@ impl NavMesh {
 
     /// The triangle that a point is in, or within 1e-7 m of. On an edge, any of those that share it.
     pub fn locate(&self, point: DVec2) -> Option<u32> {
-        let near = self.around(point);
-        near.iter().copied().find(|&triangle| holds(&self.corners(triangle), point)).or_else(|| {
+        self.holding(point).or_else(|| {
             let touches =
                 |corners: &[DVec2; 3]| closest_convex(corners, point).distance_squared(point) <= TOUCH * TOUCH;
-            near.iter().copied().find(|&triangle| touches(&self.corners(triangle)))
+            self.around(point).iter().copied().find(|&triangle| touches(&self.corners(triangle)))
         })
+    }
+
+    /// The first triangle that holds a point.
+    fn holding(&self, point: DVec2) -> Option<u32> {
+        self.around(point).iter().copied().find(|&triangle| holds(&self.corners(triangle), point))
+    }
+
+    /// The point of the mesh that is nearest to `point`, and its triangle.
+    pub(super) fn stand(&self, point: DVec2) -> (DVec2, Option<u32>) {
+        match self.holding(point) {
+            None => {
+                let nearest = self.nearest(point);
+                (nearest, self.locate(nearest))
+            }
+            triangle => (point, triangle),
+        }
     }
 
     /// All triangles within `reach` (at most 1e-6 m) of a point, in order.
@@ -74,7 +89,7 @@ impl NavMesh {
 
     /// The point of the mesh that is nearest to `point`: itself where it is on the mesh.
     pub fn nearest(&self, point: DVec2) -> DVec2 {
-        if self.around(point).iter().any(|&triangle| holds(&self.corners(triangle), point)) {
+        if self.holding(point).is_some() {
             return point;
         }
         let grid = &self.grid;

@@ -1,10 +1,13 @@
 //! The navigation mesh: triangles of the ground that the centre of a disc may be in.
 
+use super::bend::{Bend, bends};
 use super::bridges::Bridges;
 use super::error::NavError;
-use super::lattice::{Lattice, turn};
+use super::fan::Fans;
+use super::lattice::Lattice;
 use super::locate::sorted;
 use super::outline::free_ground;
+use super::tangents::Tangents;
 use super::triangulate::{NONE, Triangles, triangulate};
 use crate::space::{Obstacle, Walkable};
 use glam::DVec2;
@@ -25,8 +28,10 @@ pub struct NavMesh {
     pub(super) vertices: Vec<DVec2>,
     pub(super) triangles: Vec<[u32; 3]>,
     pub(super) neighbours: Vec<[u32; 3]>,
-    /// Whether a shortest path may bend at the vertex.
-    pub(super) bends: Vec<bool>,
+    /// How a shortest path may bend at each vertex, if it may.
+    pub(super) bends: Vec<Option<Bend>>,
+    pub(super) fans: Fans,
+    pub(super) tangents: Tangents,
     pub(super) islands: Vec<u32>,
     pub(super) island_count: u32,
     pub(super) grid: crate::space::Cells,
@@ -74,6 +79,8 @@ impl NavMesh {
             radius,
             lattice,
             bends: bends(parts),
+            fans: Fans::new(vertices.len(), &parts.corners),
+            tangents: Tangents::new(vertices.len()),
             bridges: Bridges::new(&parts.neighbours),
             triangles: parts.corners.clone(),
             neighbours: parts.neighbours.clone(),
@@ -167,20 +174,11 @@ fn islands(neighbours: &[[u32; 3]]) -> (Vec<u32>, u32) {
     (islands, count)
 }
 
-/// The vertices where a shortest path may bend: those where the boundary turns right, and those where it meets itself.
-fn bends(parts: &Triangles) -> Vec<bool> {
-    let count = parts.points.len();
-    let (mut into, mut out_of, mut walls) = (vec![NONE; count], vec![NONE; count], vec![0_u32; count]);
-    for (corners, neighbours) in parts.corners.iter().zip(&parts.neighbours) {
-        for edge in (0..3).filter(|&edge| neighbours[edge] == NONE) {
-            let (from, to) = (corners[edge], corners[(edge + 1) % 3]);
-            out_of[from as usize] = to;
-            into[to as usize] = from;
-            walls[from as usize] += 1;
-        }
+/// The same corners or neighbours of a triangle, those of another edge first.
+pub(super) fn rotated<T: Copy>([a, b, c]: [T; 3], by: usize) -> [T; 3] {
+    match by {
+        0 => [a, b, c],
+        1 => [b, c, a],
+        _ => [c, a, b],
     }
-    let point = |vertex: u32| parts.points[vertex as usize];
-    (0..count)
-        .map(|at| walls[at] > 1 || walls[at] == 1 && turn(point(into[at]), parts.points[at], point(out_of[at])) < 0)
-        .collect()
 }

@@ -1,7 +1,10 @@
-//! Navigation meshes for bodies of many sizes, and the areas to reach on them, made when first needed.
+//! Navigation meshes for bodies of many sizes, the areas to reach on them, and the trees of paths that lead to goals, made
+//! when first needed.
 
-use super::{Area, Goal, NavError, NavMesh, Path, Search, Unreachable};
+use super::tree::{self, Scratch, Tree};
+use super::{Area, Goal, NavError, NavMesh, Path, Unreachable};
 use crate::agent::GoalId;
+use crate::parallel;
 use crate::space::{Obstacle, Place, is_inside};
 use glam::DVec2;
 use std::collections::BTreeMap;
@@ -10,6 +13,32 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug, Default)]
 pub struct Meshes {
     classes: BTreeMap<u32, Class>,
+    /// By size of body and goal.
+    trees: BTreeMap<(u32, GoalId), Kept>,
+    /// How often paths were asked for.
+    asked: u64,
+}
+
+/// A path that somebody asks for.
+pub(crate) struct Asked {
+    /// Who asks.
+    pub row: usize,
+    /// The radius of its body.
+    pub radius: f32,
+    /// Where it is.
+    pub from: DVec2,
+    /// Where it goes.
+    pub goal: GoalId,
+    /// The shortest path, and how near to an area counts as there: 0 where its ground can be entered.
+    pub found: Option<Result<(Path, f64), Unreachable>>,
+}
+
+/// A tree that is kept for the next who ask.
+#[derive(Clone, Debug)]
+struct Kept {
+    tree: Tree,
+    /// When it was asked last.
+    asked: u64,
 }
 
 #[derive(Clone, Debug)]
@@ -20,6 +49,9 @@ struct Class {
 
 /// Millimetres that paths keep from walls beyond the body's radius.
 const CLEARANCE: f64 = 1.0;
+
+/// Vertices of all trees that are kept, at most: 12 bytes each.
+const MOST_VERTICES: usize = 5_000_000;
 
 /// The size a radius belongs to, in millimetres: rounded up.
 fn class_of(radius: f32) -> u32 {
@@ -54,26 +86,92 @@ impl Meshes {
         self.classes.get(&class_of(radius))?.mesh.as_ref().ok()
     }
 
-    /// The shortest way to a goal, and how near to an area counts as there: 0 where its ground can be entered.
-    pub(crate) fn path(
-        &self,
-        search: &mut Search,
-        radius: f32,
-        from: DVec2,
-        id: GoalId,
-        goal: &Goal,
-    ) -> Result<(Path, f64), Unreachable> {
-        let Some(class) = self.classes.get(&class_of(radius)) else { return Ok((straight(from, goal), 0.0)) };
-        let Ok(mesh) = &class.mesh else {
-            return Err(Unreachable::StartInWall { at: from, distance: f64::INFINITY });
+    /// Finds the paths that are asked for. Those who go to the same goal share a tree; what they find does not depend on
+    /// which trees are kept.
+    pub(crate) fn find(&mut self, goals: &[Goal], asked: &mut [Asked]) {
+        self.find_keeping(MOST_VERTICES, goals, asked);
+    }
+
+    /// The same, and keeps trees of so many vertices at most.
+    fn find_keeping(&mut self, most: usize, goals: &[Goal], asked: &mut [Asked]) {
+        self.asked += 1;
+        let to = |asked: &Asked| (class_of(asked.radius), asked.goal);
+        asked.sort_by_key(|asked| (to(asked), asked.row));
+        let kept: Vec<Option<Tree>> = asked
+            .chunk_by(|one, other| to(one) == to(other))
+            .map(|asked| Some(self.trees.remove(&to(&asked[0]))?.tree))
+            .collect();
+        let mut errands: Vec<Errand<'_>> = asked
+            .chunk_by_mut(|one, other| to(one) == to(other))
+            .zip(kept)
+            .map(|(asked, tree)| {
+                let (class, goal) = to(&asked[0]);
+                Errand {
+                    class: self.classes.get(&class),
+                    id: goal,
+                    goal: &goals[goal.index()],
+                    asked,
+                    tree,
+                    keeps: false,
+                }
+            })
+            .collect();
+        // those asked longest ago make room
+        let wanted: usize = errands.iter().map(Errand::size).sum();
+        let mut used: usize = self.trees.values().map(|kept| kept.tree.size()).sum();
+        while used > 0 && used + wanted > most {
+            let oldest = self.trees.iter().min_by_key(|(_, kept)| kept.asked).map(|(&key, _)| key);
+            used -= oldest.and_then(|key| self.trees.remove(&key)).map_or(used, |kept| kept.tree.size());
+        }
+        for errand in &mut errands {
+            errand.keeps = used + errand.size() <= most;
+            used += if errand.keeps { errand.size() } else { 0 };
+        }
+        parallel::rows(&mut errands, |scratch: &mut Scratch, _, errand| errand.run(scratch));
+        let trees: Vec<_> =
+            errands.into_iter().filter_map(|errand| Some((to(&errand.asked[0]), errand.tree?))).collect();
+        self.trees.extend(trees.into_iter().map(|(key, tree)| (key, Kept { tree, asked: self.asked })));
+    }
+}
+
+/// Everybody of one size who asks for paths to one goal.
+struct Errand<'a> {
+    class: Option<&'a Class>,
+    id: GoalId,
+    goal: &'a Goal,
+    asked: &'a mut [Asked],
+    tree: Option<Tree>,
+    /// Whether the tree is kept.
+    keeps: bool,
+}
+
+impl Errand<'_> {
+    /// Vertices of the tree that it needs.
+    fn size(&self) -> usize {
+        self.class.and_then(|class| class.mesh.as_ref().ok()).map_or(0, |mesh| mesh.vertices().len())
+    }
+
+    fn run(&mut self, scratch: &mut Scratch) {
+        let Self { class, id, goal, asked, tree, keeps } = self;
+        let Some(class) = class else {
+            asked.iter_mut().for_each(|asked| asked.found = Some(Ok((straight(asked.from, goal), 0.0))));
+            return;
         };
-        if goal.corners().is_none() {
-            return mesh.path(search, from, goal.middle()).map(|path| (path, 0.0));
+        let (mut triangles, mut places) = Default::default();
+        let area = class.areas.get(id).and_then(Option::as_ref);
+        let target = match (&class.mesh, goal.corners(), area) {
+            (Ok(mesh), None, _) => mesh.point_target(goal.middle(), &mut triangles, &mut places),
+            (Ok(mesh), Some(_), Some(area)) => mesh.area_target(area),
+            _ => Err(Unreachable::GoalInWall { at: goal.middle(), distance: f64::INFINITY }),
+        };
+        for asked in asked.iter_mut() {
+            let found = match &class.mesh {
+                Err(_) => Err(Unreachable::StartInWall { at: asked.from, distance: f64::INFINITY }),
+                Ok(mesh) => tree::path(tree, mesh, &target, asked.from, scratch),
+            };
+            asked.found = Some(found.map(|path| (path, area.map_or(0.0, Area::gap))));
         }
-        match class.areas.get(&id).and_then(Option::as_ref) {
-            Some(area) => mesh.path_to(search, from, area).map(|path| (path, area.gap())),
-            None => Err(Unreachable::GoalInWall { at: goal.middle(), distance: f64::INFINITY }),
-        }
+        tree.take_if(|_| !*keeps);
     }
 }
 
@@ -93,4 +191,46 @@ pub(crate) fn nearest_on_ring(corners: &[DVec2], p: DVec2) -> DVec2 {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
     let nearest = edges.map(|(&a, &b)| crate::space::nearest_on_segment(a, b, p));
     nearest.min_by(|a, b| a.distance_squared(p).total_cmp(&b.distance_squared(p))).unwrap_or(p)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::space::Walkable;
+
+    #[test]
+    fn what_is_found_does_not_depend_on_what_is_kept_and_no_more_is_kept_than_there_is_room_for() {
+        let corners = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0)].map(DVec2::from);
+        let blocks = (0..16).map(|k| DVec2::new((k % 4) as f64, (k / 4) as f64) * 4.5 + 3.0);
+        let obstacles = blocks.map(|at| Some(Obstacle::rectangle(at, DVec2::splat(2.0), 0.3))).collect();
+        let place = Place { areas: vec![Walkable { outer: corners.to_vec(), holes: vec![] }], obstacles };
+        let goals: Vec<Goal> =
+            (0..6).map(|k| Goal::Point { at: DVec2::new(0.6 + 3.7 * f64::from(k), 0.7), tolerance: 0.1 }).collect();
+        let all = || (0..60).map(|row| (row, GoalId((row * row % 6) as u32)));
+        let mut meshes = Meshes::default();
+        meshes.prepare(all().map(|(_, goal)| (0.2, goal)), &place, &goals, (DVec2::ZERO, DVec2::ZERO));
+        let size = meshes.mesh(0.2).unwrap().vertices().len();
+        let found = |most: usize, at_once: usize| {
+            let mut meshes = meshes.clone();
+            let mut found = Vec::new();
+            let asked: Vec<(usize, GoalId)> = all().collect();
+            for asked in asked.chunks(at_once) {
+                let ask = |&(row, goal): &(usize, GoalId)| {
+                    let from = DVec2::new(0.5 + 0.3 * row as f64, 19.4);
+                    Asked { row, radius: 0.2, from, goal, found: None }
+                };
+                let mut asked: Vec<Asked> = asked.iter().map(ask).collect();
+                meshes.find_keeping(most, &goals, &mut asked);
+                assert!(meshes.trees.values().map(|kept| kept.tree.size()).sum::<usize>() <= most);
+                found.extend(asked.into_iter().map(|asked| (asked.row, asked.found.unwrap().unwrap())));
+            }
+            found.sort_by_key(|&(row, _)| row);
+            found
+        };
+        let expected = found(usize::MAX, 60);
+        assert!(expected.iter().filter(|(_, (path, _))| path.corners.len() > 1).count() > 40);
+        for (most, at_once) in [(0, 1), (0, 60), (size, 7), (2 * size, 1), (3 * size + 1, 20)] {
+            assert_eq!(found(most, at_once), expected, "{most}, {at_once}");
+        }
+    }
 }

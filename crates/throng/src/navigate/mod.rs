@@ -4,8 +4,10 @@
 //! [`NavMesh::path`] finds shortest ways on them, and a [`Route`] keeps an agent on its way from step to step.
 
 mod area;
+mod bend;
 mod bridges;
 mod error;
+mod fan;
 mod goal;
 mod inflate;
 mod interval;
@@ -20,7 +22,10 @@ mod polyanya;
 mod refuge;
 mod route;
 mod script;
+mod sweep;
+mod tangents;
 mod travel;
+mod tree;
 mod triangulate;
 mod visible;
 
@@ -29,6 +34,7 @@ pub use error::{NavError, Ring, Unreachable};
 pub use goal::{Goal, Journey, Stop};
 pub(crate) use legs::Legs;
 pub use mesh::NavMesh;
+pub(crate) use meshes::Asked;
 pub use meshes::Meshes;
 pub(crate) use meshes::nearest_on_ring;
 pub(crate) use outline::union;

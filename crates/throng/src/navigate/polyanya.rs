@@ -8,18 +8,15 @@
 
 use super::area::Target;
 use super::error::Unreachable;
-use super::interval::{SNAP, View, Way};
+use super::interval::{GRAZE, SNAP, View, Way};
 use super::locate::TOUCH;
-use super::mesh::NavMesh;
+use super::mesh::{NavMesh, rotated};
 use super::path::Path;
 use super::triangulate::NONE;
 use glam::DVec2;
 use std::cmp::Ordering;
 use std::collections::{BinaryHeap, HashMap};
 use std::hash::{BuildHasherDefault, Hasher};
-
-/// A corner this near to the edge of a view counts as on it, metres.
-const GRAZE: f64 = 1e-9;
 
 /// Scratch memory of path queries: reuse it, so that they allocate nothing but their results. Results do not depend
 /// on what it was used for before, nor on the mesh.
@@ -138,11 +135,9 @@ impl Search {
         self.reset(mesh);
         let mut around = std::mem::take(&mut self.start_triangles);
         mesh.touching(start, TOUCH, &mut around);
-        let home = around.iter().map(|&triangle| mesh.islands[triangle as usize]);
-        if !home.clone().any(|island| target.on_island(mesh, island)) {
-            let from = home.min().unwrap_or(NONE);
+        if let Err(why) = target.check_island(mesh, &around) {
             self.start_triangles = around;
-            return Err(Unreachable::NoWay { from, to: target.first_island(mesh) });
+            return Err(why);
         }
         for &triangle in &around {
             if let Some(way) = target.straight(triangle, start) {
@@ -183,38 +178,31 @@ impl Search {
             return;
         }
         let edge = node.edge as usize;
-        let [ia, ib, ic] = rotate(mesh.triangles[triangle as usize], edge);
-        let [a, b, c] = rotate(mesh.corners(triangle), edge);
+        let [ia, ib, ic] = rotated(mesh.triangles[triangle as usize], edge);
+        let [a, b, c] = rotated(mesh.corners(triangle), edge);
         let (right_edge, left_edge) = ((triangle, (edge + 1) % 3), (triangle, (edge + 2) % 3));
         let view = node.view;
         let (at_left, at_right) = (view.left == a, view.right == b);
-        let (left, right) = (view.left_of(view.left, c), view.left_of(view.right, c));
+        let ahead = view.ahead([a, b, c]);
+        let (left, right) = ahead.sides;
 
         // The same root goes on seeing what is between the ends of the interval.
-        let same = (node.root, node.length);
-        if left > GRAZE {
-            let from = view.hit(view.left, c, b);
-            let to = if at_right { b } else { view.hit(view.right, c, b) };
-            self.push(mesh, target, index, same, right_edge, View { left: from, right: to, ..view });
-        } else if right < -GRAZE {
-            let from = if at_left { a } else { view.hit(view.left, a, c) };
-            let to = view.hit(view.right, a, c);
-            self.push(mesh, target, index, same, left_edge, View { left: from, right: to, ..view });
-        } else {
+        if ahead.sees_corner {
             self.reached(ic, node.length + view.root.distance(c));
-            let from = if at_left { a } else { view.hit(view.left, a, c) };
-            self.push(mesh, target, index, same, left_edge, View { left: from, right: c, ..view });
-            let to = if at_right { b } else { view.hit(view.right, c, b) };
-            self.push(mesh, target, index, same, right_edge, View { left: c, right: to, ..view });
+        }
+        for (edge, seen) in [left_edge, right_edge].into_iter().zip(ahead.through) {
+            if let Some(view) = seen {
+                self.push(mesh, target, index, (node.root, node.length), edge, view);
+            }
         }
         // What is out of view is seen from a corner that the path bends round.
-        if left > -GRAZE && at_left && mesh.bends[ia as usize] && node.root != ia {
+        if left > -GRAZE && at_left && mesh.bends[ia as usize].is_some() && node.root != ia {
             let bend = (ia, node.length + view.root.distance(a));
             self.push(mesh, target, index, bend, left_edge, View { root: a, left: a, right: c });
             let end = if left > GRAZE { view.hit(a, c, b) } else { c };
             self.push(mesh, target, index, bend, right_edge, View { root: a, left: c, right: end });
         }
-        if right < GRAZE && at_right && mesh.bends[ib as usize] && node.root != ib {
+        if right < GRAZE && at_right && mesh.bends[ib as usize].is_some() && node.root != ib {
             let bend = (ib, node.length + view.root.distance(b));
             self.push(mesh, target, index, bend, right_edge, View { root: b, left: c, right: b });
             let end = if right < -GRAZE { view.hit(b, a, c) } else { c };
@@ -315,18 +303,7 @@ impl Search {
             at = node.parent;
         }
         corners.reverse();
-        let mut before = start;
-        let mut kept = Vec::with_capacity(corners.len());
-        for (index, &corner) in corners.iter().enumerate() {
-            let last = index + 1 == corners.len();
-            let straight =
-                |next: DVec2| (corner - before).perp_dot(next - before).abs() <= GRAZE * next.distance(before);
-            if last || corner.distance_squared(before) > SNAP * SNAP && !straight(corners[index + 1]) {
-                kept.push(corner);
-                before = corner;
-            }
-        }
-        Path { start, corners: kept, length: entry.bound }
+        Path::through(start, corners, entry.bound)
     }
 }
 
@@ -335,12 +312,4 @@ fn covers(outer: &View, inner: &View) -> bool {
     let along = outer.right - outer.left;
     let length = along.length();
     (inner.left - outer.left).dot(along) >= -SNAP * length && (inner.right - outer.right).dot(along) <= SNAP * length
-}
-
-fn rotate<T: Copy>([a, b, c]: [T; 3], by: usize) -> [T; 3] {
-    match by {
-        0 => [a, b, c],
-        1 => [b, c, a],
-        _ => [c, a, b],
-    }
 }

@@ -36,6 +36,7 @@ pub enum Heading {
 /// corner) and one of those dropped before is in view and not out of the way, the agent goes by that; else the route is
 /// lost.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(from = "Saved")]
 pub struct Route {
     /// All corners of the path, its end last.
     corners: Vec<DVec2>,
@@ -44,12 +45,32 @@ pub struct Route {
     /// Where the agent looked last.
     looked: Option<DVec2>,
     lost: bool,
+    /// Length of the way from the next corner on, metres.
+    #[serde(skip_serializing)]
+    beyond: f64,
+}
+
+/// What of a route is saved.
+#[derive(Deserialize)]
+struct Saved {
+    corners: Vec<DVec2>,
+    next: u32,
+    looked: Option<DVec2>,
+    lost: bool,
+}
+
+impl From<Saved> for Route {
+    fn from(Saved { corners, next, looked, lost }: Saved) -> Self {
+        let mut route = Self { corners, next, looked, lost, beyond: 0.0 };
+        route.go_on_to(next);
+        route
+    }
 }
 
 impl Route {
     /// The route along a path.
     pub fn new(path: &Path) -> Self {
-        Self { corners: path.corners.clone(), next: 0, looked: None, lost: false }
+        Saved { corners: path.corners.clone(), next: 0, looked: None, lost: false }.into()
     }
 
     /// What to head for from `position`. Call it every step; once it says [`Heading::Lost`] it says so until it is
@@ -60,7 +81,7 @@ impl Route {
         let moved = self.looked.is_none_or(|last| last.distance_squared(position) >= LOOK * LOOK);
         if !self.lost && (near || moved) {
             self.looked = Some(position);
-            self.look(mesh, mesh.nearest(position));
+            self.look(mesh, position);
         }
         match self.corners[self.next as usize] {
             _ if self.lost => Heading::Lost,
@@ -74,23 +95,31 @@ impl Route {
         self.next as usize + 1 == self.corners.len()
     }
 
-    fn look(&mut self, mesh: &NavMesh, eye: DVec2) {
+    fn look(&mut self, mesh: &NavMesh, position: DVec2) {
         let next = self.next as usize;
-        let here = mesh.locate(eye);
+        let (eye, here) = mesh.stand(position);
         let sees = |corner: usize| mesh.visible_from(here, eye, self.corners[corner]);
         let mut furthest = next;
         while furthest + 1 < self.corners.len() && sees(furthest + 1) {
             furthest += 1;
         }
-        if furthest > next || sees(next) {
-            self.next = furthest as u32;
+        if furthest > next {
+            self.go_on_to(furthest as u32);
+        } else if sees(next) {
+            // goes on
         } else if let Some(back) = (next.saturating_sub(BACK)..next).rev().find(|&corner| sees(corner))
             && self.detour(eye, back) < BACK_DETOUR * mesh.radius()
         {
-            self.next = back as u32;
+            self.go_on_to(back as u32);
         } else {
             self.lost = true;
         }
+    }
+
+    fn go_on_to(&mut self, corner: u32) {
+        self.next = corner;
+        let ahead = self.corners.get(corner as usize..).unwrap_or_default();
+        self.beyond = ahead.array_windows().map(|[a, b]| a.distance(*b)).sum();
     }
 
     /// How much longer the way to the next corner is by one of those before it.
@@ -112,11 +141,6 @@ impl Route {
 
     /// Length of the way still ahead from `position`, metres.
     pub fn remaining(&self, position: DVec2) -> f64 {
-        let mut at = position;
-        self.corners().fold(0.0, |sum, corner| {
-            let sum = sum + corner.distance(at);
-            at = corner;
-            sum
-        })
+        self.corners().next().map_or(0.0, |corner| corner.distance(position) + self.beyond)
     }
 }

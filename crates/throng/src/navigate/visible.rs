@@ -24,29 +24,41 @@ impl NavMesh {
     fn walk(&self, mut triangle: u32, a: DVec2, b: DVec2) -> Option<bool> {
         let along = (b - a).try_normalize()?;
         let side = |point: DVec2| along.perp_dot(point - a);
-        let mut entered = NONE;
-        for _ in 0..=self.triangles.len() {
-            let corners = self.corners(triangle);
-            if holds(&corners, b) {
-                return Some(true);
-            }
-            let sides = corners.map(side);
-            if sides.iter().any(|side| side.abs() < SLACK) {
-                return None;
-            }
-            // It leaves by the edge that begins on its right and ends on its left.
-            let edge = (0..3).find(|&edge| sides[edge] < 0.0 && sides[(edge + 1) % 3] > 0.0)?;
+        let corners = self.corners(triangle);
+        if holds(&corners, b) {
+            return Some(true);
+        }
+        let sides = corners.map(side);
+        if sides.iter().any(|side| side.abs() < SLACK) {
+            return None;
+        }
+        // it leaves by the edge that begins on its right and ends on its left
+        let mut edge = (0..3).find(|&edge| sides[edge] < 0.0 && sides[(edge + 1) % 3] > 0.0)?;
+        let (mut right, mut left) = (corners[edge], corners[(edge + 1) % 3]);
+        // each triangle farther: what lies ahead is behind the edge that it came by
+        for _ in 0..self.triangles.len() {
             let next = self.neighbours[triangle as usize][edge];
             if next == NONE {
                 // Just short of the end the wall may still be within the slack.
-                let short = closest_convex(&corners, b).distance_squared(b) <= SLACK * SLACK;
+                let short = closest_convex(&self.corners(triangle), b).distance_squared(b) <= SLACK * SLACK;
                 return if short { None } else { Some(false) };
             }
-            if next == entered {
+            let entered = self.edge_to(next, triangle);
+            let corner = self.vertices[self.triangles[next as usize][(entered + 2) % 3] as usize];
+            if (corner - right).perp_dot(b - right) >= 0.0 && (left - corner).perp_dot(b - corner) >= 0.0 {
+                return Some(true);
+            }
+            let side = side(corner);
+            if side.abs() < SLACK {
                 return None;
             }
-            entered = triangle;
             triangle = next;
+            // the edge it came by begins on the left there
+            if side > 0.0 {
+                (edge, left) = ((entered + 1) % 3, corner);
+            } else {
+                (edge, right) = ((entered + 2) % 3, corner);
+            }
         }
         None
     }

@@ -226,7 +226,7 @@ impl Walls {
     }
 
     fn near_in(&self, cell: usize, from: DVec2, range: f64, near: &mut NearWalls) {
-        for &item in self.cells.items(cell) {
+        for &item in self.cells.items(cell).iter().filter(|&&item| self.may_be_near(item, from, range)) {
             let d = self.distance_to(item, from);
             if d <= range {
                 match item.checked_sub(self.edges.len() as u32) {
@@ -235,6 +235,13 @@ impl Walls {
                 }
             }
         }
+    }
+
+    /// Whether the box round an item is within `range`: cheaper than its distance.
+    fn may_be_near(&self, item: u32, from: DVec2, range: f64) -> bool {
+        let (low, high) = self.bounds(item as usize);
+        let reach = range * (1.0 + 1e-9);
+        (from - from.clamp(low, high)).length_squared() <= reach * reach
     }
 
     /// Distance of an item; of a disc to its rim, negative inside.
@@ -249,7 +256,8 @@ impl Walls {
 
     /// Whether no wall is within `range` of `from`.
     pub fn is_clear(&self, from: DVec2, range: f64) -> bool {
-        let is_clear = |cell: usize| self.cells.items(cell).iter().all(|&item| self.distance_to(item, from) > range);
+        let is_near = |item: u32| self.may_be_near(item, from, range) && self.distance_to(item, from) <= range;
+        let is_clear = |cell: usize| !self.cells.items(cell).iter().any(|&item| is_near(item));
         let away = range - REACH;
         match away <= 0.0 {
             _ if self.is_empty() => true,

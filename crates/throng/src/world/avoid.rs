@@ -79,19 +79,19 @@ impl World {
     /// What the model of an agent sees.
     pub(super) fn view<'a>(&self, row: usize, seconds: f32, sight: &'a mut Sight) -> View<'a> {
         let agents = &self.agents;
-        let Sight { near, rows, neighbours, edges, discs } = sight;
+        let Sight { near: walls, rows, neighbours, edges, discs } = sight;
         let at = agents.position[row].as_dvec2();
         let bound = agents.body(row).bound() + agents.tracking_error[row];
         let range = self.model(row).wall_range(bound, agents.max_speed[row]);
-        self.walls.near(at, f64::from(range), near);
+        self.walls.near(at, f64::from(range), walls);
         let to_local = |p: DVec2| (p - at).as_vec2();
         edges.clear();
-        edges.extend(near.edges.iter().map(|&(_, index)| {
+        edges.extend(walls.edges.iter().map(|&(_, index)| {
             let edge: Edge = self.walls.edges()[index as usize];
             NearEdge { start: to_local(edge.start), end: to_local(edge.end), edge }
         }));
         discs.clear();
-        discs.extend(near.discs.iter().map(|&(_, index)| {
+        discs.extend(walls.discs.iter().map(|&(_, index)| {
             let disc: Disc = self.walls.discs()[index as usize];
             NearDisc { offset: to_local(disc.center), disc, outline: Outline::POINT }
         }));
@@ -100,7 +100,11 @@ impl World {
         let margin = margin(seconds);
         for &near in self.neighbours(row) {
             let other = near as usize;
-            if !edges.iter().any(|edge| hides(edge, agents.offset(row, other))) {
+            let offset = agents.offset(row, other);
+            // walls come nearest first, and none that is farther hides anybody
+            let reach = f64::from(offset.length()) * 1.001 + 0.001;
+            let mut between = edges.iter().zip(&walls.edges).take_while(|(_, wall)| wall.0 <= reach);
+            if !between.any(|(edge, _)| hides(edge, offset)) {
                 rows.push(near);
                 neighbours.push(self.neighbour(row, other, margin));
             }

@@ -4,7 +4,7 @@ use super::World;
 use super::build::direction;
 use super::way::{Shown, Way};
 use crate::agent::{AgentId, Status};
-use crate::navigate::{Goal, Heading, Meshes, Path, Route, Search, Travel, Turn, Unreachable};
+use crate::navigate::{Asked, Goal, Heading, Meshes, Route, Travel, Turn};
 use crate::parallel;
 use glam::{DVec2, DVec3, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -46,22 +46,23 @@ impl World {
         // who plans may find itself there
         self.step.anybody_may_change = changes.into_inner() || anybody;
         let rows = if anybody { 0..travels.len() } else { 0..0 };
-        let mut lost: Vec<Planned> = rows
+        let mut lost: Vec<Asked> = rows
             .filter(|&row| shown[row].way.walks() && shown[row].way.has_goal() && !travels[row].has_way())
-            .map(|row| Planned { row, leg: travels[row].leg, outcome: None })
+            .filter_map(|row| self.ask(row, travels[row].leg))
             .collect();
         if !lost.is_empty() {
             self.agents.travel = travels;
             self.prepare_meshes(&lost);
             travels = std::mem::take(&mut self.agents.travel);
-            let world = &*self;
-            parallel::rows(&mut lost, |search: &mut Search, _, planned| world.plan_one(search, planned));
-            for Planned { row, outcome, .. } in lost {
+            self.meshes.find(&self.goals, &mut lost);
+            for asked in lost {
+                let (row, straight) = (asked.row, self.is_straight(&asked));
                 let travel = &mut travels[row];
-                match outcome {
-                    Some(Ok((route, length, gap))) => {
-                        travel.set_way(route);
-                        travel.set_gap(gap);
+                match asked.found {
+                    Some(Ok((path, gap))) => {
+                        let length = path.length;
+                        travel.set_way((!straight).then(|| Route::new(&path)));
+                        travel.set_gap(gap as f32);
                         shown[row].way = self.look(row, travel, seconds);
                         if !travel.measured {
                             travel.measured = true;
@@ -89,17 +90,12 @@ impl World {
     pub fn face_ways(&mut self, agents: &[AgentId]) {
         let leg = |row: usize| self.first_leg(self.agents.journey[row], self.world_place(row));
         let rows = agents.iter().filter_map(|&id| self.row(id)).filter(|&row| self.agents.is_disc(row));
-        let mut ways: Vec<Planned> =
-            rows.filter_map(|row| Some(Planned { row, leg: leg(row)?, outcome: None })).collect();
+        let mut ways: Vec<Asked> = rows.filter_map(|row| self.ask(row, leg(row)?)).collect();
         self.prepare_meshes(&ways);
-        let world = &*self;
-        parallel::rows(&mut ways, |search: &mut Search, _, way| world.plan_one(search, way));
+        self.meshes.find(&self.goals, &mut ways);
         for way in ways {
-            let Some(Ok((route, ..))) = way.outcome else { continue };
-            let at = self.world_position(way.row);
-            let straight = self.goal_middle(way.row, way.leg).filter(|_| route.is_none());
-            let mut corners = route.iter().flat_map(Route::corners).chain(straight);
-            if let Some(heading) = corners.find_map(|corner| direction(corner - at)) {
+            let Some(Ok((path, _))) = way.found else { continue };
+            if let Some(heading) = path.corners.iter().find_map(|&corner| direction(corner - way.from)) {
                 self.agents.heading[way.row] = heading;
             }
         }
@@ -164,31 +160,28 @@ impl World {
         }
     }
 
-    fn plan_one(&self, search: &mut Search, planned: &mut Planned) {
-        let Some(stop) = self.stop(planned.row, planned.leg) else { return };
-        let goal = &self.goals[stop.goal.index()];
-        let from = self.world_position(planned.row);
-        let girth = self.agents.body(planned.row).girth();
-        let path = self.meshes.path(search, girth, from, stop.goal, goal);
-        // in the open nothing is in the way of a point
-        let straight = goal.corners().is_none() && self.meshes.mesh(girth).is_none();
-        let route = |path: &Path| (!straight).then(|| Route::new(path));
-        planned.outcome = Some(path.map(|(path, gap)| (route(&path), path.length, gap as f32)));
+    /// Asks for a way to a stop; `None` if there is none.
+    fn ask(&self, row: usize, leg: u32) -> Option<Asked> {
+        let goal = self.stop(row, leg)?.goal;
+        let (radius, from) = (self.agents.body(row).girth(), self.world_position(row));
+        Some(Asked { row, radius, from, goal, found: None })
+    }
+
+    /// Whether nothing can be in the way: in the open, to a point.
+    fn is_straight(&self, asked: &Asked) -> bool {
+        self.goals[asked.goal.index()].corners().is_none() && self.meshes.mesh(asked.radius).is_none()
     }
 
     /// Makes the meshes that the `lost` need, on ground that holds them and their goals.
-    fn prepare_meshes(&mut self, lost: &[Planned]) {
+    fn prepare_meshes(&mut self, lost: &[Asked]) {
         if self.walls.is_empty() {
             return;
         }
         let holds = |(low, high): (DVec2, DVec2), p: DVec2| p.cmpge(low).all() && p.cmple(high).all();
         let on_ground = |p: DVec2| self.extent.is_some_and(|extent| holds(extent, p));
-        let held = lost.iter().all(|planned| {
-            let goal = self.goal_middle(planned.row, planned.leg);
-            on_ground(self.world_position(planned.row)) && goal.is_none_or(on_ground)
-        });
+        let held = lost.iter().all(|asked| on_ground(asked.from) && on_ground(self.goals[asked.goal.index()].middle()));
         if held {
-            let rows: Vec<usize> = lost.iter().map(|planned| planned.row).collect();
+            let rows: Vec<usize> = lost.iter().map(|asked| asked.row).collect();
             self.prepare_meshes_of(&rows);
         } else {
             self.extent = Some(self.new_extent());
@@ -233,13 +226,3 @@ impl World {
         self.agents.center(row) + self.settings.origin.extend(0.0)
     }
 }
-
-/// A way to plan, and what came of it.
-struct Planned {
-    row: usize,
-    leg: u32,
-    outcome: Option<Result<Found, Unreachable>>,
-}
-
-/// A way: the route unless it is straight, its length, and how near counts as there.
-type Found = (Option<Route>, f64, f32);

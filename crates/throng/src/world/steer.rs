@@ -1,5 +1,7 @@
-//! 2. What would I like, of those who steer: a behaviour gives a force, and what their body makes of it is their preferred
-//! velocity. What is safe is asked afterwards, as of everybody.
+//! 2. What would I like, of those who steer.
+//!
+//! A behaviour gives a force, and what their vehicle makes of it is their preferred velocity. What is safe is asked
+//! afterwards, as of everybody.
 
 use super::World;
 use crate::agent::Status;

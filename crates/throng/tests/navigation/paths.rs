@@ -65,6 +65,46 @@ fn paths_are_as_short_as_in_the_visibility_graph_and_the_same_backwards() {
 }
 
 #[test]
+fn paths_of_many_are_as_short_as_in_the_visibility_graph() {
+    let mut compared = 0;
+    for seed in 0..60 {
+        let scene = Scene::random(seed);
+        let mesh = scene.mesh(0.15 + 0.05 * (seed % 3) as f64);
+        let graph = VisibilityGraph::new(mesh.outline());
+        let mut dice = Dice(seed + 1500);
+        let mut place = |vertex: bool| match vertex {
+            true => mesh.vertices()[(dice.unit() * mesh.vertices().len() as f64) as usize],
+            false => scene.free_point(&mesh, &mut dice),
+        };
+        for round in 0..3 {
+            let to = place(round == 2);
+            let from: Vec<DVec2> = (0..16).map(|k| place(k >= 10)).collect();
+            let paths = mesh.paths(&from, to);
+            for (k, path) in paths.iter().enumerate() {
+                let expected = graph.distance(from[k], to);
+                let Ok(path) = path else {
+                    assert!(expected.is_infinite(), "seed {seed}: {path:?}");
+                    continue;
+                };
+                let label = || format!("seed {seed}.{round} {} -> {to}: {} {expected}", from[k], path.length);
+                assert!((path.length - expected).abs() <= 1e-7 * expected.max(1.0), "{}", label());
+                let sum: f64 = legs(path).iter().map(|[a, b]| a.distance(*b)).sum();
+                assert!((sum - path.length).abs() < 1e-7, "{}", label());
+                assert!(legs(path).iter().all(|&[a, b]| leaves_by(mesh.outline(), a, b) < 1e-7), "{}", label());
+                compared += 1;
+            }
+            // whoever asked before
+            let backwards: Vec<DVec2> = from.iter().rev().copied().collect();
+            assert!(mesh.paths(&backwards, to).into_iter().rev().eq(paths.iter().cloned()));
+            for (k, path) in paths.into_iter().enumerate() {
+                assert_eq!(mesh.paths(&from[k..=k], to), [path]);
+            }
+        }
+    }
+    assert!(compared > 2000, "only {compared} compared");
+}
+
+#[test]
 fn paths_on_lattices_of_aligned_blocks_are_shortest_too() {
     // Rows of equal blocks: lines of sight graze many corners at once.
     let mut obstacles = Vec::new();
@@ -91,6 +131,8 @@ fn paths_on_lattices_of_aligned_blocks_are_shortest_too() {
         let (from, to) = (pick(), pick());
         let (found, expected) = (mesh.path(&mut search, from, to).unwrap().length, graph.distance(from, to));
         assert!((found - expected).abs() < 1e-7, "{from} -> {to}: {found} instead of {expected}");
+        let shared = mesh.paths(&[from], to)[0].clone().unwrap().length;
+        assert!((shared - expected).abs() < 1e-7, "{from} -> {to}: {shared} instead of {expected}");
         assert!(search.expanded() < 5000, "{} nodes", search.expanded());
     }
 }
@@ -143,10 +185,14 @@ fn paths_to_areas_end_at_the_nearest_point_along_the_path() {
             if area.is_empty() || area.gap() > 0.0 {
                 continue;
             }
+            let shared = mesh.paths_to(&[from, scene.free_point(&mesh, &mut dice), from], &area);
+            assert_eq!(shared[0], shared[2]);
             let Ok(path) = mesh.path_to(&mut search, from, &area) else {
-                assert!(!area.islands().contains(&mesh.island(from).unwrap()));
+                assert!(shared[0].is_err() && !area.islands().contains(&mesh.island(from).unwrap()));
                 continue;
             };
+            let length = shared[0].as_ref().unwrap().length;
+            assert!((length - path.length).abs() < 1e-7, "seed {seed}: {length} instead of {}", path.length);
             let end = *path.corners.last().unwrap();
             assert!(mesh.locate(end).is_some());
             assert!((mesh.path(&mut search, from, end).unwrap().length - path.length).abs() < 1e-7);

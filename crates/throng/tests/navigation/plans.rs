@@ -74,6 +74,8 @@ fn all_floor_plans_mesh_and_their_paths_keep_clear_of_walls() {
                 let there = mesh.path(&mut search, from, to);
                 assert_eq!(there.is_ok(), mesh.island(from) == mesh.island(to), "{name} {radius} {from} {to}");
                 let Ok(there) = there else { continue };
+                let shared = mesh.paths(&[from], to)[0].clone().unwrap();
+                assert!((there.length - shared.length).abs() <= 1e-7 * there.length.max(1.0), "{name} {from} {to}");
                 let back = mesh.path(&mut search, to, from).unwrap();
                 assert!((there.length - back.length).abs() <= 1e-7 * there.length.max(1.0), "{name} {from} {to}");
                 let mut before = from;

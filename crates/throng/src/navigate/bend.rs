@@ -1,0 +1,90 @@
+//! Where shortest paths bend: round the corners of walls, taut as a string.
+
+use super::lattice::turn;
+use super::mesh::NavMesh;
+use super::triangulate::{NONE, Triangles};
+use glam::DVec2;
+
+/// Directions whose sine is less count as parallel.
+const FLAT: f64 = 1e-9;
+
+/// How a shortest path may bend at a vertex.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Bend {
+    /// Round the corner of a wall. Seen from there, the wall begins towards the vertex `right` and, counter-clockwise by more
+    /// than a half turn, ends towards the vertex `left`.
+    Round { right: u32, left: u32 },
+    /// Where the boundary meets itself: any way.
+    Pinched,
+}
+
+/// The vertices where a shortest path may bend: those where the boundary turns right, and those where it meets itself.
+pub(super) fn bends(parts: &Triangles) -> Vec<Option<Bend>> {
+    let count = parts.points.len();
+    let (mut into, mut out_of, mut walls) = (vec![NONE; count], vec![NONE; count], vec![0_u32; count]);
+    for (corners, neighbours) in parts.corners.iter().zip(&parts.neighbours) {
+        for edge in (0..3).filter(|&edge| neighbours[edge] == NONE) {
+            let (from, to) = (corners[edge], corners[(edge + 1) % 3]);
+            out_of[from as usize] = to;
+            into[to as usize] = from;
+            walls[from as usize] += 1;
+        }
+    }
+    let point = |vertex: u32| parts.points[vertex as usize];
+    let bend = |at: usize| match (out_of[at], into[at], walls[at]) {
+        (.., 0) => None,
+        (right, left, 1) => {
+            (turn(point(left), parts.points[at], point(right)) < 0).then_some(Bend::Round { right, left })
+        }
+        _ => Some(Bend::Pinched),
+    };
+    (0..count).map(bend).collect()
+}
+
+impl NavMesh {
+    /// Whether a path that comes to a vertex in this direction may bend there: a corner of a wall, and not its face.
+    pub(super) fn bends_along(&self, vertex: u32, along: DVec2) -> bool {
+        match self.bends[vertex as usize] {
+            None => false,
+            Some(Bend::Pinched) => true,
+            Some(Bend::Round { right, left }) => {
+                let [right, left] = self.directions(vertex, [right, left]);
+                !(is_left(along, left) && is_left(right, along))
+            }
+        }
+    }
+
+    /// Where paths lead that bend at a vertex: between pairs of directions, the right one first, at most a half turn apart.
+    pub(super) fn taut(&self, vertex: u32) -> [Option<[DVec2; 2]>; 2] {
+        match self.bends[vertex as usize] {
+            None => [None; 2],
+            Some(Bend::Pinched) => [Some([DVec2::X, -DVec2::X]), Some([-DVec2::X, DVec2::X])],
+            Some(Bend::Round { right, left }) => {
+                let [right, left] = self.directions(vertex, [right, left]);
+                [Some([right, -left]), Some([-right, left])]
+            }
+        }
+    }
+
+    /// Whether a path that comes to a vertex in one direction may go on in another: round the wall, if it does not go
+    /// straight on.
+    pub(super) fn bends_to(&self, vertex: u32, along: DVec2, on: DVec2) -> bool {
+        match self.bends[vertex as usize] {
+            None => false,
+            Some(Bend::Pinched) => true,
+            Some(Bend::Round { right, left }) => {
+                let [right, left] = self.directions(vertex, [right, left]);
+                is_left(left, along) && !is_left(along, on) || is_left(along, right) && !is_left(on, along)
+            }
+        }
+    }
+
+    fn directions(&self, vertex: u32, to: [u32; 2]) -> [DVec2; 2] {
+        to.map(|to| self.vertices[to as usize] - self.vertices[vertex as usize])
+    }
+}
+
+/// Whether a direction lies to the left of another, beyond doubt.
+fn is_left(a: DVec2, of: DVec2) -> bool {
+    of.perp_dot(a) > FLAT * of.length() * a.length()
+}

@@ -1,0 +1,40 @@
+//! The triangles round each vertex of a mesh.
+
+/// Lists of triangles, one a vertex.
+#[derive(Clone, Debug)]
+pub(super) struct Fans {
+    /// Where the triangles of each vertex begin, and where the last ones end.
+    starts: Vec<u32>,
+    triangles: Vec<u32>,
+}
+
+impl Fans {
+    /// Sorts triangles by their corners.
+    pub fn new(vertices: usize, corners: &[[u32; 3]]) -> Self {
+        let mut starts = vec![0; vertices + 1];
+        for &vertex in corners.as_flattened() {
+            starts[vertex as usize] += 1;
+        }
+        let mut end = 0;
+        for start in &mut starts {
+            end += *start;
+            *start = end;
+        }
+        // from the last to the first, so that each list is in order
+        let mut triangles = vec![0; corners.len() * 3];
+        for (triangle, corners) in corners.iter().enumerate().rev() {
+            for &vertex in corners {
+                let start = &mut starts[vertex as usize];
+                *start -= 1;
+                triangles[*start as usize] = triangle as u32;
+            }
+        }
+        Self { starts, triangles }
+    }
+
+    /// The triangles round a vertex, in order.
+    pub fn round(&self, vertex: u32) -> &[u32] {
+        let vertex = vertex as usize;
+        &self.triangles[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
+    }
+}
