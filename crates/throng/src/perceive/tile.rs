@@ -224,17 +224,14 @@ impl<'a, S: Simd> Tile<'a, S> {
     /// are infinitely far.
     #[inline(always)]
     fn sort_in(&self, keys: &mut [S::u32s; KEYS], pack: &Pack, places: Range<usize>) {
-        let simd = self.simd;
         // in registers
         let mut least = *keys;
         for first in places.step_by(BATCH) {
-            let mut batch: [S::u32s; BATCH] = std::array::from_fn(|at| {
-                let place = first + at;
-                let dx = S::f32s::splat(simd, pack.x[place]) - self.x;
-                let dy = S::f32s::splat(simd, pack.y[place]) - self.y;
-                let distance: S::u32s = (dx * dx + dy * dy).bitcast();
-                distance & !PLACE | place as u32
-            });
+            // no closure: compilers do not always take one into code for more instructions than usual
+            let mut batch = [self.key(pack, first); BATCH];
+            for (at, key) in batch.iter_mut().enumerate().skip(1) {
+                *key = self.key(pack, first + at);
+            }
             exchange!(batch: 0-1 2-3 0-2 1-3 1-2);
             if batch[0].simd_lt(least[KEYS - 1]).any_true() {
                 // the least of both together rise, then fall
@@ -247,6 +244,15 @@ impl<'a, S: Simd> Tile<'a, S> {
             }
         }
         *keys = least;
+    }
+
+    /// The keys of a packed point in every lane.
+    #[inline(always)]
+    fn key(&self, pack: &Pack, place: usize) -> S::u32s {
+        let (dx, dy) =
+            (S::f32s::splat(self.simd, pack.x[place]) - self.x, S::f32s::splat(self.simd, pack.y[place]) - self.y);
+        let distance: S::u32s = (dx * dx + dy * dy).bitcast();
+        distance & !PLACE | place as u32
     }
 
     /// Lists the rows that keys stand for. Tells which lanes have two that the keys don't tell apart.
@@ -263,11 +269,10 @@ impl<'a, S: Simd> Tile<'a, S> {
             alike |= key.simd_eq(limit) | (within & key.simd_eq(next));
             counts += within.select(one, S::u32s::splat(simd, 0));
         }
-        let places: [[u32; LANES]; KEYS] = std::array::from_fn(|at| {
-            let mut all = [0; LANES];
-            (keys[at] & PLACE).store_slice(&mut all[..S::u32s::LEN]);
-            all
-        });
+        let mut places = [[0; LANES]; KEYS];
+        for (all, &key) in places.iter_mut().zip(keys) {
+            (key & PLACE).store_slice(&mut all[..S::u32s::LEN]);
+        }
         for (lane, list) in out.chunks_exact_mut(k + 1).enumerate() {
             // its own key, the first, counts too
             list[0] = counts[lane].saturating_sub(1);
