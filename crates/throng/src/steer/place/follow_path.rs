@@ -3,11 +3,14 @@
 use crate::Error;
 use crate::motion::Steering;
 use crate::space::{OnPath, Pathway, Way};
+use crate::steer::single::{approach, settling_time};
 use crate::steer::{Arrive, Behaviour, Reason, Target, View, Why};
+use glam::Vec3;
 use std::sync::Arc;
 
-/// Goes along a path, either way, and comes to rest at the end of an open one. Nothing to correct while it goes the right
-/// way and will still be on the path.
+/// Goes along a path, either way, and rests at the end of an open one. Nothing to correct while it goes the right way and
+/// will still be on the path: what it does there, slowly or in haste, other behaviours say
+/// ([`MoveForward`](crate::steer::MoveForward), say).
 ///
 /// It remembers how far along it is, and looks for itself near there only: where a path crosses itself it stays on its arm.
 ///
@@ -62,18 +65,24 @@ impl Behaviour for FollowPath {
             Way::Backward => now.along,
         };
         let ahead = view.motion.speed().max(SLOW * view.vehicle.max_speed) * self.seconds;
-        if !path.is_cyclic() && left <= ahead.max(self.slowing_distance) {
-            let end = path.at(now.along + left * self.way.sign());
-            let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::from(Target::Point(end)) };
-            return arrive.steer(view, &mut [], why);
+        let aim = path.at(now.along + ahead * self.way.sign());
+        if !path.is_cyclic() && left <= ahead {
+            let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::from(Target::Point(aim)) };
+            return arrive.steer(view, &mut [], why).or_else(|| Some(view.reach(Vec3::ZERO)));
         }
         let future = view.motion.position_in(self.seconds);
+        why.note(|| Reason::Expects(future));
+        let slows = self.slowing_distance.max(view.vehicle.max_speed * settling_time(view, 0.0));
+        if !path.is_cyclic() && left < slows {
+            why.note(|| Reason::Aim(aim));
+            let offset = view.to(aim).normalize_or_zero() * left;
+            return Some(view.reach(approach(view, offset, Vec3::ZERO, self.slowing_distance)));
+        }
         let then = path.nearest_near(future, now.along, reach);
         if then.outside <= 0.0 && self.walked(now.along, then.along) > 0.0 {
             return None;
         }
-        why.note(|| Reason::Expects(future));
-        view.seek(path.at(now.along + ahead * self.way.sign()), why)
+        view.seek(aim, why)
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -84,7 +93,7 @@ impl Behaviour for FollowPath {
 
 impl FollowPath {
     /// Where on the path an agent is that was at a distance along it, if that is known and still near.
-    fn find(&self, position: glam::Vec3, known: Option<f32>, reach: f32) -> OnPath {
+    fn find(&self, position: Vec3, known: Option<f32>, reach: f32) -> OnPath {
         let near = known.map(|along| self.path.nearest_near(position, along, reach));
         near.filter(|near| near.outside <= reach).unwrap_or_else(|| self.path.nearest(position))
     }

@@ -3,7 +3,7 @@
 use super::Barriers;
 use super::course::Course;
 use crate::Error;
-use crate::motion::Steering;
+use crate::motion::{Basis, Steering};
 use crate::steer::{Behaviour, Reason, View, Why};
 use glam::Vec3;
 
@@ -40,7 +40,7 @@ pub struct FollowWall {
 
 impl From<Barriers> for FollowWall {
     fn from(barriers: Barriers) -> Self {
-        Self { barriers, offset: 1.0, seconds: 0.5, range: 5.0 }
+        Self { barriers, offset: 1.0, seconds: 0.3, range: 5.0 }
     }
 }
 
@@ -58,7 +58,8 @@ impl Behaviour for FollowWall {
             *hand = 0.0;
             return None;
         };
-        let reach = view.motion.speed() * self.seconds;
+        // it turns when it would come nearer than that to a wall across its way
+        let reach = view.motion.speed() * self.seconds + self.offset;
         let ahead = self.barriers.ahead(view.position(), course.basis.forward, 0.0, reach).map(|(_, hit)| hit);
         let (point, free) = match ahead {
             Some(hit) => (hit.point, hit.free()),
@@ -67,8 +68,8 @@ impl Behaviour for FollowWall {
                 (near.point, near.free())
             }
         };
-        let along = self.along(view, course.basis.up.cross(free), course.basis.forward, hand);
-        let place = point + free * self.offset + along * (self.offset.min(view.vehicle.max_speed * self.seconds));
+        let along = along(&course.basis, free, hand);
+        let place = point + free * self.offset + along * self.offset.min(view.vehicle.max_speed * self.seconds);
         why.note(|| Reason::Expects(point));
         let force = view.seek(place, why)?.force;
         let surfaces = ahead.map(|hit| (hit.point, hit.free()));
@@ -82,15 +83,18 @@ impl Behaviour for FollowWall {
     }
 }
 
-impl FollowWall {
-    /// The direction along a wall in which it keeps it on the same hand. `level` leads along the wall at its height, with
-    /// the wall on the left; who goes up or down along it goes on so.
-    fn along(&self, view: &View<'_>, level: Vec3, forward: Vec3, hand: &mut f32) -> Vec3 {
-        let level = level.normalize_or(forward);
-        let _ = view;
-        if *hand == 0.0 {
-            *hand = if level.dot(forward) < 0.0 { -1.0 } else { 1.0 };
-        }
-        level * *hand
+/// Sine of the slope below which a surface is a floor, or a ceiling.
+const FLAT: f32 = 0.3;
+
+/// The direction along a wall of this normal that keeps it on the same hand, at the same height; on along a floor.
+fn along(basis: &Basis, free: Vec3, hand: &mut f32) -> Vec3 {
+    let level = basis.up.cross(free);
+    if level.length() < FLAT {
+        return basis.forward.reject_from_normalized(free).normalize_or(basis.forward);
     }
+    // this leads on with the wall on the right
+    if *hand == 0.0 {
+        *hand = if level.dot(basis.forward) > 0.0 { -1.0 } else { 1.0 };
+    }
+    level.normalize() * -*hand
 }

@@ -6,7 +6,8 @@ use crate::space::Pathway;
 use crate::steer::{Behaviour, Reason, View, Why};
 use std::sync::Arc;
 
-/// Comes back to a path that it is about to leave, or has left. Nothing to correct within its radius, in any direction.
+/// Comes back to a path that it is about to leave, or has left. Nothing to correct while it will be on the path, in any
+/// direction, be it round a corner.
 ///
 /// ```
 /// use glam::Vec3;
