@@ -47,3 +47,8 @@ pub use single::*;
 pub use target::{Mark, Target, Who};
 pub use view::{Event, Neighbour, Others, View};
 pub use why::{Reason, Told, Why};
+
+/// The page on a behaviour of one's own: its example is a test.
+#[cfg(doctest)]
+#[doc = include_str!("../../../../docs/behaviours.md")]
+struct Page;

@@ -20,7 +20,8 @@ pub struct Whisker {
 /// Turns away from what its whiskers touch: goes to a point off the surface, before the nearest touch. Nothing to correct
 /// while they touch nothing.
 ///
-/// Cheap, but rays miss what is thin; [`AvoidObstacles`](super::AvoidObstacles) misses nothing.
+/// Cheap, but rays miss what is thin, and two that feel both sides of one thing may disagree in turn: put them into a
+/// [`Hold`](crate::steer::Hold).  [`AvoidObstacles`](super::AvoidObstacles) misses nothing.
 ///
 /// ```
 /// use glam::Vec3;
@@ -63,6 +64,9 @@ impl Whiskers {
     }
 }
 
+/// Of touches as far away as this, within rounding, that of the first whisker counts.
+const NEARER: f32 = 0.999;
+
 impl Behaviour for Whiskers {
     fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
         let basis = &view.motion.basis;
@@ -71,7 +75,11 @@ impl Behaviour for Whiskers {
             let direction = turned(basis.forward, basis.up, whisker.angle);
             self.barriers.ahead(start, direction, 0.0, whisker.length).map(|(_, hit)| hit)
         };
-        let hit = self.whiskers.iter().filter_map(touch).reduce(|a, b| if b.distance < a.distance { b } else { a })?;
+        let hit = self
+            .whiskers
+            .iter()
+            .filter_map(touch)
+            .reduce(|a, b| if b.distance < NEARER * a.distance { b } else { a })?;
         why.note(|| Reason::Expects(hit.point));
         // straight at a surface its normal says no side, but the hint does
         let off = view.passable(hit.free() + hit.steer_hint).normalize_or(-basis.forward);
