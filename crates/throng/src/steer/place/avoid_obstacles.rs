@@ -4,11 +4,13 @@ use super::Barriers;
 use super::course::Course;
 use crate::Error;
 use crate::motion::{Steering, angle_between, turned};
+use crate::space::surface::PathIntersection;
 use crate::steer::{Behaviour, Reason, Target, View, Why};
 use glam::Vec3;
 use std::f32::consts::PI;
 
-/// Goes round what is in the way. Nothing to correct while the way ahead is free.
+/// Goes round what is in the way. Nothing to correct while the way ahead is free, and that back to where it would like to
+/// go from what it went round.
 ///
 /// The way ahead is the cylinder that its body sweeps in some seconds. Of all that is in it the nearest counts. It turns
 /// to the side where less of a turn leads past, and nearer to where it would like to go; the more the nearer the obstacle
@@ -51,6 +53,8 @@ impl From<Barriers> for AvoidObstacles {
 
 /// How much less the side that it keeps to costs.
 const KEPT: f32 = 0.8;
+/// Costs that differ by less are the same, within rounding: the first counts.
+const EQUAL: f32 = 1e-3;
 /// By how much directions that it tries differ, radians.
 const STEP: f32 = PI / 12.0;
 /// How many it tries on a side.
@@ -70,33 +74,33 @@ impl Behaviour for AvoidObstacles {
         *left = (*left - view.seconds).max(0.0);
         let wish = self.towards.find(view).map(|mark| view.to(mark.position));
         let course = self.course(view, wish);
-        let basis = course.basis;
-        let (index, hit) = self.barriers.ahead(view.position(), basis.forward, course.radius, course.reach)?;
+        let wish = wish.and_then(Vec3::try_normalize).unwrap_or(course.basis.forward);
+        let kept = |index| {
+            let side = course.basis.to_world(Vec3::new(0.0, side[0], side[1]));
+            (*left > 0.0 && *which == (index + 1) as f32).then_some(side)
+        };
+        let here = self.barriers.nearest(view.position()).map(|here| (here.point, here.free()));
+        let Some((index, hit)) = self.ahead(view, &course, course.basis.forward) else {
+            // who turned back to its goal at once would meet the same obstacle again
+            let (index, hit) = self.ahead(view, &course, wish)?;
+            let direction = self.way_out(view, &course, wish, kept(index)?)?.0;
+            *left = self.keeps;
+            why.note(|| Reason::Aim(view.position() + direction * course.reach));
+            let force = view.reach(direction * view.vehicle.max_speed).force;
+            return Some(course.held_off(force, here.into_iter().chain([(hit.point, hit.free())])));
+        };
         why.note(|| Reason::Expects(hit.point));
         if self.barriers.0[index].forbids(hit.vehicle_outside) {
             return view.go(view.passable(hit.steer_hint));
         }
-        let kept =
-            (*left > 0.0 && *which == (index + 1) as f32).then(|| basis.to_world(Vec3::new(0.0, side[0], side[1])));
-        let wish = wish.and_then(Vec3::try_normalize).unwrap_or(basis.forward);
-        let aside = course.aside(hit.free());
-        let across = basis.forward.cross(aside);
-        let sides = [aside, -aside, across, -across];
-        let sides = if view.is_on_ground() { &sides[..2] } else { &sides };
-        let costs = kept.iter().map(|kept| (kept, KEPT)).chain(sides.iter().map(|side| (side, 1.0)));
-        let ways = costs.map(|(&side, part)| {
-            let (direction, cost) = self.way_out(view, &course, side, wish);
-            (side, direction, cost * part)
-        });
-        let (chosen, direction, _) = ways.reduce(|a, b| if b.2 < a.2 { b } else { a })?;
-        let local = basis.to_local(chosen);
+        let (chosen, direction) = self.choose(view, &course, kept(index), hit.free(), wish);
+        let local = course.basis.to_local(chosen);
         (*which, *left) = ((index + 1) as f32, self.keeps);
         side.copy_from_slice(&[local.y, local.z]);
         why.note(|| Reason::Aim(view.position() + direction * course.reach));
         let urgency = 1.0 - hit.distance / course.reach.max(f32::MIN_POSITIVE);
         let speed = view.motion.speed().max(SLOW * view.vehicle.max_speed);
         let force = view.reach(direction * speed).force * urgency;
-        let here = self.barriers.nearest(view.position()).map(|here| (here.point, here.free()));
         Some(course.held_off(force, here.into_iter().chain([(hit.point, hit.free())])))
     }
 
@@ -116,15 +120,33 @@ impl AvoidObstacles {
         course
     }
 
-    /// The least turn to a side after which the way is free, and what that costs: by how much it turns now, and by how
-    /// much after that to where it would like to go. Where nothing is free, back.
-    fn way_out(&self, view: &View<'_>, course: &Course<'_>, side: Vec3, wish: Vec3) -> (Vec3, f32) {
+    /// What is in the way in a direction.
+    fn ahead(&self, view: &View<'_>, course: &Course<'_>, direction: Vec3) -> Option<(usize, PathIntersection)> {
+        self.barriers.ahead(view.position(), direction, course.radius, course.reach)
+    }
+
+    /// The side to pass on, and the direction that leads past: the one that costs least. It costs by how much it turns now,
+    /// and by how much after that to where it would like to go. Where nothing is free it turns back.
+    fn choose(&self, view: &View<'_>, course: &Course<'_>, kept: Option<Vec3>, free: Vec3, wish: Vec3) -> (Vec3, Vec3) {
         let forward = course.basis.forward;
-        let axis = forward.cross(side);
-        let tries = (1..=TRIES).map(|k| f32::from(k) * STEP).map(|angle| (turned(forward, axis, angle), angle));
-        let free = |direction| self.barriers.ahead(view.position(), direction, course.radius, course.reach).is_none();
-        let (direction, angle) =
-            tries.into_iter().find(|&(direction, _)| free(direction)).unwrap_or((-forward, 2.0 * PI));
-        (direction, angle + angle_between(direction, wish))
+        let aside = course.aside(free);
+        let across = forward.cross(aside);
+        let sides = [aside, -aside, across, -across];
+        let sides = if view.is_on_ground() { &sides[..2] } else { &sides };
+        let costs = kept.into_iter().map(|side| (side, KEPT)).chain(sides.iter().map(|&side| (side, 1.0)));
+        let ways = costs.map(|(side, part)| {
+            let (direction, angle) = self.way_out(view, course, forward, side).unwrap_or((-forward, 2.0 * PI));
+            (side, direction, (angle + angle_between(direction, wish)) * part)
+        });
+        let best = ways.reduce(|a, b| if b.2 < a.2 - EQUAL { b } else { a });
+        best.map_or((aside, -forward), |(side, direction, _)| (side, direction))
+    }
+
+    /// The first direction that is free if it turns to a side of its course, starting from another direction, and by how
+    /// much it turns.
+    fn way_out(&self, view: &View<'_>, course: &Course<'_>, from: Vec3, side: Vec3) -> Option<(Vec3, f32)> {
+        let axis = course.basis.forward.cross(side);
+        let tries = (1..=TRIES).map(|k| f32::from(k) * STEP).map(|angle| (turned(from, axis, angle), angle));
+        tries.into_iter().find(|&(direction, _)| self.ahead(view, course, direction).is_none())
     }
 }

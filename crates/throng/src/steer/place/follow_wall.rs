@@ -83,18 +83,20 @@ impl Behaviour for FollowWall {
     }
 }
 
-/// Sine of the slope below which a surface is a floor, or a ceiling.
-const FLAT: f32 = 0.3;
+/// Who goes along a wall by more than this part of its way, and less than this part of that level, climbs or dives.
+const STEEP: f32 = 0.5;
 
-/// The direction along a wall of this normal that keeps it on the same hand, at the same height; on along a floor.
+/// The direction along a wall of this normal that keeps it on the same hand, at the same height; who goes up or down along
+/// it, or along a floor, goes on so.
 fn along(basis: &Basis, free: Vec3, hand: &mut f32) -> Vec3 {
-    let level = basis.up.cross(free);
-    if level.length() < FLAT {
-        return basis.forward.reject_from_normalized(free).normalize_or(basis.forward);
+    let level = basis.up.cross(free).normalize_or_zero();
+    let on = basis.forward.reject_from_normalized(free);
+    if level == Vec3::ZERO || on.length() > STEEP && level.dot(on).abs() < STEEP * on.length() {
+        return on.normalize_or(basis.forward);
     }
-    // this leads on with the wall on the right
+    // level leads on with the wall on the right
     if *hand == 0.0 {
         *hand = if level.dot(basis.forward) > 0.0 { -1.0 } else { 1.0 };
     }
-    level.normalize() * -*hand
+    level * -*hand
 }
