@@ -28,6 +28,7 @@ mod behaviour;
 mod combine;
 mod group;
 mod noise;
+mod place;
 mod prediction;
 mod single;
 mod target;
@@ -40,8 +41,14 @@ pub use behaviour::{Behaviour, Branch};
 pub use combine::*;
 pub use group::*;
 pub use noise::Noise;
+pub use place::*;
 pub use prediction::Prediction;
 pub use single::*;
 pub use target::{Mark, Target, Who};
 pub use view::{Event, Neighbour, Others, View};
 pub use why::{Reason, Told, Why};
+
+/// The page on a behaviour of one's own: its example is a test.
+#[cfg(doctest)]
+#[doc = include_str!("../../../../docs/behaviours.md")]
+struct Page;

@@ -3,6 +3,7 @@
 mod combine;
 mod group;
 mod harness;
+mod place;
 mod single;
 mod turned;
 mod vehicle;

@@ -41,6 +41,13 @@ pub struct PathIntersection {
     pub vehicle_outside: bool,
 }
 
+impl PathIntersection {
+    /// The normal on the vehicle's side of the surface.
+    pub fn free(&self) -> Vec3 {
+        if self.vehicle_outside { self.normal } else { -self.normal }
+    }
+}
+
 /// Sine of the angle to the normal below which a vehicle heads straight at a surface: the normal says no side then.
 const HEAD_ON: f32 = 0.05;
 
@@ -48,6 +55,15 @@ impl<S: Surface> Barrier<S> {
     /// A surface seen from one side, or both.
     pub fn new(surface: S, seen_from: SeenFrom) -> Self {
         Self { surface, seen_from }
+    }
+
+    /// Whether who is outside, or inside, is on the wrong side.
+    pub fn forbids(&self, outside: bool) -> bool {
+        match self.seen_from {
+            SeenFrom::Outside => !outside,
+            SeenFrom::Inside => outside,
+            SeenFrom::Both => false,
+        }
     }
 
     /// What a vehicle meets first within `reach` metres: a ball of this radius, metres, at `position`, that goes along
@@ -60,11 +76,7 @@ impl<S: Surface> Barrier<S> {
         let here = self.surface.query(position);
         let vehicle_outside = !here.is_inside();
         let away = |normal: Vec3, outside: bool| if outside { normal } else { -normal };
-        let wrong_side = match self.seen_from {
-            SeenFrom::Outside => !vehicle_outside,
-            SeenFrom::Inside => vehicle_outside,
-            SeenFrom::Both => false,
-        };
+        let wrong_side = self.forbids(vehicle_outside);
         let back = PathIntersection {
             distance: 0.0,
             point: here.point,

@@ -99,6 +99,11 @@ impl SurfacePoint {
     pub fn is_inside(&self) -> bool {
         self.distance < 0.0
     }
+
+    /// The normal on the side of `p`.
+    pub fn free(&self) -> Vec3 {
+        if self.is_inside() { -self.normal } else { self.normal }
+    }
 }
 
 /// What a moving ball, or a ray, touches first.

@@ -1,0 +1,60 @@
+//! Crowds on a path and at a door: behaviours put together, as in the demos of Reynolds, Steering behaviors for autonomous
+//! characters, GDC 1999.
+
+use super::{AvoidObstacles, Barriers, FollowPath};
+use crate::steer::{
+    Arrive, Branch, CloseAvoidance, Condition, MoveForward, Neighbourhood, Priority, Queue, Separation, State, Switch,
+    Target, WeightedSum, Who,
+};
+
+/// How near others are from whom those in a crowd keep away, metres.
+const SPACING: f32 = 1.0;
+
+/// Walks along a path with others: keeps to the path, apart from who is near, and pushes nobody.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::space::Pathway;
+/// use throng::steer::{FollowPath, crowd_path};
+/// let path = Pathway::new(&[Vec3::ZERO, Vec3::X * 20.0, Vec3::Y * 20.0], 1.5, true)?;
+/// let crowd = crowd_path(FollowPath::from(path));
+/// # Ok::<(), throng::Error>(())
+/// ```
+pub fn crowd_path(follow: FollowPath) -> Branch {
+    let onward = Priority { epsilon: 0.0, parts: vec![follow.into(), MoveForward { part: 0.3 }.into()] };
+    among_others(onward)
+}
+
+/// Goes to a goal through a door in walls, in a queue: apart from who is near, off the walls, and pushes nobody.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::space::surface::{Cuboid, Moved, Pose, SeenFrom};
+/// use throng::steer::{Barriers, Target, queue_at_door};
+/// let wall = |y| Pose::at(Vec3::Y * y).map(|pose| Moved::new(Cuboid::new(Vec3::new(0.2, 9.0, 3.0)).expect("extents"), pose));
+/// let walls = Barriers::default().with(wall(5.0)?, SeenFrom::Outside).with(wall(-5.0)?, SeenFrom::Outside);
+/// let leave = queue_at_door(Target::Goal, Target::Point(Vec3::ZERO), walls);
+/// # Ok::<(), throng::Error>(())
+/// ```
+pub fn queue_at_door(goal: Target, door: Target, walls: Barriers) -> Branch {
+    let go = |to: Target| -> Branch {
+        let avoid = AvoidObstacles { towards: to, gap: 0.05, seconds: 1.0, ..AvoidObstacles::from(walls.clone()) };
+        Priority {
+            epsilon: 0.0,
+            parts: vec![avoid.into(), Arrive { slowing_distance: 0.0, ..Arrive::from(to) }.into()],
+        }
+        .into()
+    };
+    let through = Condition::Nearer(door, 0.5);
+    let states =
+        vec![State { behaviour: go(door), exits: vec![(through, 1)] }, State { behaviour: go(goal), exits: vec![] }];
+    among_others(Switch(states))
+}
+
+/// The same apart from who is near, and no faster than who is right ahead.
+fn among_others(of: impl Into<Branch>) -> Branch {
+    let near = Neighbourhood { distance: SPACING, ..Neighbourhood::default() };
+    let apart = Separation { near, full: 6.0 / SPACING, ..Separation::default() };
+    let close = CloseAvoidance { who: Who::Anybody, gap: 0.0 };
+    Queue::new(WeightedSum(vec![(1.0, of.into()), (1.0, apart.into()), (1.0, close.into())])).into()
+}

@@ -1,0 +1,99 @@
+//! Hiding: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
+
+use super::Barriers;
+use crate::Error;
+use crate::motion::Steering;
+use crate::steer::{Arrive, Behaviour, Mark, Reason, Target, View, Why};
+use glam::Vec3;
+
+/// Hides from somebody behind the nearest obstacle, and goes on hiding there until another is nearer by a fifth. Nothing
+/// to correct if nobody is there to hide from, or nothing to hide behind, or once it is there.
+///
+/// Obstacles without end, as planes, hide nobody. The way there may lead through the obstacle: put
+/// [`AvoidObstacles`](super::AvoidObstacles) before it.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::space::surface::{SeenFrom, Sphere};
+/// use throng::steer::{Barriers, Behaviour, Hide, Reason, Target, View, Why};
+///
+/// let tree = Sphere::new(Vec3::X * 3.0, 1.0)?;
+/// let hide = Hide { gap: 0.3, ..Hide::new(Target::Point(Vec3::X * 9.0), Barriers::default().with(tree, SeenFrom::Outside)) };
+/// let mut told = Vec::new();
+/// hide.steer(&View::default(), &mut [0.0], &mut Why::asked(&mut told)).expect("it is elsewhere");
+/// let Reason::Aim(place) = told[0].reason else { panic!("it says where") };
+/// assert!(place.distance(Vec3::X * 1.5) < 1e-4);
+/// # Ok::<(), throng::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Hide {
+    /// From whom.
+    pub from: Target,
+    /// Behind what.
+    pub barriers: Barriers,
+    /// How far its body stays from the obstacle, metres. Limit: >= 0.
+    pub gap: f32,
+    /// Who is farther away than this is nobody to hide from, metres. Limit: > 0.
+    pub range: f32,
+    /// How far from its place it begins to slow down, metres. Limit: >= 0.
+    pub slowing_distance: f32,
+}
+
+impl Hide {
+    /// From somebody, at any distance.
+    pub fn new(from: Target, barriers: Barriers) -> Self {
+        Self { from, barriers, gap: 0.2, range: f32::INFINITY, slowing_distance: 1.0 }
+    }
+
+    /// The place behind an obstacle that its middle hides, on the line from the eyes of the other.
+    fn behind(&self, index: usize, from: &Mark, view: &View<'_>) -> Option<Vec3> {
+        let surface = &self.barriers.0[index].surface;
+        let bounds = surface.bounds();
+        if !bounds.is_finite() {
+            return None;
+        }
+        let away = view.passable(bounds.center() - from.position).try_normalize()?;
+        let middle = from.position + away * away.dot(bounds.center() - from.position);
+        // from beyond it back to its far side
+        let beyond = bounds.low.distance(bounds.high);
+        let hit = surface.ray(middle + away * beyond, -away, beyond)?;
+        Some(hit.point + away * (view.radius + self.gap))
+    }
+}
+
+/// How much nearer the place is taken to be where it already hides.
+const KEPT: f32 = 0.8;
+
+impl Behaviour for Hide {
+    /// Behind which obstacle it hides, counted from 1; 0 for none.
+    fn memory(&self) -> usize {
+        1
+    }
+
+    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let [which] = memory else { return None };
+        let from = self.from.find(view).filter(|from| view.to(from.position).length() <= self.range);
+        let places = from.iter().flat_map(|from| {
+            (0..self.barriers.0.len()).filter_map(|index| Some((index, self.behind(index, from, view)?)))
+        });
+        let far = places.map(|(index, place)| {
+            let part = if *which == (index + 1) as f32 { KEPT } else { 1.0 };
+            (index, place, view.to(place).length() * part)
+        });
+        let Some((index, place, _)) = far.reduce(|a, b| if b.2 < a.2 { b } else { a }) else {
+            *which = 0.0;
+            return None;
+        };
+        *which = (index + 1) as f32;
+        let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::from(Target::Point(place)) };
+        let said = arrive.steer(view, &mut [], why);
+        from.iter().for_each(|from| why.note(|| Reason::Expects(from.position)));
+        said
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")?;
+        Error::unless(self.range > 0.0, "range", self.range, "greater than 0")?;
+        Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")
+    }
+}

@@ -1,0 +1,22 @@
+//! Behaviours that ask the world's geometry: obstacles, containers, walls, paths.
+
+mod avoid_obstacles;
+mod barriers;
+mod contain;
+mod course;
+mod crowds;
+mod follow_path;
+mod follow_wall;
+mod hide;
+mod stay_on_path;
+mod whiskers;
+
+pub use avoid_obstacles::AvoidObstacles;
+pub use barriers::Barriers;
+pub use contain::Contain;
+pub use crowds::{crowd_path, queue_at_door};
+pub use follow_path::FollowPath;
+pub use follow_wall::FollowWall;
+pub use hide::Hide;
+pub use stay_on_path::StayOnPath;
+pub use whiskers::{Whisker, Whiskers};
