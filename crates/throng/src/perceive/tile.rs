@@ -216,8 +216,11 @@ impl<'a, S: Simd> Tile<'a, S> {
                 at += S::f32s::LEN;
             }
         }
+        if count > MOST {
+            return None;
+        }
         pack.x[count..count + BATCH].fill(f32::INFINITY);
-        (count <= MOST).then_some(count)
+        Some(count)
     }
 
     /// Sorts packed points into the least keys of every lane, ascending, [`BATCH`] at a time; beyond the last lie points that
@@ -329,6 +332,25 @@ mod tests {
             };
         }
         (lists, left.iter().filter(|&&left| left).count())
+    }
+
+    #[test]
+    fn more_than_a_pack_holds_are_found_too() {
+        let mut bits = 1u32;
+        let mut coordinate = || {
+            bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (bits >> 8) as f32 / (1 << 24) as f32
+        };
+        for side in [1.0, 5.0, 12.0, 20.0] {
+            let points: Vec<Vec2> = (0..2000).map(|_| Vec2::new(coordinate(), coordinate()) * side).collect();
+            let numbers: Vec<u32> = (0..2000).collect();
+            let mut grid = Grid::default();
+            grid.rebuild(&points, &numbers, 5.0);
+            let expected = plain(&grid, &points, 10, 5.0);
+            for level in levels() {
+                assert_eq!(tiles(level, &grid, &points, 10, 5.0).0, expected, "{level:?}, {side} m");
+            }
+        }
     }
 
     proptest! {
