@@ -341,14 +341,16 @@ mod tests {
             bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             (bits >> 8) as f32 / (1 << 24) as f32
         };
-        for side in [1.0, 5.0, 12.0, 20.0] {
-            let points: Vec<Vec2> = (0..2000).map(|_| Vec2::new(coordinate(), coordinate()) * side).collect();
-            let numbers: Vec<u32> = (0..2000).collect();
+        // as many as fit, and a few more, all of them near each other
+        let full = (MOST - 4..=MOST + LANES + 2).map(|count| (count, 2.0));
+        for (count, side) in full.chain([(2000, 1.0), (2000, 5.0), (2000, 12.0), (2000, 20.0)]) {
+            let points: Vec<Vec2> = (0..count).map(|_| Vec2::new(coordinate(), coordinate()) * side).collect();
+            let numbers: Vec<u32> = (0..count as u32).collect();
             let mut grid = Grid::default();
             grid.rebuild(&points, &numbers, 5.0);
             let expected = plain(&grid, &points, 10, 5.0);
             for level in levels() {
-                assert_eq!(tiles(level, &grid, &points, 10, 5.0).0, expected, "{level:?}, {side} m");
+                assert_eq!(tiles(level, &grid, &points, 10, 5.0).0, expected, "{level:?}, {count} in {side} m");
             }
         }
     }
