@@ -23,6 +23,7 @@ fn moment(agents: u32, k: u32) -> Frame {
                 altitude: 0.0,
                 climb: 0.0,
                 heading: angle as f32 + 1.57,
+                basis: None,
                 radius: 0.25,
                 core: Vec2::ZERO,
                 preferred_speed: 1.3,

@@ -16,7 +16,7 @@ fn paint(setting: &Setting, style: &Style, frame: &Frame) -> (Painter, Image) {
 
 /// The colour a point of the world has in the picture.
 fn at(painter: &Painter, image: &Image, point: DVec2) -> Color {
-    let pixel = painter.camera().pixel(point);
+    let pixel = painter.pixel(point.extend(0.0)).unwrap();
     image.pixel(pixel.x as u32, pixel.y as u32)
 }
 
@@ -148,7 +148,7 @@ fn everything_is_in_the_picture_of_the_automatic_view() {
     frame.bodies[1].position = DVec2::new(300.0, -200.0);
     let painter = Painter::new(&setting(), &Style::default(), &frame).unwrap();
     for point in [frame.bodies[0].position, frame.bodies[1].position, DVec2::new(0.0, 5.0)] {
-        let pixel = painter.camera().pixel(point);
+        let pixel = painter.pixel(point.extend(0.0)).unwrap();
         assert!(pixel.cmpge(Vec2::ZERO).all() && pixel.cmple(Vec2::new(640.0, 480.0)).all(), "{point} at {pixel}");
     }
 }

@@ -1,7 +1,8 @@
 //! From a world to its setting and its moments.
 
 use crate::{Body, Frame, Setting};
-use throng::World;
+use throng::motion::Locomotion;
+use throng::{Group, World};
 
 impl Setting {
     /// The place, the groups and the goals of a world as they are now.
@@ -53,12 +54,18 @@ impl Frame {
             velocity: agents.velocity[row],
             climb: agents.climb[row],
             heading: agents.heading[row],
+            basis: flies(&world.groups()[agents.group[row].index()]).then(|| agents.attitude[row].basis),
             radius: agents.radius[row],
             core: agents.core[row],
             preferred_speed: agents.preferred_speed[row],
             status: agents.status[row],
         }));
     }
+}
+
+/// Whether those of a group fly as vehicles.
+fn flies(group: &Group) -> bool {
+    group.steering.is_some() && group.vehicle.locomotion != Locomotion::Ground
 }
 
 #[cfg(test)]

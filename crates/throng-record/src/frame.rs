@@ -1,6 +1,7 @@
 //! One moment of a world, and what stays the same from moment to moment.
 
-use glam::{DVec2, Vec2};
+use glam::{DVec2, DVec3, Vec2};
+use throng::motion::Basis;
 use throng::{Goal, Obstacle, Status, Walkable};
 
 /// What stays the same over a recording: the place and the names.
@@ -53,6 +54,8 @@ pub struct Body {
     pub climb: f32,
     /// Direction of the body, radians counter-clockwise from +x.
     pub heading: f32,
+    /// Which way one faces who flies as a vehicle: it climbs and banks; `None`: upright, along its heading.
+    pub basis: Option<Basis>,
     /// Radius of a disc, or of the rounding of another body, metres.
     pub radius: f32,
     /// Half extents of what is rounded, along and across the heading, metres; zero for a disc ([`throng::Body`]).
@@ -67,6 +70,11 @@ impl Body {
     /// How fast it is, in space, m/s.
     pub fn speed(&self) -> f32 {
         self.velocity.extend(self.climb).length()
+    }
+
+    /// Where it is in space, metres.
+    pub fn center(&self) -> DVec3 {
+        self.position.extend(f64::from(self.altitude))
     }
 
     /// The shape.

@@ -34,6 +34,7 @@ pub fn moment(k: usize) -> Frame {
         altitude: 0.0,
         climb: 0.0,
         heading: velocity.y.atan2(velocity.x),
+        basis: None,
         radius: 0.5,
         core: Vec2::ZERO,
         preferred_speed: 1.0,
