@@ -8,7 +8,7 @@ use throng::steer::{
     Behaviour, Evade, Flocking, Pursue, Seek, Separation, Target, UnalignedAvoidance, Wander, WeightedSum,
 };
 use throng::{Agent, Error, Group, GroupId, Obstacle, Settings, SubSteps, World};
-use throng_draw::{Film, Projection, Still, Style, Theme, Viewpoint};
+use throng_draw::{Annotation, Film, Projection, Still, Style, Theme, Viewpoint};
 use throng_record::{Frame, Setting};
 
 const STEP: f64 = 1.0 / 30.0;
@@ -32,6 +32,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                     ..Viewpoint::default()
                 };
             }
+            "annotate" => style.annotations.kinds = Annotation::ALL.to_vec(),
+            "few" => style.annotations.agents = Some(vec![0, 1, 17, 42]),
             number => seconds = number.parse()?,
         }
     }
@@ -41,6 +43,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         "chase" => chase()?,
         _ => return Err(format!("unknown world: {name}").into()),
     };
+    world.ask(style.annotations.asked());
     let mut film = Film::create(path, &Setting::of(&world, name), &style, 30.0)?.still(Still::Last);
     for _ in 0..(seconds / STEP) as usize {
         world.step();

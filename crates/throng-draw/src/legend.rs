@@ -4,7 +4,7 @@ use crate::color::ramp;
 use crate::look::Look;
 use crate::mark::{Anchor, Mark, Stroke};
 use crate::text::Type;
-use crate::{ColorBy, Style};
+use crate::{Annotation, ColorBy, Style, annotate};
 use glam::Vec2;
 use throng_record::{Frame, Setting};
 
@@ -93,6 +93,12 @@ impl Layout {
             marks.push(self.text(counts, at, Anchor::End, self.size, style.theme.quiet));
         }
         marks
+    }
+
+    /// What the lines beside agents are, below the title.
+    pub(crate) fn annotations(&self, kinds: &[Annotation], style: &Style) -> Vec<Mark> {
+        let size = 0.85 * self.size;
+        annotate::key(kinds, style, Vec2::new(self.margin, self.top() + 1.9 * self.size), size, self.unit)
     }
 
     fn text(&self, text: String, at: Vec2, anchor: Anchor, size: f32, color: crate::Color) -> Mark {

@@ -5,6 +5,7 @@
 //! [`Painter`] paints single moments into memory, with the look that [`Style`] describes; [`Figure`] draws why one
 //! agent goes where it goes; [`sink`] holds the kinds of output for pictures of any origin.
 
+mod annotate;
 mod camera;
 mod color;
 mod error;
@@ -29,6 +30,7 @@ mod svg;
 mod text;
 mod trail;
 
+pub use annotate::{Annotation, Annotations};
 pub use camera::{Camera, WorldBox};
 pub use color::{Color, PALETTE, palette, ramp, wheel};
 pub use error::Error;

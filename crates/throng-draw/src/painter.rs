@@ -7,12 +7,15 @@ use crate::projector::Projector;
 use crate::space::Stage;
 use crate::text::Type;
 use crate::trail::{Brush, Track, Trail, Trails};
-use crate::{Camera, Color, Error, Image, Projection, Style, WorldBox, place, raster};
+use crate::{Annotation, Camera, Color, Error, Image, Projection, Style, WorldBox, place, raster};
 use glam::{DVec2, DVec3, Vec2};
-use throng_record::{Frame, Setting};
+use std::collections::BTreeSet;
+use throng_record::{Body, Frame, Setting};
 
 /// Points of a trail are this far apart, pixels.
 const TRAIL_SPACING: f32 = 4.5;
+/// How long the trails of those who are annotated are, seconds.
+const WAYS: f64 = 10.0;
 
 /// How the world is seen.
 #[derive(Debug)]
@@ -46,6 +49,12 @@ pub struct Painter {
     pub(crate) look: Look,
     typeface: Type,
     trails: Trails,
+    /// Where those who are annotated have been.
+    pub(crate) ways: Trails,
+    /// The annotations that there was something of.
+    seen: BTreeSet<Annotation>,
+    /// What places that agents tell are relative to.
+    pub(crate) origin: DVec2,
     /// What stays, below the agents: ground, obstacles and goals.
     pub(crate) place: Vec<Mark>,
     /// What the legend always says, above the agents.
@@ -95,6 +104,9 @@ impl Painter {
             look,
             typeface,
             trails: Trails::default(),
+            ways: Trails::default(),
+            seen: BTreeSet::new(),
+            origin: setting.origin,
             place,
             legend,
             image: background.clone(),
@@ -131,8 +143,13 @@ impl Painter {
                 spacing / stage.scale()
             }
         };
-        let look = &self.look;
-        self.trails.follow(frame, f64::from(self.style.trails), spacing, |k| look.color(&frame.bodies[k]));
+        let (look, wanted) = (&self.look, &self.style.annotations);
+        let color = |body: &Body| look.color(body);
+        self.trails.follow(frame, f64::from(self.style.trails), spacing, |body| Some(color(body)));
+        if wanted.kinds.contains(&Annotation::Trails) {
+            self.ways.follow(frame, WAYS, spacing, |body| wanted.concern(body).then(|| color(body)));
+        }
+        self.seen.extend(wanted.in_frame(frame));
     }
 
     /// Paints a moment.
@@ -156,8 +173,11 @@ impl Painter {
             View::Plan(camera) => self.plan(camera, frame),
             View::Space(stage) => self.scene(stage, frame),
         };
+        parts.push(("annotations", self.annotations(frame)));
         let mut legend = self.legend.clone();
         if self.style.legend {
+            let seen: Vec<Annotation> = self.seen.iter().copied().collect();
+            legend.extend(self.layout.annotations(&seen, &self.style));
             legend.extend(self.layout.moment(frame, &self.style, &self.typeface));
         }
         parts.push(("legend", legend));

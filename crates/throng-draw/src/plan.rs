@@ -3,7 +3,7 @@
 use crate::mark::Mark;
 use crate::rounded::{NOTCH_LEAST_RADIUS, Rounded};
 use crate::{Camera, Color, Painter};
-use glam::Vec2;
+use glam::{DVec3, Vec2};
 use throng_record::{Body, Frame};
 
 /// The least radius an agent is drawn with, pixels.
@@ -44,6 +44,12 @@ impl Painter {
             notch,
         }
     }
+}
+
+/// The middle of a body as it stands: who is on the ground stands on it.
+pub(crate) fn middle(body: &Body) -> DVec3 {
+    let up = if body.altitude > 0.0 { 0.0 } else { f64::from(body.radius) };
+    body.center() + DVec3::Z * up
 }
 
 /// Everybody, the lower first, of those at one altitude by number.

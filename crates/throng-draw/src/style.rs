@@ -1,6 +1,6 @@
 //! How a picture should look.
 
-use crate::{Color, Viewpoint, WorldBox};
+use crate::{Annotations, Color, Viewpoint, WorldBox};
 
 /// How a picture should look. The default is a calm light picture of 640 by 480 pixels.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +22,8 @@ pub struct Style {
     pub color_by: ColorBy,
     /// The colours of groups, by index; where there is none, the palette's.
     pub groups: Vec<Option<Color>>,
+    /// What is drawn beside agents of what they have in mind.
+    pub annotations: Annotations,
     /// Whether agents have a notch that shows their heading.
     pub headings: bool,
     /// Whether goals are drawn.
@@ -43,6 +45,7 @@ impl Default for Style {
             trails: 1.5,
             color_by: ColorBy::Group,
             groups: Vec::new(),
+            annotations: Annotations::default(),
             headings: true,
             goals: true,
             legend: true,

@@ -5,7 +5,7 @@ use crate::image::{Image, blend};
 use crate::projector::Projector;
 use glam::{DVec3, Vec2};
 use std::collections::{BTreeMap, VecDeque};
-use throng_record::Frame;
+use throng_record::{Body, Frame};
 
 /// An agent that is further away than this from where it just was has been moved, metres.
 const JUMP: f64 = 3.0;
@@ -34,9 +34,15 @@ pub(crate) struct Trails {
 }
 
 impl Trails {
-    /// Remembers where everybody is. Points nearer together than `spacing` metres are one; what is older than
+    /// Remembers where everybody is who has a colour. Points nearer together than `spacing` metres are one; what is older than
     /// `seconds` is forgotten. Time that runs backwards starts anew.
-    pub(crate) fn follow(&mut self, frame: &Frame, seconds: f64, spacing: f64, colors: impl Fn(usize) -> Color) {
+    pub(crate) fn follow(
+        &mut self,
+        frame: &Frame,
+        seconds: f64,
+        spacing: f64,
+        colors: impl Fn(&Body) -> Option<Color>,
+    ) {
         if frame.time < self.last {
             self.tracks.clear();
         }
@@ -44,13 +50,11 @@ impl Trails {
         if seconds <= 0.0 {
             return;
         }
-        for (k, body) in frame.bodies.iter().enumerate() {
-            if !body.position.is_finite() {
-                continue;
-            }
+        for body in frame.bodies.iter().filter(|body| body.position.is_finite()) {
+            let Some(color) = colors(body) else { continue };
             let place = body.center();
             let track = self.tracks.entry(body.number).or_default();
-            (track.color, track.radius) = (Some(colors(k)), body.shape().girth());
+            (track.color, track.radius) = (Some(color), body.shape().girth());
             let points = &mut track.points;
             if points.back().is_some_and(|p| p.1.distance(place) > JUMP.max(10.0 * spacing)) {
                 points.clear();
@@ -226,7 +230,6 @@ impl TrailLayer {
 mod tests {
     use super::*;
     use glam::DVec2;
-    use throng_record::Body;
 
     const INK: Color = Color::rgb(0);
     const PAPER: Color = Color::rgb(0xffffff);
@@ -247,7 +250,7 @@ mod tests {
             preferred_speed: 1.0,
             status: throng::Status::Walking,
         };
-        Frame { time, bodies: at.map(body).into_iter().collect(), arrived: 0, total: 1 }
+        Frame { time, bodies: at.map(body).into_iter().collect(), accounts: Vec::new(), arrived: 0, total: 1 }
     }
 
     #[test]
@@ -255,29 +258,29 @@ mod tests {
         let mut trails = Trails::default();
         for k in 0..50 {
             let time = f64::from(k) * 0.1;
-            trails.follow(&moment(time, Some(DVec2::new(time, 0.0))), 1.5, 0.1, |_| INK);
+            trails.follow(&moment(time, Some(DVec2::new(time, 0.0))), 1.5, 0.1, |_| Some(INK));
             let points = trails.tracks[&3].points.len();
             assert!(points <= 18, "{points} points");
         }
-        trails.follow(&moment(6.0, None), 1.5, 0.1, |_| INK);
+        trails.follow(&moment(6.0, None), 1.5, 0.1, |_| Some(INK));
         assert_eq!(trails.tracks.len(), 1, "the trail outlives the agent");
-        trails.follow(&moment(6.5, None), 1.5, 0.1, |_| INK);
+        trails.follow(&moment(6.5, None), 1.5, 0.1, |_| Some(INK));
         assert!(trails.tracks.is_empty());
     }
 
     #[test]
     fn an_agent_that_is_moved_leaves_no_trail_across() {
         let mut trails = Trails::default();
-        trails.follow(&moment(0.0, Some(DVec2::ZERO)), 1.5, 0.1, |_| INK);
-        trails.follow(&moment(0.1, Some(DVec2::new(50.0, 0.0))), 1.5, 0.1, |_| INK);
+        trails.follow(&moment(0.0, Some(DVec2::ZERO)), 1.5, 0.1, |_| Some(INK));
+        trails.follow(&moment(0.1, Some(DVec2::new(50.0, 0.0))), 1.5, 0.1, |_| Some(INK));
         assert_eq!(trails.tracks[&3].points.len(), 1);
     }
 
     #[test]
     fn time_that_runs_backwards_starts_anew() {
         let mut trails = Trails::default();
-        trails.follow(&moment(5.0, Some(DVec2::ZERO)), 1.5, 0.1, |_| INK);
-        trails.follow(&moment(1.0, Some(DVec2::ONE)), 1.5, 0.1, |_| INK);
+        trails.follow(&moment(5.0, Some(DVec2::ZERO)), 1.5, 0.1, |_| Some(INK));
+        trails.follow(&moment(1.0, Some(DVec2::ONE)), 1.5, 0.1, |_| Some(INK));
         assert_eq!(trails.tracks[&3].points, [(1.0, DVec2::ONE.extend(0.0))]);
     }
 

@@ -23,6 +23,7 @@ impl Setting {
             groups: world.groups().iter().map(|group| group.name.clone()).collect(),
             goals: world.goals().to_vec(),
             in_space: world.in_space(),
+            origin: world.settings().origin,
         }
     }
 }
@@ -42,6 +43,8 @@ impl Frame {
         self.time = world.time();
         self.arrived = counts.arrived;
         self.total = counts.agents;
+        self.accounts.clear();
+        self.accounts.extend_from_slice(world.accounts());
         self.bodies.clear();
         let mut rows: Vec<usize> = (0..agents.len()).collect();
         rows.sort_unstable_by_key(|&row| agents.number[row]);

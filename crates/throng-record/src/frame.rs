@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3, Vec2};
 use throng::motion::Basis;
-use throng::{Goal, Obstacle, Status, Walkable};
+use throng::{Account, Goal, Obstacle, Status, Walkable};
 
 /// What stays the same over a recording: the place and the names.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,6 +20,8 @@ pub struct Setting {
     pub goals: Vec<Goal>,
     /// Whether somebody flies, or will.
     pub in_space: bool,
+    /// World coordinates of what places in [`Frame::accounts`] are relative to.
+    pub origin: DVec2,
 }
 
 /// Everybody at one moment.
@@ -29,6 +31,9 @@ pub struct Frame {
     pub time: f64,
     /// Everybody who is there, by number.
     pub bodies: Vec<Body>,
+    /// Why those who are [asked](throng::World::ask) go where they go, by number; places are relative to
+    /// [`Setting::origin`].
+    pub accounts: Vec<Account>,
     /// How many are at the end of their journeys, the removed ones included.
     pub arrived: usize,
     /// How many there are in all: here, gone, and yet to come.

@@ -1,5 +1,6 @@
 //! The world: what is there, and the step that moves it on.
 
+mod account;
 mod advance;
 mod advance_lanes;
 mod agree;
@@ -24,6 +25,7 @@ mod steer;
 mod velocities;
 mod way;
 
+pub use account::{Account, Asked};
 pub use explain::{Explanation, Seen};
 pub use stage::Stage;
 
@@ -104,6 +106,7 @@ pub struct World {
     legs: Legs,
     step: StepMemory,
     instructions: Instructions,
+    asked: Asked,
 }
 
 /// Which row each id names.
@@ -128,6 +131,7 @@ struct StepMemory {
     close_pair: Option<(usize, usize)>,
     near: perceive::Neighbours,
     shown: Vec<Shown>,
+    accounts: Vec<Account>,
     index: steer::Index,
     planned: Vec<steer::Planned>,
     following: Vec<queue::Following>,

@@ -12,6 +12,7 @@ pub fn crossing() -> Setting {
     let pillar = |x: f64, y: f64| Obstacle::Circle { center: DVec2::new(x, y), radius: 0.45 };
     Setting {
         in_space: false,
+        origin: DVec2::ZERO,
         title: "Two streams crossing".into(),
         walkable: vec![Walkable { outer: corners(0.0, 0.4, 24.0, 15.0), holes: vec![corners(9.0, 12.0, 12.5, 13.6)] }],
         obstacles: vec![
@@ -81,5 +82,5 @@ pub fn moment(k: usize) -> Frame {
             status: if there { Status::Arrived } else { Status::Walking },
         });
     }
-    Frame { time, bodies, arrived: 6, total: 63 }
+    Frame { time, bodies, accounts: Vec::new(), arrived: 6, total: 63 }
 }

@@ -11,12 +11,12 @@ pub use viewpoint::Viewpoint;
 
 use crate::look::Coat;
 use crate::mark::Mark;
-use crate::plan::{LEAST_RADIUS, SHADOW_OPACITY, stacked};
+use crate::plan::{LEAST_RADIUS, SHADOW_OPACITY, middle, stacked};
 use crate::rounded::{NOTCH_LEAST_RADIUS, Rounded};
 use crate::trail::Trail;
 use crate::{Color, Painter, Style, WorldBox};
 use dart::Dart;
-use glam::{DVec2, DVec3, Vec2};
+use glam::{DVec2, Vec2};
 use ground::Ground;
 use solid::{Face, Solid, Tone};
 use throng_record::{Body, Frame, Setting};
@@ -147,10 +147,9 @@ impl Painter {
         marks
     }
 
-    /// A ball; on the ground it stands on it.
+    /// A ball.
     fn ball(&self, body: &Body, coat: Coat, stage: &Stage) -> Rounded {
-        let (lens, up) = (&stage.lens, if body.altitude > 0.0 { 0.0 } else { f64::from(body.radius) });
-        let center = body.center() + DVec3::Z * up;
+        let (lens, center) = (&stage.lens, middle(body));
         let radius = ((f64::from(body.radius) * lens.scale(center)) as f32).max(LEAST_RADIUS);
         let ahead = DVec2::from_angle(f64::from(body.heading)).extend(0.0);
         let along = lens.direction(center, ahead).filter(|_| self.style.headings && radius >= NOTCH_LEAST_RADIUS);
