@@ -14,7 +14,7 @@ use throng_record::{Body, Frame};
 
 /// Seconds of way that arrows of velocities show, and seconds² of accelerations.
 const WAY: f64 = 0.5;
-const PUSH: f64 = 0.5;
+const PUSH: f64 = 0.25;
 /// Corners of a circle.
 const ROUND: usize = 48;
 /// Of more agents than this the lines step back.
@@ -61,7 +61,7 @@ impl Painter {
                 projector: &self.projector(),
                 unit: self.layout.unit,
                 color: color.alpha(strength * f32::from(color.a) / 255.0),
-                width: if agents.len() > MANY { 0.8 } else { 1.2 },
+                width: kind.width() * if agents.len() > MANY { 0.7 } else { 1.0 },
                 dashed: kind.is_dashed(),
                 marks: &mut marks,
             };

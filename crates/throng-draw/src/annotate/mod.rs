@@ -32,7 +32,7 @@ pub enum Annotation {
     Preferred,
     /// The velocity they have: the way of half a second.
     Velocity,
-    /// The force they steer by, over their mass: a metre for every 2 m/s².
+    /// The force they steer by, over their mass: a metre for every 4 m/s².
     Force,
 }
 
@@ -51,19 +51,28 @@ impl Annotation {
         Self::Force,
     ];
 
+    /// What it is called in files and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Neighbourhoods => "neighbourhoods",
+            Self::Trails => "trails",
+            Self::Paths => "paths",
+            Self::Feelers => "feelers",
+            Self::Predictions => "predictions",
+            Self::Targets => "targets",
+            Self::Threats => "threats",
+            Self::Preferred => "preferred",
+            Self::Velocity => "velocity",
+            Self::Force => "force",
+        }
+    }
+
     /// What the key says.
     fn says(self) -> &'static str {
         match self {
-            Self::Neighbourhoods => "neighbourhood",
-            Self::Trails => "trail",
-            Self::Paths => "path",
-            Self::Feelers => "feeler",
-            Self::Predictions => "prediction",
-            Self::Targets => "target",
-            Self::Threats => "threat",
             Self::Preferred => "preferred velocity",
-            Self::Velocity => "velocity",
             Self::Force => "steering force",
+            kind => kind.name(),
         }
     }
 
@@ -79,6 +88,15 @@ impl Annotation {
             Self::Threats => Color::rgb(0xc8372d),
             Self::Preferred => Color::rgb(0x2b94a6),
             Self::Force => Color::rgb(0xdd7a1f),
+        }
+    }
+
+    /// How thick its lines are, in units of the layout.
+    fn width(self) -> f32 {
+        match self {
+            Self::Neighbourhoods => 0.7,
+            Self::Preferred | Self::Velocity | Self::Force => 1.4,
+            _ => 1.0,
         }
     }
 
