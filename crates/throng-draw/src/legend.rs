@@ -96,9 +96,9 @@ impl Layout {
     }
 
     /// What the lines beside agents are, below the title.
-    pub(crate) fn annotations(&self, kinds: &[Annotation], style: &Style) -> Vec<Mark> {
-        let size = 0.85 * self.size;
-        annotate::key(kinds, style, Vec2::new(self.margin, self.top() + 1.9 * self.size), size, self.unit)
+    pub(crate) fn annotations(&self, kinds: &[Annotation], style: &Style, typeface: &Type) -> Vec<Mark> {
+        let at = Vec2::new(self.margin, self.top() + 1.9 * self.size);
+        annotate::key(kinds, style, at, 0.85 * self.size, typeface)
     }
 
     fn text(&self, text: String, at: Vec2, anchor: Anchor, size: f32, color: crate::Color) -> Mark {

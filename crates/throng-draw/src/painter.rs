@@ -177,7 +177,7 @@ impl Painter {
         let mut legend = self.legend.clone();
         if self.style.legend {
             let seen: Vec<Annotation> = self.seen.iter().copied().collect();
-            legend.extend(self.layout.annotations(&seen, &self.style));
+            legend.extend(self.layout.annotations(&seen, &self.style, &self.typeface));
             legend.extend(self.layout.moment(frame, &self.style, &self.typeface));
         }
         parts.push(("legend", legend));

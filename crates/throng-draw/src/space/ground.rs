@@ -9,6 +9,7 @@ use crate::place::spots_to_go;
 use crate::style::Theme;
 use crate::trail::{End, Trail};
 use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
 use throng::{Goal, Walkable};
 use throng_record::{Frame, Setting};
 
@@ -23,7 +24,7 @@ const MANY_GOALS: usize = 40;
 /// Corners of a ring.
 const ROUND: usize = 28;
 
-/// What lies on the ground, and the goals above it.
+/// What lies on the ground, and the goals above it: those lie flat, these face the eye.
 #[derive(Clone, Debug)]
 pub(super) struct Ground {
     walkable: Vec<Walkable>,
@@ -80,11 +81,15 @@ impl Ground {
         for &(at, near) in &self.spots {
             // a ring that can be seen
             let radius = near.max(3.0 * f64::from(unit) / lens.scale(at));
-            let around =
-                (0..ROUND).map(|k| DVec2::from_angle(k as f64 * std::f64::consts::TAU / ROUND as f64) * radius);
-            let points = lens.area(around.map(|out| at + out.extend(0.0)));
-            let color = theme.goal.alpha(faint * (1.0 - lens.haze(at)));
-            marks.push(Mark::Line { points, closed: true, stroke: Stroke::plain(1.1 * unit, color) });
+            let stroke = Stroke::plain(1.1 * unit, theme.goal.alpha(faint * (1.0 - lens.haze(at))));
+            if at.z > 0.0 {
+                let ring = |center| Mark::Ring { center, radius: (radius * lens.scale(at)) as f32, stroke };
+                marks.extend(lens.pixel(at).map(ring));
+            } else {
+                let around = (0..ROUND).map(|k| DVec2::from_angle(k as f64 * TAU / ROUND as f64) * radius);
+                let points = lens.area(around.map(|out| at + out.extend(0.0)));
+                marks.push(Mark::Line { points, closed: true, stroke });
+            }
         }
         marks
     }

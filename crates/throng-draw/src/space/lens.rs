@@ -86,7 +86,7 @@ impl Lens {
     /// How much of its colour a point loses to the air before it: 0 to 1.
     pub(crate) fn haze(&self, point: DVec3) -> f32 {
         let [from, to] = self.clear;
-        (HAZE * ((self.depth(point) - from) / (to - from)).clamp(0.0, 1.0)) as f32
+        (HAZE * ((self.depth(point) - from) / (to - from)).clamp(0.0, 1.0).powi(2)) as f32
     }
 
     /// How far from the eye a point is along the ground. Of two points on one line of sight, the nearer in space is the

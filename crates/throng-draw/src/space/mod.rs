@@ -138,7 +138,7 @@ impl Painter {
         } else {
             let low = f64::from(body.altitude);
             let block = Solid::prism(footprint(body, 0.0), low, low + 2.0 * f64::from(body.shape().girth()));
-            let tone = Tone { fill: coat.fill, edge: coat.rim, dark: coat.rim, air: coat.fill };
+            let tone = Tone { fill: coat.fill, edge: coat.rim, dark: stage.tone.dark, air: coat.fill };
             let mut faces = Vec::new();
             block.faces(tone, lens, f64::INFINITY, unit, &mut faces);
             faces.sort_by(|a, b| b.0.total_cmp(&a.0));

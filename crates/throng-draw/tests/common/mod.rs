@@ -54,3 +54,26 @@ pub fn read_png(path: &Path) -> Vec<u8> {
     reader.next_frame(&mut rgb).unwrap();
     rgb
 }
+
+/// Checks that tags close in order and that attributes and text are clean; returns the number of elements.
+#[allow(dead_code)] // not every test reads documents
+pub fn elements(svg: &str) -> usize {
+    let (mut open, mut count) = (Vec::new(), 0);
+    for piece in svg.split('<').skip(1) {
+        let (tag, text) = piece.split_once('>').expect("a tag ends");
+        assert!(tag.matches('"').count() % 2 == 0, "quotes come in pairs: {tag}");
+        for (at, _) in text.match_indices('&') {
+            assert!(["&amp;", "&lt;", "&gt;"].iter().any(|e| text[at..].starts_with(e)), "{text}");
+        }
+        if tag.starts_with('?') || tag.ends_with('/') {
+            count += 1;
+        } else if let Some(name) = tag.strip_prefix('/') {
+            assert_eq!(open.pop(), Some(name));
+        } else {
+            open.push(tag.split_whitespace().next().unwrap());
+            count += 1;
+        }
+    }
+    assert!(open.is_empty(), "left open: {open:?}");
+    count
+}
