@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::annotate::AnnotateArgs;
 use crate::bench::args::{self as bench, BenchArgs};
 use crate::compare::{COMPARE, COMPARE_SHORT, CompareArgs};
 use crate::explain::args::{self as explain, ExplainArgs};
@@ -122,6 +123,8 @@ Examples:
   throng run doorway -o door.mp4 -o door.csv -o end.png --color speed
   throng run office.toml -o frames/ --fps 10 --size 1280x720 --camera 0,0,20,15
   throng run bottleneck --speed-up 4 --trails 5
+  throng run drones --projection plan
+  throng run crossing --annotate=velocity,targets --annotate-agents 1,5
   throng run headon --json --no-files --set avoid.orca.time_horizon=3
   throng run station.wkt --exit 10,0,2,4 --people 500 -o station.mp4
   throng run scenario.zip -o scenario.csv --limit 60";
@@ -175,6 +178,10 @@ pub struct RunArgs {
     /// Which moments pictures show, and how they look.
     #[command(flatten)]
     pub film: FilmArgs,
+
+    /// What is drawn beside agents.
+    #[command(flatten)]
+    pub annotate: AnnotateArgs,
 }
 
 /// What `throng list` is told.

@@ -3,9 +3,9 @@
 use crate::failure::Failure;
 use crate::source::parse_four;
 use clap::{Args, ValueEnum};
-use glam::DVec2;
-use throng_draw::{Color, ColorBy, Style, WorldBox};
-use throng_scene::{Colour, Scene};
+use glam::{DVec2, DVec3};
+use throng_draw::{Color, ColorBy, Projection, Style, Viewpoint, WorldBox};
+use throng_scene::{Camera, Colour, Scene, View};
 
 /// How pictures look.
 #[derive(Args, Debug)]
@@ -19,6 +19,11 @@ pub struct LookArgs {
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = parse_four, allow_hyphen_values = true)]
     pub camera: Option<[f64; 4]>,
 
+    /// Whether the world is seen from straight above or in perspective [default: the scene's `view.projection`, else in
+    /// perspective where somebody flies]
+    #[arg(long, value_enum, value_name = "HOW")]
+    pub projection: Option<ProjectionArg>,
+
     /// How long the trails behind agents are, seconds; 0 for none
     #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative)]
     pub trails: Option<f64>,
@@ -30,6 +35,15 @@ pub struct LookArgs {
     /// Leaves out the notch that shows which way an agent faces
     #[arg(long)]
     pub no_headings: bool,
+}
+
+/// How the world is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ProjectionArg {
+    /// From straight above, true to scale
+    Plan,
+    /// By an eye: what is far away is small and pale
+    Perspective,
 }
 
 /// What the colour of an agent says.
@@ -82,6 +96,8 @@ impl LookArgs {
             width,
             height,
             view: shown,
+            projection: self.projection(view),
+            viewpoint: viewpoint(view.camera.unwrap_or_default()),
             trails: self.trails.or(view.trails).map_or(default.trails, |seconds| seconds as f32),
             color_by: match self.color {
                 ColorArg::Group => ColorBy::Group,
@@ -95,6 +111,29 @@ impl LookArgs {
             theme,
             ..default
         })
+    }
+}
+
+impl LookArgs {
+    /// How the world is seen, if anybody says so: who places an eye wants to see through it.
+    fn projection(&self, view: &View) -> Option<Projection> {
+        match (self.projection, view.projection) {
+            (Some(ProjectionArg::Plan), _) => Some(Projection::Plan),
+            (Some(ProjectionArg::Perspective), _) => Some(Projection::Perspective),
+            (None, Some(throng_scene::Projection::Plan)) => Some(Projection::Plan),
+            (None, Some(throng_scene::Projection::Perspective)) => Some(Projection::Perspective),
+            (None, None) => view.camera.map(|_| Projection::Perspective),
+        }
+    }
+}
+
+fn viewpoint(camera: Camera) -> Viewpoint {
+    let standard = Viewpoint::default();
+    Viewpoint {
+        eye: camera.eye.map(DVec3::from),
+        target: camera.target.map(DVec3::from),
+        field_of_view: camera.field_of_view.unwrap_or(standard.field_of_view),
+        orbit: camera.orbit.unwrap_or(standard.orbit),
     }
 }
 

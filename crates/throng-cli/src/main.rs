@@ -1,5 +1,6 @@
 //! The program `throng`: runs scenes, writes video, pictures and trajectories.
 
+mod annotate;
 mod args;
 mod bench;
 mod check;

@@ -11,6 +11,7 @@ use crate::{interrupt, moment, threads};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use throng_bench::clock::process_time;
+use throng_draw::Style;
 use throng_scene::{Expect, Watch};
 
 /// Runs a scene, writes its files and its summary, and checks its `[expect]`.
@@ -55,7 +56,11 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let begin = Instant::now();
     let Loaded { name, scene, .. } = loaded;
     let (mut world, built) = loaded.build()?;
-    let style = args.film.look.style(scene, built.bounds)?;
+    let annotations = args.annotate.annotations(scene);
+    if !args.no_files {
+        world.ask(annotations.asked());
+    }
+    let style = Style { annotations, ..args.film.look.style(scene, built.bounds)? };
     let plan = Plan {
         setting: &moment::setting(&world, loaded.title()),
         style: &style,

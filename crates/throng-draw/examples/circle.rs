@@ -35,13 +35,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 altitude: 0.0,
                 climb: 0.0,
                 heading: (f64::from(n) / f64::from(count) * TAU + PI + turn) as f32,
+                basis: None,
                 radius: 0.2,
                 core: glam::Vec2::ZERO,
                 preferred_speed: 1.3,
                 status: Status::Walking,
             }
         });
-        film.push(&Frame { time, bodies: bodies.collect(), arrived: 0, total: count as usize })?;
+        film.push(&Frame { time, bodies: bodies.collect(), accounts: Vec::new(), arrived: 0, total: count as usize })?;
     }
     film.finish()?;
     Ok(())

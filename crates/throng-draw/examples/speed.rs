@@ -23,6 +23,7 @@ fn moment(agents: u32, k: u32) -> Frame {
                 altitude: 0.0,
                 climb: 0.0,
                 heading: angle as f32 + 1.57,
+                basis: None,
                 radius: 0.25,
                 core: Vec2::ZERO,
                 preferred_speed: 1.3,
@@ -30,7 +31,7 @@ fn moment(agents: u32, k: u32) -> Frame {
             }
         })
         .collect();
-    Frame { time, bodies, arrived: 0, total: agents as usize }
+    Frame { time, bodies, accounts: Vec::new(), arrived: 0, total: agents as usize }
 }
 
 /// Seconds this thread has worked, where the system says (Linux); on a busy machine they tell more than the clock.

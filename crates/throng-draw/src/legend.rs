@@ -4,7 +4,7 @@ use crate::color::ramp;
 use crate::look::Look;
 use crate::mark::{Anchor, Mark, Stroke};
 use crate::text::Type;
-use crate::{Camera, ColorBy, Style};
+use crate::{Annotation, ColorBy, Style, annotate};
 use glam::Vec2;
 use throng_record::{Frame, Setting};
 
@@ -18,6 +18,15 @@ pub(crate) struct Layout {
     /// Size of the type.
     size: f32,
     margin: f32,
+}
+
+/// What says how large things are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Scale {
+    /// A bar, at so many pixels a metre.
+    Bar(f64),
+    /// A grid of cells this wide, metres.
+    Grid(f64),
 }
 
 impl Layout {
@@ -48,11 +57,14 @@ impl Layout {
         setting: &Setting,
         style: &Style,
         look: &Look,
-        camera: &Camera,
+        scale: Scale,
         typeface: &Type,
     ) -> Vec<Mark> {
         let mut marks = Vec::new();
-        let bar = self.scale_bar(style, camera, &mut marks);
+        let bar = match scale {
+            Scale::Bar(scale) => self.scale_bar(style, scale, &mut marks),
+            Scale::Grid(metres) => self.grid_key(style, metres, typeface, &mut marks),
+        };
         let room = self.width - 2.0 * self.margin - bar - 2.0 * self.size;
         match (look.most(), style.color_by) {
             (Some(most), _) => self.ramp_key(style, most, &mut marks),
@@ -83,18 +95,24 @@ impl Layout {
         marks
     }
 
+    /// What the lines beside agents are, below the title.
+    pub(crate) fn annotations(&self, kinds: &[Annotation], style: &Style, typeface: &Type) -> Vec<Mark> {
+        let at = Vec2::new(self.margin, self.top() + 1.9 * self.size);
+        annotate::key(kinds, style, at, 0.85 * self.size, typeface)
+    }
+
     fn text(&self, text: String, at: Vec2, anchor: Anchor, size: f32, color: crate::Color) -> Mark {
         Mark::Text { text, at, anchor, size, color }
     }
 
     /// A bar of a round number of metres, about a sixth of the picture; the width it takes.
-    fn scale_bar(&self, style: &Style, camera: &Camera, marks: &mut Vec<Mark>) -> f32 {
-        let metres = round_length(f64::from(self.width) / 6.0 / camera.scale);
-        let length = camera.length(metres);
+    fn scale_bar(&self, style: &Style, scale: f64, marks: &mut Vec<Mark>) -> f32 {
+        let metres = round_length(f64::from(self.width) / 6.0 / scale);
+        let length = (metres * scale) as f32;
         if !(length.is_finite() && length > 0.0) {
             return 0.0;
         }
-        let label = if metres >= 1000.0 { format!("{} km", metres / 1000.0) } else { format!("{metres} m") };
+        let label = length_label(metres);
         let right = Vec2::new(self.width - self.margin, self.bottom());
         let left = right - Vec2::new(length, 0.0);
         let tick = Vec2::new(0.0, 4.0 * self.unit);
@@ -103,6 +121,16 @@ impl Layout {
         let at = (left + right) * 0.5 - Vec2::new(0.0, 5.0 * self.unit);
         marks.push(self.text(label, at, Anchor::Middle, 0.92 * self.size, style.theme.quiet));
         length
+    }
+
+    /// How wide the cells of the grid on the ground are; the width it takes.
+    fn grid_key(&self, style: &Style, metres: f64, typeface: &Type, marks: &mut Vec<Mark>) -> f32 {
+        let (label, size) = (format!("grid {}", length_label(metres)), 0.92 * self.size);
+        let width = typeface.width(&label, size);
+        let at = Vec2::new(self.width - self.margin, self.bottom());
+        marks.push(self.text(label, at, Anchor::End, size, style.theme.quiet));
+        // as much as a bar takes
+        width.max(self.width / 6.0)
     }
 
     fn group_key(
@@ -148,6 +176,11 @@ impl Layout {
         let most = format!("{} {unit}", (most * 100.0).round() / 100.0);
         marks.push(self.text(most, Vec2::new(high, low.y), Anchor::End, size, style.theme.quiet));
     }
+}
+
+/// A length for people.
+fn length_label(metres: f64) -> String {
+    if metres >= 1000.0 { format!("{} km", metres / 1000.0) } else { format!("{metres} m") }
 }
 
 /// The greatest of 1, 2 and 5 times a power of ten that is not above `most`.

@@ -5,6 +5,7 @@
 //! [`Painter`] paints single moments into memory, with the look that [`Style`] describes; [`Figure`] draws why one
 //! agent goes where it goes; [`sink`] holds the kinds of output for pictures of any origin.
 
+mod annotate;
 mod camera;
 mod color;
 mod error;
@@ -17,15 +18,19 @@ mod mark;
 mod painter;
 mod picture;
 mod place;
+mod plan;
+mod projector;
 mod raster;
 mod rounded;
 mod sheet;
 pub mod sink;
+mod space;
 mod style;
 mod svg;
 mod text;
 mod trail;
 
+pub use annotate::{Annotation, Annotations};
 pub use camera::{Camera, WorldBox};
 pub use color::{Color, PALETTE, palette, ramp, wheel};
 pub use error::Error;
@@ -36,4 +41,5 @@ pub use painter::Painter;
 pub use place::points_to_go;
 pub use sheet::{Sheet, columns, title_height};
 pub use sink::FrameSink;
-pub use style::{ColorBy, Style, Theme};
+pub use space::Viewpoint;
+pub use style::{ColorBy, Projection, Style, Theme};

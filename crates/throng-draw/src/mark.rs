@@ -2,6 +2,7 @@
 
 use crate::Color;
 use crate::rounded::Rounded;
+use crate::trail::Trail;
 use glam::Vec2;
 
 /// A shape or a line of type.
@@ -15,6 +16,8 @@ pub(crate) enum Mark {
     Disc { center: Vec2, radius: f32, fill: Color },
     /// An agent.
     Agent(Rounded),
+    /// Trails, none darker where they cross or meet.
+    Trails(Vec<Trail>),
     /// A circle.
     Ring { center: Vec2, radius: f32, stroke: Stroke },
     /// What of some marks lies within a rectangle of whole pixels.

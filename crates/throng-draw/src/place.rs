@@ -2,7 +2,7 @@
 
 use crate::mark::{Mark, Stroke};
 use crate::{Camera, Style};
-use glam::{DVec2, Vec2};
+use glam::{DVec2, DVec3, Vec2};
 use throng::{Goal, Obstacle};
 use throng_record::{Frame, Setting};
 
@@ -108,18 +108,23 @@ fn goal_areas(setting: &Setting, style: &Style, camera: &Camera, unit: f32, mark
 /// The point goals worth drawing, and how near one must come, metres. Where somebody stands already at the `first`
 /// moment, waiting to set off, is nobody's goal to look at.
 pub fn points_to_go(setting: &Setting, first: &Frame) -> impl Iterator<Item = (DVec2, f64)> {
+    spots_to_go(setting, first).map(|(at, tolerance)| (at.truncate(), tolerance))
+}
+
+/// As [`points_to_go`], in space: what is not in the air is on the ground.
+pub(crate) fn spots_to_go(setting: &Setting, first: &Frame) -> impl Iterator<Item = (DVec3, f64)> {
     let mut waits = vec![false; setting.goals.len()];
     for body in &first.bodies {
         let goal = body.goal.map(|goal| goal as usize).filter(|&goal| goal < waits.len());
         if let Some(goal) = goal
             && setting.goals[goal].tolerance().is_some()
         {
-            waits[goal] |= setting.goals[goal].holds(body.position.extend(body.altitude.into()));
+            waits[goal] |= setting.goals[goal].holds(body.center());
         }
     }
     setting.goals.iter().zip(waits).filter_map(|(goal, waits)| {
         let tolerance = goal.tolerance().filter(|_| !waits)?;
-        Some((goal.middle(), f64::from(tolerance)))
+        Some((goal.middle().extend(goal.altitude().unwrap_or(0.0)), f64::from(tolerance)))
     })
 }
 

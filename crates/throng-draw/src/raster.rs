@@ -4,6 +4,7 @@ use crate::Color;
 use crate::image::Image;
 use crate::mark::{Mark, Stroke};
 use crate::text::Type;
+use crate::trail::TrailLayer;
 use glam::Vec2;
 use tiny_skia::{
     FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, PixmapMut, Stroke as SkiaStroke, StrokeDash, Transform,
@@ -25,6 +26,11 @@ pub(crate) fn draw(image: &mut Image, typeface: &mut Type, marks: &[Mark]) {
             }
             Mark::Disc { center, radius, fill } => fill_path(image, circle(*center, *radius), *fill),
             Mark::Agent(disc) => disc.draw(image),
+            Mark::Trails(trails) => {
+                let mut layer = TrailLayer::new(image.width(), image.height());
+                trails.iter().for_each(|trail| layer.draw(trail));
+                layer.lay(image);
+            }
             Mark::Ring { center, radius, stroke } => stroke_path(image, circle(*center, *radius), *stroke),
             Mark::Within { low, high, marks } => {
                 let mut whole = image.clone();

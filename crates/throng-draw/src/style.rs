@@ -1,6 +1,6 @@
 //! How a picture should look.
 
-use crate::{Color, WorldBox};
+use crate::{Annotations, Color, Viewpoint, WorldBox};
 
 /// How a picture should look. The default is a calm light picture of 640 by 480 pixels.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,14 +9,21 @@ pub struct Style {
     pub width: u32,
     /// Height of the picture, pixels, 16 to 16384.
     pub height: u32,
-    /// The part of the world to show; `None`: everything the setting and the first frame hold.
+    /// The part of the world to show; `None`: everything the setting and the first frame hold. In perspective, what must
+    /// be seen of the ground, if the eye has no place of its own.
     pub view: Option<WorldBox>,
+    /// Whether it is seen from straight above or in perspective; `None`: in perspective where somebody flies.
+    pub projection: Option<Projection>,
+    /// From where it is seen in perspective.
+    pub viewpoint: Viewpoint,
     /// How long a trail is, seconds; 0 for none.
     pub trails: f32,
     /// What the colour of an agent says.
     pub color_by: ColorBy,
     /// The colours of groups, by index; where there is none, the palette's.
     pub groups: Vec<Option<Color>>,
+    /// What is drawn beside agents of what they have in mind.
+    pub annotations: Annotations,
     /// Whether agents have a notch that shows their heading.
     pub headings: bool,
     /// Whether goals are drawn.
@@ -33,15 +40,27 @@ impl Default for Style {
             width: 640,
             height: 480,
             view: None,
+            projection: None,
+            viewpoint: Viewpoint::default(),
             trails: 1.5,
             color_by: ColorBy::Group,
             groups: Vec::new(),
+            annotations: Annotations::default(),
             headings: true,
             goals: true,
             legend: true,
             theme: Theme::light(),
         }
     }
+}
+
+/// How the world is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Projection {
+    /// From straight above, true to scale.
+    Plan,
+    /// By an eye: what is far away is small and pale.
+    Perspective,
 }
 
 /// What the colour of an agent says.

@@ -1,8 +1,8 @@
 //! A moment as a vector picture.
 
 use crate::mark::{Anchor, Mark, Stroke};
-use crate::painter::stacked;
 use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};
+use crate::trail::Trail;
 use crate::{Color, Painter};
 use glam::Vec2;
 use std::fmt::{self, Write};
@@ -19,37 +19,23 @@ impl Painter {
     /// What is inside the document; `tag` is added to the names of its parts.
     fn write_content(&self, out: &mut String, frame: &Frame, tag: &str) -> fmt::Result {
         group(out, "place", tag, |out| write_marks(out, &self.place))?;
-        group(out, "trails", tag, |out| self.write_trails(out, frame))?;
-        let bodies = stacked(frame);
-        if bodies.last().is_some_and(|body| body.altitude > 0.0) {
-            let shadows: Vec<Mark> = bodies.iter().filter_map(|body| self.shadow(body)).collect();
-            group(out, "shadows", tag, |out| write_marks(out, &shadows))?;
-        }
-        group(out, "agents", tag, |out| bodies.iter().try_for_each(|body| write_body(out, &self.rounded(body))))?;
-        group(out, "legend", tag, |out| {
-            write_marks(out, &self.legend)?;
-            if self.style.legend {
-                write_marks(out, &self.layout.moment(frame, &self.style, &self.typeface))?;
-            }
-            Ok(())
-        })
+        let parts = self.moment(frame).into_iter().filter(|(_, marks)| !marks.is_empty());
+        parts.into_iter().try_for_each(|(name, marks)| group(out, name, tag, |out| write_marks(out, &marks)))
     }
+}
 
-    fn write_trails(&self, out: &mut String, frame: &Frame) -> fmt::Result {
-        writeln!(out, r#"<g fill="none" stroke-linecap="butt">"#)?;
-        for track in self.trails.tracks.values() {
-            let color = track.color.unwrap_or(self.style.theme.goal);
-            let points: Vec<_> = self.brush().pieces(track, frame.time).collect();
-            for pair in points.windows(2) {
-                let (a, b) = (pair[0], pair[1]);
-                let stroke = Stroke::plain(a.half + b.half, color.alpha(0.5 * (a.opacity + b.opacity)));
-                let (a, b) = (a.at, b.at);
-                write!(out, r#"<path d="M{} {}L{} {}" "#, n(a.x), n(a.y), n(b.x), n(b.y))?;
-                writeln!(out, "{}/>", self::stroke(stroke))?;
-            }
+fn write_trails(out: &mut String, trails: &[Trail]) -> fmt::Result {
+    writeln!(out, r#"<g fill="none" stroke-linecap="butt">"#)?;
+    for Trail { ends, color } in trails {
+        for pair in ends.windows(2) {
+            let (a, b) = (pair[0], pair[1]);
+            let stroke = Stroke::plain(a.half + b.half, color.alpha(0.5 * (a.opacity + b.opacity)));
+            let (a, b) = (a.at, b.at);
+            write!(out, r#"<path d="M{} {}L{} {}" "#, n(a.x), n(a.y), n(b.x), n(b.y))?;
+            writeln!(out, "{}/>", self::stroke(stroke))?;
         }
-        writeln!(out, "</g>")
     }
+    writeln!(out, "</g>")
 }
 
 /// Marks as an SVG document.
@@ -149,6 +135,7 @@ fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
             writeln!(out, r#"<circle cx="{}" cy="{}" r="{}" {}/>"#, n(center.x), n(center.y), n(*radius), fill(*color))
         }
         Mark::Agent(disc) => write_body(out, disc),
+        Mark::Trails(trails) => write_trails(out, trails),
         Mark::Ring { center, radius, stroke: line } => {
             let (x, y, r) = (n(center.x), n(center.y), n(*radius));
             writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" fill="none" {}/>"#, stroke(*line))

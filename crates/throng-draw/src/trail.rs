@@ -2,18 +2,24 @@
 
 use crate::Color;
 use crate::image::{Image, blend};
-use glam::{DVec2, Vec2};
+use crate::projector::Projector;
+use glam::{DVec3, Vec2};
 use std::collections::{BTreeMap, VecDeque};
-use throng_record::Frame;
+use throng_record::{Body, Frame};
 
 /// An agent that is further away than this from where it just was has been moved, metres.
 const JUMP: f64 = 3.0;
+
+/// Opacity of a trail where it leaves the agent.
+const OPACITY: f32 = 0.5;
+/// Half the width of a trail there, in radii of the body.
+const HALF_WIDTH: f32 = 0.42;
 
 /// The last seconds of one agent.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Track {
     /// When and where, oldest first.
-    pub points: VecDeque<(f64, DVec2)>,
+    pub points: VecDeque<(f64, DVec3)>,
     /// Its colour when it was last seen.
     pub color: Option<Color>,
     /// Its radius, metres.
@@ -28,9 +34,15 @@ pub(crate) struct Trails {
 }
 
 impl Trails {
-    /// Remembers where everybody is. Points nearer together than `spacing` metres are one; what is older than
+    /// Remembers where everybody is who has a colour. Points nearer together than `spacing` metres are one; what is older than
     /// `seconds` is forgotten. Time that runs backwards starts anew.
-    pub(crate) fn follow(&mut self, frame: &Frame, seconds: f64, spacing: f64, colors: impl Fn(usize) -> Color) {
+    pub(crate) fn follow(
+        &mut self,
+        frame: &Frame,
+        seconds: f64,
+        spacing: f64,
+        colors: impl Fn(&Body) -> Option<Color>,
+    ) {
         if frame.time < self.last {
             self.tracks.clear();
         }
@@ -38,22 +50,21 @@ impl Trails {
         if seconds <= 0.0 {
             return;
         }
-        for (k, body) in frame.bodies.iter().enumerate() {
-            if !body.position.is_finite() {
-                continue;
-            }
+        for body in frame.bodies.iter().filter(|body| body.position.is_finite()) {
+            let Some(color) = colors(body) else { continue };
+            let place = body.center();
             let track = self.tracks.entry(body.number).or_default();
-            (track.color, track.radius) = (Some(colors(k)), body.shape().girth());
+            (track.color, track.radius) = (Some(color), body.shape().girth());
             let points = &mut track.points;
-            if points.back().is_some_and(|p| p.1.distance(body.position) > JUMP.max(10.0 * spacing)) {
+            if points.back().is_some_and(|p| p.1.distance(place) > JUMP.max(10.0 * spacing)) {
                 points.clear();
             }
             // The newest point moves along until it is far enough from the one before it.
             let n = points.len();
-            if n >= 2 && points[n - 2].1.distance(body.position) < spacing {
-                points[n - 1] = (frame.time, body.position);
+            if n >= 2 && points[n - 2].1.distance(place) < spacing {
+                points[n - 1] = (frame.time, place);
             } else {
-                points.push_back((frame.time, body.position));
+                points.push_back((frame.time, place));
             }
         }
         let oldest = frame.time - seconds;
@@ -68,9 +79,30 @@ impl Trails {
 }
 
 /// How far along its fading a point of age `age` is: 1 new, 0 gone.
-pub(crate) fn freshness(age: f64, seconds: f64) -> f32 {
+fn freshness(age: f64, seconds: f64) -> f32 {
     let left = (1.0 - age / seconds).clamp(0.0, 1.0) as f32;
     left * left.sqrt()
+}
+
+/// What it takes to draw a trail.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Brush {
+    pub projector: Projector,
+    pub seconds: f64,
+}
+
+impl Brush {
+    /// A trail, oldest end first; in parts, where some of it is behind the eye.
+    pub(crate) fn trails(&self, track: &Track, color: Color, now: f64) -> Vec<Trail> {
+        let end = |&(time, point): &(f64, DVec3)| {
+            let half = ((f64::from(track.radius) * self.projector.scale(point)) as f32 * HALF_WIDTH).max(0.6);
+            let fresh = freshness(now - time, self.seconds);
+            let opacity = OPACITY * fresh * (1.0 - self.projector.haze(point));
+            let away = self.projector.away(point);
+            Some(End { at: self.projector.pixel(point)?, half: half * (0.35 + 0.65 * fresh), opacity, away })
+        };
+        Trail::parts(track.points.iter().map(end), color)
+    }
 }
 
 /// A layer that keeps, for each pixel, the strongest trail over it: crossings and joints do not add up.
@@ -87,8 +119,24 @@ pub(crate) struct TrailLayer {
     rows: std::ops::Range<usize>,
 }
 
+/// A trail to be drawn, from end to end of its pieces.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Trail {
+    pub ends: Vec<End>,
+    pub color: Color,
+}
+
+impl Trail {
+    /// A trail in parts, where some of its ends cannot be seen.
+    pub(crate) fn parts(ends: impl IntoIterator<Item = Option<End>>, color: Color) -> Vec<Self> {
+        let ends: Vec<Option<End>> = ends.into_iter().collect();
+        let parts = ends.split(|end| end.is_none()).filter(|part| part.len() > 1);
+        parts.map(|part| Self { ends: part.iter().copied().flatten().collect(), color }).collect()
+    }
+}
+
 /// The end of a piece of a trail.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct End {
     /// Pixel.
     pub at: Vec2,
@@ -96,6 +144,8 @@ pub(crate) struct End {
     pub half: f32,
     /// Opacity there, 0 to 1.
     pub opacity: f32,
+    /// How far it is from the eye along the ground.
+    pub away: f64,
 }
 
 impl TrailLayer {
@@ -111,8 +161,12 @@ impl TrailLayer {
         }
     }
 
-    /// Draws a piece of a trail.
-    pub(crate) fn piece(&mut self, a: End, b: End, color: Color) {
+    /// Draws all pieces of a trail.
+    pub(crate) fn draw(&mut self, trail: &Trail) {
+        trail.ends.windows(2).for_each(|ends| self.piece(ends[0], ends[1], trail.color));
+    }
+
+    fn piece(&mut self, a: End, b: End, color: Color) {
         let along = b.at - a.at;
         let length2 = along.length_squared();
         let reach = a.half.max(b.half) + 0.5;
@@ -176,7 +230,6 @@ impl TrailLayer {
 mod tests {
     use super::*;
     use glam::DVec2;
-    use throng_record::Body;
 
     const INK: Color = Color::rgb(0);
     const PAPER: Color = Color::rgb(0xffffff);
@@ -189,6 +242,7 @@ mod tests {
             position,
             velocity: Vec2::ZERO,
             altitude: 0.0,
+            basis: None,
             climb: 0.0,
             heading: 0.0,
             radius: 0.2,
@@ -196,7 +250,7 @@ mod tests {
             preferred_speed: 1.0,
             status: throng::Status::Walking,
         };
-        Frame { time, bodies: at.map(body).into_iter().collect(), arrived: 0, total: 1 }
+        Frame { time, bodies: at.map(body).into_iter().collect(), accounts: Vec::new(), arrived: 0, total: 1 }
     }
 
     #[test]
@@ -204,35 +258,35 @@ mod tests {
         let mut trails = Trails::default();
         for k in 0..50 {
             let time = f64::from(k) * 0.1;
-            trails.follow(&moment(time, Some(DVec2::new(time, 0.0))), 1.5, 0.1, |_| INK);
+            trails.follow(&moment(time, Some(DVec2::new(time, 0.0))), 1.5, 0.1, |_| Some(INK));
             let points = trails.tracks[&3].points.len();
             assert!(points <= 18, "{points} points");
         }
-        trails.follow(&moment(6.0, None), 1.5, 0.1, |_| INK);
+        trails.follow(&moment(6.0, None), 1.5, 0.1, |_| Some(INK));
         assert_eq!(trails.tracks.len(), 1, "the trail outlives the agent");
-        trails.follow(&moment(6.5, None), 1.5, 0.1, |_| INK);
+        trails.follow(&moment(6.5, None), 1.5, 0.1, |_| Some(INK));
         assert!(trails.tracks.is_empty());
     }
 
     #[test]
     fn an_agent_that_is_moved_leaves_no_trail_across() {
         let mut trails = Trails::default();
-        trails.follow(&moment(0.0, Some(DVec2::ZERO)), 1.5, 0.1, |_| INK);
-        trails.follow(&moment(0.1, Some(DVec2::new(50.0, 0.0))), 1.5, 0.1, |_| INK);
+        trails.follow(&moment(0.0, Some(DVec2::ZERO)), 1.5, 0.1, |_| Some(INK));
+        trails.follow(&moment(0.1, Some(DVec2::new(50.0, 0.0))), 1.5, 0.1, |_| Some(INK));
         assert_eq!(trails.tracks[&3].points.len(), 1);
     }
 
     #[test]
     fn time_that_runs_backwards_starts_anew() {
         let mut trails = Trails::default();
-        trails.follow(&moment(5.0, Some(DVec2::ZERO)), 1.5, 0.1, |_| INK);
-        trails.follow(&moment(1.0, Some(DVec2::ONE)), 1.5, 0.1, |_| INK);
-        assert_eq!(trails.tracks[&3].points, [(1.0, DVec2::ONE)]);
+        trails.follow(&moment(5.0, Some(DVec2::ZERO)), 1.5, 0.1, |_| Some(INK));
+        trails.follow(&moment(1.0, Some(DVec2::ONE)), 1.5, 0.1, |_| Some(INK));
+        assert_eq!(trails.tracks[&3].points, [(1.0, DVec2::ONE.extend(0.0))]);
     }
 
     #[test]
     fn pieces_that_overlap_are_no_darker_than_one() {
-        let end = |x: f32| End { at: Vec2::new(x, 10.0), half: 3.0, opacity: 0.5 };
+        let end = |x: f32| End { at: Vec2::new(x, 10.0), half: 3.0, opacity: 0.5, away: 0.0 };
         let mut layer = TrailLayer::new(40, 20);
         let mut image = Image::new(40, 20, PAPER);
         layer.piece(end(5.0), end(20.0), INK);

@@ -1,7 +1,8 @@
 //! From a world to its setting and its moments.
 
 use crate::{Body, Frame, Setting};
-use throng::World;
+use throng::motion::Locomotion;
+use throng::{Group, World};
 
 impl Setting {
     /// The place, the groups and the goals of a world as they are now.
@@ -22,6 +23,7 @@ impl Setting {
             groups: world.groups().iter().map(|group| group.name.clone()).collect(),
             goals: world.goals().to_vec(),
             in_space: world.in_space(),
+            origin: world.settings().origin,
         }
     }
 }
@@ -41,6 +43,8 @@ impl Frame {
         self.time = world.time();
         self.arrived = counts.arrived;
         self.total = counts.agents;
+        self.accounts.clear();
+        self.accounts.extend_from_slice(world.accounts());
         self.bodies.clear();
         let mut rows: Vec<usize> = (0..agents.len()).collect();
         rows.sort_unstable_by_key(|&row| agents.number[row]);
@@ -53,12 +57,18 @@ impl Frame {
             velocity: agents.velocity[row],
             climb: agents.climb[row],
             heading: agents.heading[row],
+            basis: flies(&world.groups()[agents.group[row].index()]).then(|| agents.attitude[row].basis),
             radius: agents.radius[row],
             core: agents.core[row],
             preferred_speed: agents.preferred_speed[row],
             status: agents.status[row],
         }));
     }
+}
+
+/// Whether those of a group fly as vehicles.
+fn flies(group: &Group) -> bool {
+    group.steering.is_some() && group.vehicle.locomotion != Locomotion::Ground
 }
 
 #[cfg(test)]

@@ -163,6 +163,7 @@ mod tests {
             velocity: Vec2::new(1.3, -0.25),
             climb: -0.3,
             heading: 0.1,
+            basis: None,
             radius: 0.2,
             core: Vec2::ZERO,
             preferred_speed: 1.3,

@@ -1,7 +1,8 @@
 //! One moment of a world, and what stays the same from moment to moment.
 
-use glam::{DVec2, Vec2};
-use throng::{Goal, Obstacle, Status, Walkable};
+use glam::{DVec2, DVec3, Vec2};
+use throng::motion::Basis;
+use throng::{Account, Goal, Obstacle, Status, Walkable};
 
 /// What stays the same over a recording: the place and the names.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,6 +20,8 @@ pub struct Setting {
     pub goals: Vec<Goal>,
     /// Whether somebody flies, or will.
     pub in_space: bool,
+    /// World coordinates of what places in [`Frame::accounts`] are relative to.
+    pub origin: DVec2,
 }
 
 /// Everybody at one moment.
@@ -28,6 +31,9 @@ pub struct Frame {
     pub time: f64,
     /// Everybody who is there, by number.
     pub bodies: Vec<Body>,
+    /// Why those who are [asked](throng::World::ask) go where they go, by number; places are relative to
+    /// [`Setting::origin`].
+    pub accounts: Vec<Account>,
     /// How many are at the end of their journeys, the removed ones included.
     pub arrived: usize,
     /// How many there are in all: here, gone, and yet to come.
@@ -53,6 +59,8 @@ pub struct Body {
     pub climb: f32,
     /// Direction of the body, radians counter-clockwise from +x.
     pub heading: f32,
+    /// Which way one faces who flies as a vehicle: it climbs and banks; `None`: upright, along its heading.
+    pub basis: Option<Basis>,
     /// Radius of a disc, or of the rounding of another body, metres.
     pub radius: f32,
     /// Half extents of what is rounded, along and across the heading, metres; zero for a disc ([`throng::Body`]).
@@ -67,6 +75,11 @@ impl Body {
     /// How fast it is, in space, m/s.
     pub fn speed(&self) -> f32 {
         self.velocity.extend(self.climb).length()
+    }
+
+    /// Where it is in space, metres.
+    pub fn center(&self) -> DVec3 {
+        self.position.extend(f64::from(self.altitude))
     }
 
     /// The shape.

@@ -134,8 +134,7 @@ pub fn least_separation(bodies: &[Body]) -> f64 {
 fn apart(a: &Body, b: &Body) -> f64 {
     let discs = a.core == Vec2::ZERO && b.core == Vec2::ZERO;
     let core = |body: &Body| Core::new(body.position, body.heading, body.core);
-    let place = |body: &Body| body.position.extend(f64::from(body.altitude));
-    let distance = if discs { place(a).distance(place(b)) } else { core(a).separation(&core(b)).distance };
+    let distance = if discs { a.center().distance(b.center()) } else { core(a).separation(&core(b)).distance };
     distance / (f64::from(a.radius) + f64::from(b.radius))
 }
 
@@ -199,6 +198,7 @@ mod tests {
             altitude: 0.0,
             climb: 0.0,
             heading: 0.0,
+            basis: None,
             radius: 0.2,
             core: Vec2::ZERO,
             preferred_speed: 1.0,
@@ -256,7 +256,7 @@ mod tests {
             bodies[n - 2].heading = f32::from(k) * 0.4;
             bodies[n - 1].status = Status::Arrived;
             bodies[n - 1].heading = f32::from(k);
-            series.push(&Frame { time: f64::from(k) * 0.1, bodies, arrived: 1, total: 3 });
+            series.push(&Frame { time: f64::from(k) * 0.1, bodies, accounts: Vec::new(), arrived: 1, total: 3 });
         }
         let points = series.points();
         assert!(

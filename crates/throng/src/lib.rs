@@ -44,4 +44,4 @@ pub use error::Error;
 pub use navigate::{Goal, Journey, Keyframe, Script, Stop};
 pub use space::{Obstacle, Walkable};
 pub use summary::{Counts, Summary};
-pub use world::{Explanation, Seen, Settings, Stage, SubSteps, World};
+pub use world::{Account, Asked, Explanation, Seen, Settings, Stage, SubSteps, World};

@@ -1,5 +1,6 @@
 //! The world: what is there, and the step that moves it on.
 
+mod account;
 mod advance;
 mod advance_lanes;
 mod agree;
@@ -25,6 +26,7 @@ mod steer;
 mod velocities;
 mod way;
 
+pub use account::{Account, Asked};
 pub use explain::{Explanation, Seen};
 pub use stage::Stage;
 
@@ -105,6 +107,7 @@ pub struct World {
     legs: Legs,
     step: StepMemory,
     instructions: Instructions,
+    asked: Asked,
 }
 
 /// Which row each id names.
@@ -131,6 +134,7 @@ struct StepMemory {
     perceiving: Vec<(Pack, Vec<Near>)>,
     near: perceive::Neighbours,
     shown: Vec<Shown>,
+    accounts: Vec<Account>,
     index: steer::Index,
     steering: Vec<Vec<Neighbour>>,
     planned: Vec<steer::Planned>,

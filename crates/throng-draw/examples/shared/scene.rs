@@ -12,6 +12,7 @@ pub fn crossing() -> Setting {
     let pillar = |x: f64, y: f64| Obstacle::Circle { center: DVec2::new(x, y), radius: 0.45 };
     Setting {
         in_space: false,
+        origin: DVec2::ZERO,
         title: "Two streams crossing".into(),
         walkable: vec![Walkable { outer: corners(0.0, 0.4, 24.0, 15.0), holes: vec![corners(9.0, 12.0, 12.5, 13.6)] }],
         obstacles: vec![
@@ -53,6 +54,7 @@ pub fn moment(k: usize) -> Frame {
             altitude: 0.0,
             climb: 0.0,
             heading: velocity.y.atan2(velocity.x),
+            basis: None,
             radius: 0.24,
             core: Vec2::ZERO,
             preferred_speed: 1.5,
@@ -73,11 +75,12 @@ pub fn moment(k: usize) -> Frame {
             altitude: 0.0,
             climb: 0.0,
             heading: (angle + std::f64::consts::PI) as f32,
+            basis: None,
             radius: 0.24,
             core: Vec2::ZERO,
             preferred_speed: 1.3,
             status: if there { Status::Arrived } else { Status::Walking },
         });
     }
-    Frame { time, bodies, arrived: 6, total: 63 }
+    Frame { time, bodies, accounts: Vec::new(), arrived: 6, total: 63 }
 }

@@ -83,7 +83,7 @@ impl Quantity {
 }
 
 /// A line with a filled head; what is too short for a head is a dot.
-pub(super) fn arrow(from: Vec2, to: Vec2, stroke: Stroke, unit: f32, marks: &mut Vec<Mark>) {
+pub(crate) fn arrow(from: Vec2, to: Vec2, stroke: Stroke, unit: f32, marks: &mut Vec<Mark>) {
     let (length, color) = (from.distance(to), stroke.color);
     let head = (4.0 * unit + 2.2 * stroke.width).min(length);
     if length < 2.0 * unit || !length.is_finite() {

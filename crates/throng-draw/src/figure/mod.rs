@@ -13,6 +13,8 @@ mod tint;
 mod velocities;
 mod words;
 
+pub(crate) use arrow::arrow;
+
 use crate::mark::Mark;
 use crate::picture::Picture;
 use crate::sink::Kind;

@@ -34,6 +34,7 @@ pub fn moment(k: usize) -> Frame {
         altitude: 0.0,
         climb: 0.0,
         heading: velocity.y.atan2(velocity.x),
+        basis: None,
         radius: 0.5,
         core: Vec2::ZERO,
         preferred_speed: 1.0,
@@ -41,7 +42,7 @@ pub fn moment(k: usize) -> Frame {
     };
     let bodies =
         vec![body(0, 0, DVec2::new(-5.0 + time, 1.0), Vec2::X), body(1, 1, DVec2::new(5.0 - time, -1.0), Vec2::NEG_X)];
-    Frame { time, bodies, arrived: 0, total: 2 }
+    Frame { time, bodies, accounts: Vec::new(), arrived: 0, total: 2 }
 }
 
 /// The bytes of a picture, three a pixel.
@@ -52,4 +53,27 @@ pub fn read_png(path: &Path) -> Vec<u8> {
     let mut rgb = vec![0; reader.output_buffer_size().unwrap()];
     reader.next_frame(&mut rgb).unwrap();
     rgb
+}
+
+/// Checks that tags close in order and that attributes and text are clean; returns the number of elements.
+#[allow(dead_code)] // not every test reads documents
+pub fn elements(svg: &str) -> usize {
+    let (mut open, mut count) = (Vec::new(), 0);
+    for piece in svg.split('<').skip(1) {
+        let (tag, text) = piece.split_once('>').expect("a tag ends");
+        assert!(tag.matches('"').count() % 2 == 0, "quotes come in pairs: {tag}");
+        for (at, _) in text.match_indices('&') {
+            assert!(["&amp;", "&lt;", "&gt;"].iter().any(|e| text[at..].starts_with(e)), "{text}");
+        }
+        if tag.starts_with('?') || tag.ends_with('/') {
+            count += 1;
+        } else if let Some(name) = tag.strip_prefix('/') {
+            assert_eq!(open.pop(), Some(name));
+        } else {
+            open.push(tag.split_whitespace().next().unwrap());
+            count += 1;
+        }
+    }
+    assert!(open.is_empty(), "left open: {open:?}");
+    count
 }

@@ -4,8 +4,8 @@ use super::limits::{Limit, check, check_number, check_point, check_some, check_s
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::{
-    Avoid, Body, Expect, Goal, Group, Mover, Obstacle, Place, Point, PointGoal, Rectangle, Region, Scene, Shape, Sides,
-    Stop, SubSteps, View,
+    Avoid, Body, Camera, Expect, Goal, Group, Mover, Obstacle, Place, Point, PointGoal, Rectangle, Region, Scene,
+    Shape, Sides, Stop, SubSteps, View,
 };
 
 type Checked = Result<(), Problem>;
@@ -373,8 +373,25 @@ fn check_view(view: &View) -> Checked {
     for (i, pixels) in view.size.iter().flatten().enumerate() {
         check(&path.key("size").index(i), f64::from(*pixels), Limit::Between(16.0, 16384.0))?;
     }
+    if let Some(camera) = &view.camera {
+        check_camera(&path.key("camera"), camera)?;
+    }
     check_some(&path.key("fps"), view.fps, Limit::Between(0.001, 1000.0))?;
     check_some(&path.key("trails"), view.trails, Limit::NotNegative)
+}
+
+fn check_camera(path: &Path, camera: &Camera) -> Checked {
+    for (key, spot) in [("eye", &camera.eye), ("target", &camera.target)] {
+        if let Some(spot) = spot {
+            check_spot(&path.key(key), spot)?;
+        }
+    }
+    if camera.eye.is_some() && camera.eye == camera.target {
+        let message = "the camera's eye is where it looks";
+        return Err(Problem::new(&path.key("eye"), Kind::Conflict, message).hint("move one of eye and target"));
+    }
+    check_some(&path.key("field_of_view"), camera.field_of_view, Limit::Between(1.0, 170.0))?;
+    check_some(&path.key("orbit"), camera.orbit, Limit::Between(-3600.0, 3600.0))
 }
 
 fn check_expect(expect: &Expect) -> Checked {

@@ -1,5 +1,6 @@
 //! What a scene can say: plain data, one idea a file.
 
+mod annotate;
 mod avoid;
 mod body;
 mod expect;
@@ -16,6 +17,7 @@ mod source;
 mod time;
 mod view;
 
+pub use annotate::{Annotate, Annotation};
 pub use avoid::{Avo, Avoid, BuiltFrom, Clearpath, Hrvo, Orca, Orca3d, Rvo, RvoLab, Unavoiding, Vo};
 pub use body::{Body, Sides};
 pub use expect::{Arrived, Expect, FlowExpect};
@@ -30,7 +32,7 @@ pub use place::{DiscPlace, Grid, Line, Place, PolygonPlace, RectanglePlace, Ring
 pub use schema::schema;
 pub use source::Source;
 pub use time::{SubSteps, Time, Until};
-pub use view::{Colour, View};
+pub use view::{Camera, Colour, Projection, View};
 
 pub use crate::file::Origin;
 use schemars::JsonSchema;

@@ -1,6 +1,6 @@
 //! How pictures of a scene look.
 
-use super::Point;
+use super::{Annotate, Point, Spot};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::borrow::Cow;
@@ -15,6 +15,16 @@ pub struct View {
     /// Upper right corner of what the camera sees.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<Point>,
+    /// Whether the scene is seen from straight above or in perspective. Without it, in perspective where somebody flies,
+    /// or where there is a `camera`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub projection: Option<Projection>,
+    /// From where it is seen in perspective.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub camera: Option<Camera>,
+    /// What is drawn beside agents of what they have in mind.
+    #[serde(skip_serializing_if = "Annotate::is_nothing")]
+    pub annotate: Annotate,
     /// Width and height of the picture, pixels. Limit: 16 to 16384 each.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub size: Option<[u32; 2]>,
@@ -42,6 +52,34 @@ impl View {
     pub(super) fn is_default(&self) -> bool {
         *self == Self::default()
     }
+}
+
+/// How a scene is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Projection {
+    /// From straight above, true to scale.
+    Plan,
+    /// By an eye: what is far away is small and pale.
+    Perspective,
+}
+
+/// From where a scene is seen in perspective.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Camera {
+    /// Where the eye is. Without it, slightly above everybody, far enough away to see everything.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub eye: Option<Spot>,
+    /// What is in the middle of the picture. Without it, the middle of everything.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub target: Option<Spot>,
+    /// The angle between the top and the bottom of the picture, degrees. Limit: 1 to 170.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field_of_view: Option<f64>,
+    /// How fast the eye goes round its target, degrees a second, counter-clockwise from above.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub orbit: Option<f64>,
 }
 
 /// A colour: red, green, blue. In files `"#rrggbb"`.

@@ -33,6 +33,10 @@ pub enum Reason {
         /// How far to either side of ahead, radians.
         angle: f32,
     },
+    /// A line it feels its way along, from its centre to here.
+    Feels(Vec3),
+    /// A corner of the path it follows; corners are told in order.
+    Via(Vec3),
     /// The state that a [`Switch`](super::Switch) is in.
     State(usize),
     /// What it keeps from an earlier step, as if it were said now.

@@ -1,6 +1,6 @@
 //! Adding and removing: groups, goals, journeys, agents, obstacles. Everything can be done while the world runs.
 
-use super::{Settings, Slots, StepMemory, SubSteps, World};
+use super::{Asked, Settings, Slots, StepMemory, SubSteps, World};
 use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
 use crate::motion::{Attitude, Basis};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script, union};
@@ -46,6 +46,7 @@ impl World {
             legs: Legs::new(&[Journey::default()], &[]),
             step: StepMemory::default(),
             instructions: Instructions::default(),
+            asked: Asked::default(),
         })
     }
 

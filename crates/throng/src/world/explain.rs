@@ -96,7 +96,7 @@ impl World {
         // deciding has changed what is remembered
         world.agents.memory = memory;
         let row = world.row(id)?;
-        let steering = world.steering_reasons(row, seconds, now);
+        let (_, steering) = world.steering_reasons(row, seconds, now);
         Some(Explanation { steering, ..world.explanation(row, seconds) })
     }
 

@@ -53,7 +53,10 @@ impl World {
         });
         self.agents.travel = travels;
         (self.step.preferred, self.step.manners) = (preferred, manners);
+        // what behaviours remember is another thing once they have been asked
+        let memory = self.asked.anybody().then(|| self.agents.memory.clone());
         self.steer(seconds, now);
+        self.account(memory, seconds, now);
     }
 
     /// Where the script of an agent is at a time, if it has one.

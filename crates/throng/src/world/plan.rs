@@ -48,7 +48,7 @@ impl World {
         let rows = if anybody { 0..travels.len() } else { 0..0 };
         let mut lost: Vec<Asked> = rows
             .filter(|&row| shown[row].way.walks() && shown[row].way.has_goal() && !travels[row].has_way())
-            .filter_map(|row| self.ask(row, travels[row].leg))
+            .filter_map(|row| self.ask_way(row, travels[row].leg))
             .collect();
         if !lost.is_empty() {
             self.agents.travel = travels;
@@ -90,7 +90,7 @@ impl World {
     pub fn face_ways(&mut self, agents: &[AgentId]) {
         let leg = |row: usize| self.first_leg(self.agents.journey[row], self.world_place(row));
         let rows = agents.iter().filter_map(|&id| self.row(id)).filter(|&row| self.agents.is_disc(row));
-        let mut ways: Vec<Asked> = rows.filter_map(|row| self.ask(row, leg(row)?)).collect();
+        let mut ways: Vec<Asked> = rows.filter_map(|row| self.ask_way(row, leg(row)?)).collect();
         self.prepare_meshes(&ways);
         self.meshes.find(&self.goals, &mut ways);
         for way in ways {
@@ -161,7 +161,7 @@ impl World {
     }
 
     /// Asks for a way to a stop; `None` if there is none.
-    fn ask(&self, row: usize, leg: u32) -> Option<Asked> {
+    fn ask_way(&self, row: usize, leg: u32) -> Option<Asked> {
         let goal = self.stop(row, leg)?.goal;
         let (radius, from) = (self.agents.body(row).girth(), self.world_position(row));
         Some(Asked { row, radius, from, goal, found: None })

@@ -236,6 +236,8 @@ impl World {
     fn may_rest(&self) -> bool {
         let agents = &self.agents;
         self.lanes_to_move().is_some()
+            // who tells why needs to have looked
+            && !self.asked.anybody()
             && agents.script.uniform() == Some(None)
             && agents.tracking_error.uniform() == Some(0.0)
             && self.groups_in_use().all(|group| group.model.as_orca().is_some())

@@ -5,7 +5,7 @@
 
 use super::World;
 use crate::agent::Status;
-use crate::motion::{Basis, Locomotion, Motion};
+use crate::motion::{Basis, Locomotion, Motion, Steering};
 use crate::parallel;
 use crate::steer::{Branch, Mark, Neighbour, Others, Told, View, Why};
 use glam::Vec3;
@@ -106,15 +106,15 @@ impl World {
         (self.agents.memory, self.step.preferred) = (memory, preferred);
     }
 
-    /// What led to the steering of an agent in the sub-step that ends at `now`.
-    pub(super) fn steering_reasons(&self, row: usize, seconds: f32, now: f64) -> Vec<Told> {
+    /// What an agent steers by in the sub-step that ends at `now`, and what led to it.
+    pub(super) fn steering_reasons(&self, row: usize, seconds: f32, now: f64) -> (Option<Steering>, Vec<Told>) {
         let mut told = Vec::new();
-        if let Some(steering) = self.steering(row) {
+        let said = self.steering(row).and_then(|steering| {
             let (mut memory, mut neighbours) = (self.agents.memory.of(row).to_vec(), Vec::new());
             let view = self.steering_view(row, seconds, now, &mut neighbours);
-            steering.steer(&view, &mut memory[..steering.words()], &mut Why::asked(&mut told));
-        }
-        told
+            steering.steer(&view, &mut memory[..steering.words()], &mut Why::asked(&mut told))
+        });
+        (said, told)
     }
 
     /// Where an agent is and how it moves.
@@ -163,7 +163,7 @@ impl World {
     }
 
     /// Where the journey of an agent leads next.
-    fn steering_goal(&self, row: usize) -> Option<Vec3> {
+    pub(super) fn steering_goal(&self, row: usize) -> Option<Vec3> {
         if self.agents.status[row] != Status::Walking {
             return None;
         }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use throng::avoid::{Orca, Unavoiding};
 use throng::motion::{Locomotion, Motion, Vehicle};
 use throng::steer::{Arrive, Behaviour, Flocking, Pursue, Seek, Target, View, Wander, WeightedSum, Why};
-use throng::{Agent, AgentId, Group, Settings, SubSteps, World};
+use throng::{Agent, AgentId, Asked, Group, Settings, SubSteps, World};
 
 const STEP: f64 = 1.0 / 30.0;
 
@@ -154,4 +154,22 @@ fn why_it_steers_is_told_and_changes_nothing() {
     let why = world.explain(id).unwrap();
     assert!(why.steering.len() > 3, "{:?}", why.steering);
     assert_eq!(world.save(), before);
+}
+
+#[test]
+fn those_who_are_asked_tell_what_explain_says_and_go_where_they_would() {
+    let (mut asked, mut quiet) = (flock(50), flock(50));
+    let id = asked.id(3);
+    let number = asked.agents().number[3];
+    asked.ask(Asked::Numbers(vec![number, 7]));
+    for _ in 0..20 {
+        let why = quiet.explain(id).unwrap();
+        asked.step();
+        quiet.step();
+        let account = asked.accounts().iter().find(|account| account.number == number).unwrap();
+        assert_eq!((&account.told, account.preferred.truncate()), (&why.steering, why.preferred));
+        assert_eq!((asked.accounts().len(), quiet.accounts()), (2, &[][..]));
+    }
+    assert_eq!(asked.state_hash(), quiet.state_hash());
+    assert_eq!(asked.save(), quiet.save());
 }

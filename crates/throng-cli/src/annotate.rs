@@ -1,0 +1,55 @@
+//! What is drawn beside agents.
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use throng_draw::{Annotation, Annotations};
+use throng_scene::{Annotate, Scene};
+
+/// What is drawn beside agents.
+#[derive(Args, Debug)]
+#[command(next_help_heading = "Pictures")]
+pub struct AnnotateArgs {
+    /// Draws what agents have in mind: everything, or these kinds [default: the scene's `view.annotate`]
+    #[arg(long, value_name = "KIND,...", value_parser = kinds(), value_delimiter = ',', num_args = 0.., require_equals = true)]
+    pub annotate: Option<Vec<Annotation>>,
+
+    /// Draws it only beside the agents with these numbers
+    #[arg(long, value_name = "NUMBER,...", value_delimiter = ',')]
+    pub annotate_agents: Option<Vec<u32>>,
+}
+
+/// Reads the name of a kind.
+fn kinds() -> impl TypedValueParser<Value = Annotation> {
+    let names = PossibleValuesParser::new(Annotation::ALL.map(Annotation::name));
+    names.try_map(|name| Annotation::ALL.into_iter().find(|kind| kind.name() == name).ok_or("no such kind"))
+}
+
+impl AnnotateArgs {
+    /// What is said here, else what the scene's `[view]` says. Who names agents wants to see something of them.
+    pub fn annotations(&self, scene: &Scene) -> Annotations {
+        let kinds = match (&self.annotate, &scene.view.annotate) {
+            (Some(kinds), _) if !kinds.is_empty() => kinds.clone(),
+            (None, Annotate::Kinds(kinds)) => kinds.iter().map(|&kind| drawn(kind)).collect(),
+            (None, Annotate::All(false)) if self.annotate_agents.is_none() => Vec::new(),
+            _ => Annotation::ALL.to_vec(),
+        };
+        Annotations { kinds, agents: self.annotate_agents.clone() }
+    }
+}
+
+/// A kind that a scene names, as it is drawn.
+fn drawn(kind: throng_scene::Annotation) -> Annotation {
+    use throng_scene::Annotation as Named;
+    match kind {
+        Named::Neighbourhoods => Annotation::Neighbourhoods,
+        Named::Trails => Annotation::Trails,
+        Named::Paths => Annotation::Paths,
+        Named::Feelers => Annotation::Feelers,
+        Named::Predictions => Annotation::Predictions,
+        Named::Targets => Annotation::Targets,
+        Named::Threats => Annotation::Threats,
+        Named::Preferred => Annotation::Preferred,
+        Named::Velocity => Annotation::Velocity,
+        Named::Force => Annotation::Force,
+    }
+}

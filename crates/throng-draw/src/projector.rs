@@ -1,0 +1,56 @@
+//! From the world to the picture, whichever way it is projected.
+
+use crate::Camera;
+use crate::space::Lens;
+use glam::{DVec3, Vec2};
+
+/// How points of the world become pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Projector {
+    /// Seen from straight above, from infinitely far.
+    Plan(Camera),
+    /// Seen by an eye.
+    Perspective(Lens),
+}
+
+impl Projector {
+    /// The pixel that shows a point; `None` behind the eye.
+    pub(crate) fn pixel(&self, point: DVec3) -> Option<Vec2> {
+        match self {
+            Self::Plan(camera) => Some(camera.pixel(point.truncate())),
+            Self::Perspective(lens) => lens.pixel(point),
+        }
+    }
+
+    /// The pixels that show a line; `None` if all of it is behind the eye.
+    pub(crate) fn line(&self, from: DVec3, to: DVec3) -> Option<[Vec2; 2]> {
+        match self {
+            Self::Plan(camera) => Some([from, to].map(|point| camera.pixel(point.truncate()))),
+            Self::Perspective(lens) => lens.line(from, to),
+        }
+    }
+
+    /// Pixels a metre at a point.
+    pub(crate) fn scale(&self, point: DVec3) -> f64 {
+        match self {
+            Self::Plan(camera) => camera.scale,
+            Self::Perspective(lens) => lens.scale(point),
+        }
+    }
+
+    /// How far from the eye a point is along the ground.
+    pub(crate) fn away(&self, point: DVec3) -> f64 {
+        match self {
+            Self::Plan(_) => 0.0,
+            Self::Perspective(lens) => lens.away(point),
+        }
+    }
+
+    /// How much of its colour a point loses to the air before it: 0 to 1.
+    pub(crate) fn haze(&self, point: DVec3) -> f32 {
+        match self {
+            Self::Plan(_) => 0.0,
+            Self::Perspective(lens) => lens.haze(point),
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Those who fly as vehicles: small darts that show where they head, how they climb and how they bank.
+
+use super::Lens;
+use crate::Color;
+use crate::look::Coat;
+use crate::mark::{Mark, Stroke};
+use glam::{DVec3, Vec3};
+use throng::motion::Basis;
+
+/// Nose, tips of the wings, and the notch between them: ahead, to the left and up, in radii of the body.
+const NOSE: Vec3 = Vec3::new(1.9, 0.0, 0.0);
+const TIP: Vec3 = Vec3::new(-1.3, 1.35, 0.35);
+const TAIL: Vec3 = Vec3::new(-0.75, 0.0, -0.1);
+/// Where light comes from.
+const LIGHT: Vec3 = Vec3::new(-0.35, -0.35, 0.87);
+/// How dark a wing is that light only grazes, and one seen from below.
+const SHADE: f32 = 0.55;
+const BELOW: f32 = 0.28;
+
+/// A body of a size at a place, in space.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Dart {
+    at: DVec3,
+    basis: Basis,
+    size: f32,
+}
+
+impl Dart {
+    pub fn new(at: DVec3, basis: Basis, size: f32) -> Self {
+        Self { at, basis, size }
+    }
+
+    /// A point of the dart in the world.
+    fn point(&self, local: Vec3) -> DVec3 {
+        self.at + self.basis.to_world(local * self.size).as_dvec3()
+    }
+
+    /// Its outline.
+    pub fn outline(&self) -> [DVec3; 4] {
+        [NOSE, mirrored(TIP), TAIL, TIP].map(|local| self.point(local))
+    }
+
+    /// The farther wing, then the nearer.
+    pub fn marks(&self, coat: &Coat, lens: &Lens, unit: f32, marks: &mut Vec<Mark>) {
+        let sight = (lens.eye - self.at).as_vec3();
+        let mut wings = [TIP, mirrored(TIP)];
+        if sight.dot(self.basis.side) > 0.0 {
+            wings.reverse();
+        }
+        for tip in wings {
+            let normal = (tip - NOSE).cross(TAIL - NOSE).normalize() * tip.y.signum();
+            let normal = self.basis.to_world(normal);
+            let dark = SHADE * (1.0 - normal.dot(LIGHT).max(0.0)) + if normal.dot(sight) < 0.0 { BELOW } else { 0.0 };
+            let fill = coat.fill.mix(coat.rim, dark);
+            let ring = lens.area([NOSE, tip, TAIL].map(|local| self.point(local)));
+            marks.push(Mark::Line { points: ring.clone(), closed: true, stroke: Stroke::plain(0.5 * unit, fill) });
+            marks.push(Mark::Area { rings: vec![ring], fill });
+        }
+    }
+
+    /// Its shadow, straight below.
+    pub fn shadow(&self, fill: Color, lens: &Lens) -> Mark {
+        Mark::Area { rings: vec![lens.area(self.outline().map(|point| point.with_z(0.0)))], fill }
+    }
+}
+
+/// The same point on the other side.
+fn mirrored(local: Vec3) -> Vec3 {
+    local.with_y(-local.y)
+}

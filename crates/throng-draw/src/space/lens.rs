@@ -1,0 +1,141 @@
+//! Perspective: from points in space to pixels.
+
+use glam::{DVec3, Vec2};
+
+/// What is nearer to the eye than this part of the way to its target is not seen.
+const NEAR: f64 = 0.02;
+/// How much of its colour the farthest loses to the air.
+const HAZE: f64 = 0.6;
+
+/// An eye at one moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Lens {
+    pub eye: DVec3,
+    /// Axes of the picture, of length 1.
+    right: DVec3,
+    up: DVec3,
+    forward: DVec3,
+    /// The pixel of the target.
+    anchor: Vec2,
+    /// Pixels for the width of what is as far away as it is wide.
+    focal: f64,
+    /// What is nearer is not seen, metres.
+    near: f64,
+    /// Where the air begins to show, and where it is thickest, metres ahead.
+    clear: [f64; 2],
+}
+
+impl Lens {
+    /// An eye that looks at a target, with up as far up as can be. The things of interest lie within `reach` of the target.
+    pub(crate) fn new(eye: DVec3, target: DVec3, focal: f64, anchor: Vec2, reach: f64) -> Self {
+        let ahead = target - eye;
+        let forward = ahead.normalize_or(DVec3::Y);
+        // straight down, the top of the picture is north
+        let right = forward.cross(DVec3::Z).try_normalize().unwrap_or(DVec3::X);
+        let distance = ahead.length();
+        let clear = [(distance - reach).max(0.0), distance + reach];
+        Self { eye, right, up: right.cross(forward), forward, anchor, focal, near: NEAR * distance, clear }
+    }
+
+    /// How far ahead of the eye a point is, metres.
+    pub(crate) fn depth(&self, point: DVec3) -> f64 {
+        (point - self.eye).dot(self.forward)
+    }
+
+    /// The pixel that shows a point; `None` if it is behind the eye, or too near.
+    pub(crate) fn pixel(&self, point: DVec3) -> Option<Vec2> {
+        (self.depth(point) >= self.near).then(|| self.project(point))
+    }
+
+    fn project(&self, point: DVec3) -> Vec2 {
+        let (offset, scale) = (point - self.eye, self.focal / self.depth(point));
+        self.anchor + Vec2::new((offset.dot(self.right) * scale) as f32, (-offset.dot(self.up) * scale) as f32)
+    }
+
+    /// Pixels a metre at a point, across the line of sight.
+    pub(crate) fn scale(&self, point: DVec3) -> f64 {
+        self.focal / self.depth(point).max(self.near)
+    }
+
+    /// The part of a line that is ahead, in pixels.
+    pub(crate) fn line(&self, from: DVec3, to: DVec3) -> Option<[Vec2; 2]> {
+        let [a, b] = [from, to].map(|point| self.depth(point) - self.near);
+        if a < 0.0 && b < 0.0 {
+            return None;
+        }
+        let ahead = |point: DVec3, depth: f64| if depth < 0.0 { from.lerp(to, a / (a - b)) } else { point };
+        Some([(from, a), (to, b)].map(|(point, depth)| self.project(ahead(point, depth))))
+    }
+
+    /// The part of a polygon that is ahead, in pixels (Sutherland, Hodgman, 1974).
+    pub(crate) fn area(&self, corners: impl IntoIterator<Item = DVec3>) -> Vec<Vec2> {
+        let corners: Vec<(DVec3, f64)> = corners.into_iter().map(|p| (p, self.depth(p) - self.near)).collect();
+        let mut area = Vec::with_capacity(corners.len() + 2);
+        for (i, &(to, b)) in corners.iter().enumerate() {
+            let (from, a) = corners[(i + corners.len() - 1) % corners.len()];
+            if (a < 0.0) != (b < 0.0) {
+                area.push(self.project(from.lerp(to, a / (a - b))));
+            }
+            if b >= 0.0 {
+                area.push(self.project(to));
+            }
+        }
+        area
+    }
+
+    /// How much of its colour a point loses to the air before it: 0 to 1.
+    pub(crate) fn haze(&self, point: DVec3) -> f32 {
+        let [from, to] = self.clear;
+        (HAZE * ((self.depth(point) - from) / (to - from)).clamp(0.0, 1.0).powi(2)) as f32
+    }
+
+    /// How far from the eye a point is along the ground. Of two points on one line of sight, the nearer in space is the
+    /// nearer along the ground too; and what is upright is as far at its foot as at its top.
+    pub(crate) fn away(&self, point: DVec3) -> f64 {
+        (point - self.eye).truncate().length()
+    }
+
+    /// The direction on the picture of a direction at a point; `None` where it points at the eye, or from it.
+    pub(crate) fn direction(&self, point: DVec3, direction: DVec3) -> Option<Vec2> {
+        let step = 1e-3 * self.depth(point).max(self.near);
+        (self.pixel(point + direction * step)? - self.pixel(point)?).try_normalize()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lens() -> Lens {
+        Lens::new(DVec3::new(0.0, -10.0, 0.0), DVec3::ZERO, 100.0, Vec2::new(50.0, 40.0), 5.0)
+    }
+
+    #[test]
+    fn what_is_twice_as_far_is_half_as_large() {
+        let lens = lens();
+        assert_eq!(lens.pixel(DVec3::ZERO), Some(Vec2::new(50.0, 40.0)));
+        assert_eq!(lens.pixel(DVec3::new(1.0, 0.0, 2.0)), Some(Vec2::new(60.0, 20.0)), "up is up");
+        assert_eq!(lens.pixel(DVec3::new(1.0, 10.0, 2.0)), Some(Vec2::new(55.0, 30.0)));
+        assert_eq!((lens.scale(DVec3::ZERO), lens.scale(DVec3::Y * 10.0)), (10.0, 5.0));
+        assert_eq!((lens.haze(DVec3::Y * -6.0), lens.haze(DVec3::Y * 9.0)), (0.0, HAZE as f32));
+    }
+
+    #[test]
+    fn what_is_behind_the_eye_is_cut_off() {
+        let lens = lens();
+        let behind = DVec3::new(1.0, -11.0, 0.0);
+        assert_eq!(lens.pixel(behind), None);
+        assert_eq!(lens.line(behind, behind - DVec3::Y), None);
+        let [from, to] = lens.line(behind, DVec3::X).unwrap();
+        assert!(from.x > 500.0 && to == lens.pixel(DVec3::X).unwrap(), "{from} {to}");
+        assert_eq!(lens.area([behind, DVec3::X, DVec3::ZERO]).len(), 4, "a triangle without its tip");
+        assert_eq!(lens.area([behind; 3]), []);
+    }
+
+    #[test]
+    fn straight_down_north_is_up() {
+        let lens = Lens::new(DVec3::Z * 10.0, DVec3::ZERO, 100.0, Vec2::ZERO, 5.0);
+        assert_eq!(lens.pixel(DVec3::new(1.0, 2.0, 0.0)), Some(Vec2::new(10.0, -20.0)));
+        assert_eq!(lens.direction(DVec3::ZERO, DVec3::Y), Some(Vec2::NEG_Y));
+    }
+}
