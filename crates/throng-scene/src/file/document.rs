@@ -141,7 +141,7 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
 /// Lists of numbers that may have any length; all others are points of the plane ...
 const NUMBER_LISTS: [&str; 2] = ["layers", "avoids"];
 /// ... but those in these tables, which are points in space.
-const IN_SPACE: [&str; 2] = ["sphere", "air"];
+const IN_SPACE: [&str; 3] = ["sphere", "air", "camera"];
 
 /// The place of a list with more numbers than a point has, how many, and how many it should have: the deserialiser
 /// would drop the surplus.

@@ -90,11 +90,11 @@ impl World {
         let parts = world.sub_steps();
         let seconds = world.seconds(parts);
         let now = world.time() + f64::from(seconds);
-        let memory = world.agents.memory.clone();
+        let (memory, draws) = (world.agents.memory.clone(), world.tally.sub_steps);
         world.step.rest.end();
         world.decide(seconds, now, |_| ());
-        // deciding has changed what is remembered
-        world.agents.memory = memory;
+        // deciding has changed what is remembered, and what would be drawn by chance
+        (world.agents.memory, world.tally.sub_steps) = (memory, draws);
         let row = world.row(id)?;
         let (_, steering) = world.steering_reasons(row, seconds, now);
         Some(Explanation { steering, ..world.explanation(row, seconds) })
