@@ -10,6 +10,8 @@ mod movers;
 mod place;
 mod plan;
 mod size;
+mod steer;
+mod surface;
 mod world;
 
 pub use count::MAX_AGENTS;
