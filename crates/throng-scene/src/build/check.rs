@@ -41,7 +41,8 @@ pub(super) fn check_scene(scene: &Scene) -> Checked {
     }
     check_names(scene)?;
     check_view(&scene.view)?;
-    check_expect(&scene.expect)
+    check_expect(&scene.expect)?;
+    super::expect::check_groups(scene)
 }
 
 /// Two groups of one name would make `--set group.name...` ambiguous.

@@ -3,6 +3,7 @@
 mod agents;
 mod check;
 mod count;
+mod expect;
 mod goals;
 mod ground;
 mod limits;

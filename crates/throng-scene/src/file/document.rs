@@ -142,7 +142,7 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
 /// Lists of numbers that may have any length; all others are points of the plane ...
 const NUMBER_LISTS: [&str; 4] = ["layers", "avoids", "heights", "radii"];
 /// ... but those in these tables, which are points in space ...
-const IN_SPACE: [&str; 5] = ["sphere", "air", "steer", "surface", "path"];
+const IN_SPACE: [&str; 6] = ["sphere", "air", "steer", "surface", "path", "distance"];
 /// ... or not, after all.
 const IN_PLANE: [&str; 2] = ["rectangle", "corners"];
 

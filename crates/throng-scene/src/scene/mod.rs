@@ -23,7 +23,7 @@ mod view;
 pub use avoid::{Avo, Avoid, BuiltFrom, Clearpath, Hrvo, Orca, Orca3d, Rvo, RvoLab, Unavoiding, Vo};
 pub use behaviours::Behaviours;
 pub use body::{Body, Sides};
-pub use expect::{Arrived, Expect, FlowExpect};
+pub use expect::{Arrived, DistanceExpect, Expect, FlowExpect, GroupExpect, To, When};
 pub use goal::{AirGoal, Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
 pub use ground::{Area, Rectangle, Region, Walkable};
 pub use group::{Group, Speed};
