@@ -47,7 +47,7 @@ pub enum Command {
     /// Measures how long steps take, stage by stage, on the reference works and on scenes
     #[command(after_help = bench::SHORT, after_long_help = bench::LONG)]
     Bench(Box<BenchArgs>),
-    /// Lists the scenes of the gallery
+    /// Lists the scenes of the gallery, group by group
     List(ListArgs),
     /// Validates a scene and says what it would do
     ///

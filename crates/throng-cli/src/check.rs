@@ -100,6 +100,9 @@ fn expectations(scene: &Scene, out: &mut Out) -> Result<(), Failure> {
         (e.mean_speed.is_some(), "mean_speed"),
         (e.final_speed.is_some(), "final_speed"),
         (!e.flow.is_empty(), "flow"),
+        (!e.distance.is_empty(), "distance"),
+        (!e.speed.is_empty(), "speed"),
+        (!e.order.is_empty(), "order"),
     ];
     let keys: Vec<&str> = keys.iter().filter(|(there, _)| *there).map(|(_, key)| *key).collect();
     let keys = if keys.is_empty() { "nothing".to_owned() } else { keys.join(", ") };

@@ -5,17 +5,22 @@ use crate::failure::Failure;
 use crate::out::Out;
 use throng_scene::gallery;
 
-/// Writes the names and titles of all scenes to standard output.
+/// Writes the names and titles of all scenes, group by group, to standard output.
 ///
 /// # Errors
 /// It cannot be written.
 pub fn list(args: &ListArgs, out: &mut Out) -> Result<(), Failure> {
     let widest = gallery::names().map(str::len).max().unwrap_or(0);
-    for name in gallery::names() {
-        let title = gallery::title(name).unwrap_or_default();
-        match args.names {
-            true => out.line(format_args!("{name}"))?,
-            false => out.line(format_args!("{name:widest$}  {title}"))?,
+    for (group, names) in gallery::groups() {
+        if !args.names {
+            out.line(format_args!("{group}"))?;
+        }
+        for name in names {
+            let title = gallery::title(name).unwrap_or_default();
+            match args.names {
+                true => out.line(format_args!("{name}"))?,
+                false => out.line(format_args!("  {name:widest$}  {title}"))?,
+            }
         }
     }
     Ok(())

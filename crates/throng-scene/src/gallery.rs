@@ -3,55 +3,46 @@
 use crate::error::{Error, Kind};
 use crate::scene::Scene;
 
-/// Every scene: its name, and its file's text.
-macro_rules! scenes {
-    ($($name:literal),* $(,)?) => {
-        &[$(($name, include_str!(concat!("../../../scenes/", $name, ".toml")))),*]
+/// The scenes of a group: the names, and the files' texts.
+type Scenes = &'static [(&'static str, &'static str)];
+
+/// Every group: its name, and its scenes.
+macro_rules! groups {
+    ($($group:literal: $($name:literal),* ;)*) => {
+        &[$(($group, &[$(($name, include_str!(concat!("../../../scenes/", $name, ".toml")))),*])),*]
     };
 }
 
-const SCENES: &[(&str, &str)] = scenes![
-    // The seed labs' four.
-    "columns",
-    "circle",
-    "box",
-    "pillars",
-    "circle-lab",
-    // Meetings.
-    "headon",
-    "ring",
-    "ring-1000",
-    "crossing",
-    "overtaking",
-    "gathering",
-    "robots",
-    // In the air.
-    "sphere",
-    "drones",
-    // Bodies.
-    "mixed-sizes",
-    "vehicle",
-    "sliding-door",
-    // Walls.
-    "corridor",
-    "bottleneck",
-    "doorway",
-    "doorway-0.8",
-    "doorway-0.6",
-    "doorway-two-way",
-    "narrow-corridor",
-    "maze",
-    "office",
-];
+const GROUPS: &[(&str, Scenes)] = groups! {
+    // the seed labs' four, and their algorithm
+    "labs": "columns", "circle", "box", "pillars", "circle-lab";
+    "meetings": "headon", "ring", "ring-1000", "crossing", "overtaking", "gathering", "robots";
+    "air": "sphere", "drones";
+    "bodies": "mixed-sizes", "vehicle", "sliding-door";
+    "walls": "corridor", "bottleneck", "doorway", "doorway-0.8", "doorway-0.6", "doorway-two-way", "narrow-corridor", "maze", "office";
+    "steering": "seek-flee", "pursue-evade", "offset-pursuit", "arrival", "wander", "unaligned-avoidance", "queueing", "leader-following",
+        "flocking", "boids", "interpose", "shadow", "docking", "explore", "formation", "noise", "multiple-pursuit", "low-speed-turn",
+        "flock-pedestrians";
+};
+
+/// The groups of scenes: the name of each, and the names of its scenes.
+pub fn groups() -> impl Iterator<Item = (&'static str, impl Iterator<Item = &'static str>)> {
+    GROUPS.iter().map(|(group, scenes)| (*group, scenes.iter().map(|(name, _)| *name)))
+}
+
+/// Every scene: its name, and its file's text.
+fn scenes() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+    GROUPS.iter().flat_map(|(_, scenes)| scenes.iter())
+}
 
 /// The names of all scenes.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    SCENES.iter().map(|(name, _)| *name)
+    scenes().map(|(name, _)| *name)
 }
 
 /// The text of a scene's file.
 pub fn text(name: &str) -> Option<&'static str> {
-    SCENES.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
+    scenes().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }
 
 /// The title of a scene.

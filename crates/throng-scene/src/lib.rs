@@ -34,7 +34,7 @@
 //! # Ok::<(), throng_scene::Error>(())
 //! ```
 //!
-//! `docs/scenes.md` describes every key. Files use degrees for angles, metres and seconds for the rest.
+//! `docs/scenes.md` describes every key, `docs/steering.md` those of steering. Files use degrees for angles, metres and seconds for the rest.
 //!
 //! | to do | use |
 //! |---|---|
@@ -42,6 +42,7 @@
 //! | change one value, as the program's `--set` does | [`Scene::set`] |
 //! | try another local model | [`Model`], [`Scene::with_model`] |
 //! | make the world | [`Scene::build`] |
+//! | say what agents steer by; bring behaviours of your own | [`steer`], [`Behaviours`] |
 //! | look at what would be built | [`Scene::plan`] |
 //! | check what the scene expects | [`Watch`], [`Verdict`] |
 //! | the scenes that come with the project | [`gallery`] |

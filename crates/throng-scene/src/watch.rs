@@ -1,5 +1,8 @@
 //! Checking what a scene's `[expect]` says.
 
+mod gauge;
+
+use self::gauge::Gauge;
 use crate::geometry::DVec2;
 use crate::scene::{Arrived, Expect, FlowExpect};
 use serde::Serialize;
@@ -28,10 +31,11 @@ pub struct Watch {
     /// When enough had arrived.
     reached: Option<f64>,
     /// Sum in nanometres a second, and number, of the speeds of those on their way.
-    speed: (u128, u64),
+    speed: (i128, u64),
     /// Where everybody was, by number; not finite before they entered.
     positions: Vec<DVec2>,
     flows: Vec<Flow>,
+    gauges: Vec<Gauge>,
 }
 
 /// What came of the checks.
@@ -47,9 +51,9 @@ pub struct Verdict {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Check {
     /// The key of `[expect]`: `arrived`, `within`, `least_separation`, `least_wall_separation`, `heading_change`,
-    /// `mean_speed`, `final_speed`, `flow.0.at_least` and the like.
+    /// `mean_speed`, `final_speed`, `flow.0.at_least`, `distance.0.at_most` and the like.
     pub name: String,
-    /// The bound: a count, seconds, a ratio, degrees a second, m/s, agents a second.
+    /// The bound: a count, seconds, a ratio, degrees a second, m/s, agents a second, metres.
     pub expected: Figure,
     /// What the run showed, in the same unit; `None` where there was nothing to measure.
     pub found: Option<Figure>,
@@ -82,6 +86,7 @@ impl Watch {
         let flow = |line: &FlowExpect| Flow { line: *line, count: 0, first: 0.0, last: 0.0 };
         let mut watch = Self {
             flows: expect.flow.iter().map(flow).collect(),
+            gauges: Gauge::all(expect, world),
             expect: expect.clone(),
             reached: None,
             speed: (0, 0),
@@ -96,6 +101,7 @@ impl Watch {
     pub fn step(&mut self, world: &World) {
         self.arrivals(world);
         self.crossings(world);
+        self.gauges.iter_mut().for_each(|gauge| gauge.step(world));
         if self.expect.mean_speed.is_some() {
             let agents = world.agents();
             for row in (0..agents.len()).filter(|&row| agents.status[row] == Status::Walking) {
@@ -162,7 +168,7 @@ impl Watch {
         let mean_speed = self.speed.0 as f64 * 1e-9 / self.speed.1 as f64; // NaN for nobody on the way: no bound holds
         let agents = world.agents();
         let speeds = (0..agents.len()).map(|row| nanometres(agents.speed(row)));
-        let final_speed = speeds.sum::<u128>() as f64 * 1e-9 / agents.len().max(1) as f64;
+        let final_speed = speeds.sum::<i128>() as f64 * 1e-9 / agents.len().max(1) as f64;
         let bounds = [
             ("within", expect.within, self.reached.unwrap_or(f64::INFINITY), at_most as Holds),
             ("least_separation", expect.least_separation, summary.least_separation, at_least),
@@ -196,13 +202,14 @@ impl Watch {
                 );
             }
         }
+        checks.extend(self.gauges.iter().flat_map(Gauge::checks));
         Verdict { passed: checks.iter().all(|check| check.passed), checks }
     }
 }
 
-/// A speed in whole nanometres a second: whole numbers have the same sum in any order, and rows are in none.
-fn nanometres(speed: f32) -> u128 {
-    (f64::from(speed) * 1e9).round() as u128
+/// A length, or a speed, in whole nanometres: whole numbers have the same sum in any order, and rows are in none.
+fn nanometres(length: f32) -> i128 {
+    (f64::from(length) * 1e9).round() as i128
 }
 
 /// Whether what was found is within a bound.

@@ -1,12 +1,13 @@
-//! The page on the scene format says what is so.
+//! The pages on the scene format say what is so.
 
 use throng_scene::{Scene, schema};
 
-const PAGE: &str = include_str!("../../../docs/scenes.md");
+const PAGES: [&str; 2] = [include_str!("../../../docs/scenes.md"), include_str!("../../../docs/steering.md")];
 
 #[test]
-fn every_example_of_the_page_builds() {
-    let examples: Vec<&str> = PAGE.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+fn every_example_builds() {
+    let examples = PAGES.iter().flat_map(|page| page.split("```toml\n").skip(1));
+    let examples: Vec<&str> = examples.filter_map(|rest| rest.split("```").next()).collect();
     assert!(examples.len() >= 5);
     for example in examples {
         let scene: Scene = example.parse().unwrap_or_else(|error| panic!("{error}"));
@@ -17,7 +18,7 @@ fn every_example_of_the_page_builds() {
 }
 
 #[test]
-fn every_key_is_on_the_page() {
+fn every_key_is_on_a_page() {
     fn keys(value: &serde_json::Value, out: &mut Vec<String>) {
         if let Some(properties) = value["properties"].as_object() {
             out.extend(properties.keys().cloned());
@@ -31,8 +32,9 @@ fn every_key_is_on_the_page() {
     let mut all = vec![];
     keys(&schema(), &mut all);
     assert!(all.len() > 60);
-    let words: Vec<&str> = PAGE.split(|c: char| !(c.is_alphanumeric() || c == '_')).collect();
+    let words: Vec<&str> =
+        PAGES.iter().flat_map(|page| page.split(|c: char| !(c.is_alphanumeric() || c == '_'))).collect();
     for key in all {
-        assert!(words.contains(&key.as_str()), "docs/scenes.md does not mention `{key}`");
+        assert!(words.contains(&key.as_str()), "the pages do not mention `{key}`");
     }
 }

@@ -60,7 +60,7 @@ fn the_longest_scene_shows_what_it_expects() {
 fn every_scene_says_what_the_project_promises() {
     for name in gallery::names() {
         let scene = gallery::scene(name).unwrap();
-        // the labs' own algorithm promises nothing
+        // the labs' own algorithm promises nothing, nor do those who only steer
         if scene.groups.iter().any(|group| !group.is_guarded()) {
             continue;
         }
@@ -135,6 +135,9 @@ fn every_bound_can_fail() {
         "heading_change = 0.001", // everybody keeps a little to the right
         "mean_speed = 1.31",
         "flow = [{ from = [2, -1], to = [2, 1], at_least = 1.1 }]",
+        "distance = [{ to = [9, 0], at_least = 6, when = \"always\" }]",
+        "speed = [{ at_least = 1.2, when = \"always\" }]", // they set out from rest
+        "order = [{ at_most = 0.9, when = \"ever\" }]",
     ];
     for expect in failing {
         let verdict = verdict(expect);
@@ -144,4 +147,29 @@ fn every_bound_can_fail() {
     assert!(verdict("least_wall_separation = 4").passed);
     assert!(verdict("flow = [{ from = [2, -1], to = [2, 1], at_least = 0.9, at_most = 1.1 }]").passed);
     assert_eq!(verdict(""), Verdict { passed: true, checks: vec![] });
+}
+
+#[test]
+fn what_groups_show_is_judged_agent_by_agent() {
+    let scene = |expect: &str| {
+        let text = format!(
+            "time = {{ step = 0.1, until = \"limit\", limit = 10 }}\n\
+             [[group]]\nname = \"pair\"\nplace.points = [[0, 0], [10, 0]]\ngoal.shift.by = [0, 6]\n\
+             [[group]]\nname = \"post\"\nplace.point = [0, 3]\nguard = false\navoid.none = {{}}\n\
+             [expect]\n{expect}\n"
+        );
+        run(&text.parse().unwrap_or_else(|error| panic!("{error}")))
+    };
+    let holds = |expect: &str| scene(expect).passed;
+    // the farther of the two, at the end: [10, 6] from [0, 3]
+    assert!(holds("distance = [{ of = \"pair\", to = \"post\", at_most = 10.6 }]"));
+    assert!(!holds("distance = [{ of = \"pair\", to = \"post\", at_most = 10.3 }]"));
+    // each at its nearest: the one at 10
+    assert!(holds("distance = [{ of = \"pair\", to = [0, 3], at_most = 10.4, when = \"ever\" }]"));
+    assert!(!holds("distance = [{ of = \"pair\", to = [0, 3], at_most = 9.5, when = \"ever\" }]"));
+    assert!(holds("distance = [{ of = \"pair\", to = \"pair\", at_least = 9.0, when = \"always\" }]"));
+    assert!(holds("speed = [{ of = \"pair\", at_most = 0.01 }, { of = \"pair\", at_least = 1.0, when = \"ever\" }]"));
+    assert!(holds("order = [{ of = \"pair\", at_least = 0.95 }]"), "both went the same way");
+    let verdict = scene("distance = [{ of = \"pair\", to = [0, 3, 4], at_least = 5 }]");
+    assert_eq!(verdict.checks[0].name, "distance.0.at_least");
 }

@@ -1,6 +1,6 @@
 //! Every scene of the gallery is a whole example: it reads, builds, says what it expects, and survives a round trip.
 
-use throng_scene::{Scene, gallery, schema};
+use throng_scene::{Expect, Scene, gallery, schema};
 
 #[test]
 fn every_scene_builds_and_expects_something() {
@@ -8,7 +8,9 @@ fn every_scene_builds_and_expects_something() {
         let scene = gallery::scene(name).unwrap_or_else(|error| panic!("{error}"));
         let (_, built) = scene.build().unwrap_or_else(|error| panic!("{error}"));
         assert!(built.agents > 0, "{name}");
-        assert!(scene.expect.arrived.is_some() && scene.expect.within.is_some(), "{name}");
+        let steers = scene.groups.iter().any(|group| group.steer.is_some());
+        assert_ne!(scene.expect, Expect::default(), "{name}");
+        assert!(steers || scene.expect.arrived.is_some() && scene.expect.within.is_some(), "{name}");
         assert!(scene.expect.within <= Some(scene.time.limit), "{name}");
         assert_eq!(gallery::title(name), Some(scene.title.as_str()));
     }
@@ -52,6 +54,17 @@ fn the_folder_and_the_registry_agree() {
     let mut names: Vec<&str> = gallery::names().collect();
     names.sort_unstable();
     assert_eq!(files, names);
+}
+
+#[test]
+fn every_scene_is_in_one_group() {
+    let grouped: Vec<&str> = gallery::groups().flat_map(|(_, names)| names).collect();
+    assert_eq!(grouped, gallery::names().collect::<Vec<_>>());
+    let steering = gallery::groups().find(|(group, _)| *group == "steering").unwrap().1;
+    for name in steering {
+        let scene = gallery::scene(name).unwrap();
+        assert!(scene.groups.iter().any(|group| group.steer.is_some()), "{name}");
+    }
 }
 
 #[test]

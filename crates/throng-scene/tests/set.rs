@@ -21,7 +21,7 @@ fn a_value_of_every_group() {
     let mut scene = corridor();
     scene.set("avoid.orca.time_horizon", "3").unwrap();
     for group in &scene.groups {
-        assert!(matches!(group.avoid, Avoid::Orca(orca) if (orca.time_horizon, orca.neighbours) == (3.0, 10)));
+        assert!(matches!(group.avoid, Some(Avoid::Orca(orca)) if (orca.time_horizon, orca.neighbours) == (3.0, 10)));
     }
 }
 

@@ -95,6 +95,24 @@ const CASES: &[Case] = &[
         command: "throng run scene.toml",
         code: 2,
     },
+    Case {
+        what: "A behaviour about somebody who is not there",
+        files: &[(
+            "scene.toml",
+            "[[group]]\nname = \"dogs\"\nplace.point = [0, 0]\nsteer.pursue = { quarry = { group = \"hares\" } }\n",
+        )],
+        command: "throng run scene.toml",
+        code: 2,
+    },
+    Case {
+        what: "A behaviour with a number out of range",
+        files: &[(
+            "scene.toml",
+            "[[group]]\nplace.point = [0, 0]\nsteer.arrive = { target = [5, 0], slowing_distance = -1 }\n",
+        )],
+        command: "throng run scene.toml",
+        code: 2,
+    },
     Case { what: "A missing scene file", files: &[("office.toml", "")], command: "throng run offcie.toml", code: 2 },
     Case { what: "An unknown gallery name", files: &[], command: "throng run cirlce", code: 2 },
     Case {

@@ -1,11 +1,13 @@
 //! The bodies and speeds of each agent.
 
 use super::size::Size;
+use super::steer::vehicle;
 use crate::random::{Purpose, Random};
 use crate::scene::{self, Avoid, Group, Number, Scene};
 use std::sync::Arc;
 use throng::Agent;
 use throng::avoid::{Avo, BuiltFrom, ClearPath, Hrvo, LocalModel, Orca, Orca3d, Rvo, RvoLab, Search, Unavoiding, Vo};
+use throng::steer::Branch;
 
 /// Draws what differs from agent to agent.
 pub(super) struct Draw<'a> {
@@ -35,22 +37,35 @@ impl Draw<'_> {
         self.group().altitude.map_or(0.0, |altitude| self.number(k, Purpose::Altitude, &altitude))
     }
 
-    /// The k-th agent, without its place, body, ids and number.
-    pub fn agent(&self, k: usize) -> Agent {
+    /// The preferred and the greatest speed of the k-th agent.
+    fn speeds(&self, k: usize) -> (f32, f32) {
         let group = self.group();
-        let standard = Agent::default();
+        if group.steer.is_some() {
+            let most = vehicle(group).max_speed;
+            return (most, most);
+        }
         let preferred = self.number(k, Purpose::PreferredSpeed, &group.speed.preferred) as f32;
         let max = match &group.speed.max {
             Some(max) => self.number(k, Purpose::MaxSpeed, max) as f32,
-            None => standard.max_speed.max(preferred),
+            None => Agent::default().max_speed.max(preferred),
         };
+        (preferred, max)
+    }
+
+    /// The k-th agent, without its place, body, ids and number.
+    pub fn agent(&self, k: usize) -> Agent {
+        let group = self.group();
+        let (preferred, max) = self.speeds(k);
+        let (standard, steers) = (Agent::default(), group.steer.is_some());
+        // the vehicles of those who steer have limits of their own
+        let max_acceleration = if steers { f32::INFINITY } else { standard.max_acceleration };
         let optional = |purpose, number: &Option<Number>| number.map(|number| self.number(k, purpose, &number) as f32);
         let bits = |layers: &[u8]| layers.iter().fold(0u32, |bits, layer| bits | 1 << u32::from(*layer).min(31));
         Agent {
             heading: optional(Purpose::Heading, &group.heading).map(f32::to_radians),
             preferred_speed: preferred.min(max),
             max_speed: max,
-            max_acceleration: optional(Purpose::Acceleration, &group.acceleration).unwrap_or(standard.max_acceleration),
+            max_acceleration: optional(Purpose::Acceleration, &group.acceleration).unwrap_or(max_acceleration),
             max_turn_rate: optional(Purpose::TurnRate, &group.turn_rate)
                 .map_or(standard.max_turn_rate, f32::to_radians),
             tracking_error: optional(Purpose::TrackingError, &group.tracking_error).unwrap_or(0.0),
@@ -62,19 +77,26 @@ impl Draw<'_> {
     }
 }
 
-/// What the agents of a group share.
+/// Degrees that those who walk keep to the right, where nothing is said.
+const KEEP_RIGHT: f64 = 5.0;
+
+/// What the agents of a group share; those who steer have no manners but those that are said.
 #[allow(clippy::needless_update)] // The library may know more of groups and models than scenes say.
-pub(super) fn shared(group: &Group, name: String) -> throng::Group {
-    let (neighbours, neighbour_distance) = group.avoid.sight();
+pub(super) fn shared(group: &Group, name: String, steering: Option<Branch>) -> throng::Group {
+    let avoid = group.local_model();
+    let (neighbours, neighbour_distance) = avoid.sight();
+    let walks = steering.is_none();
     throng::Group {
         name,
-        model: model(&group.avoid),
+        model: model(&avoid),
         neighbour_distance: neighbour_distance as f32,
         neighbours: neighbours as usize,
-        keep_right: group.keep_right.to_radians() as f32,
-        detour: group.detour,
-        queue: group.queue,
-        resolve: group.resolve,
+        keep_right: group.keep_right.unwrap_or(if walks { KEEP_RIGHT } else { 0.0 }).to_radians() as f32,
+        detour: group.detour.unwrap_or(walks),
+        queue: group.queue.unwrap_or(walks),
+        resolve: group.resolve.unwrap_or(walks),
+        steering,
+        vehicle: vehicle(group),
         guard: group.is_guarded(),
         ..throng::Group::default()
     }

@@ -1,6 +1,7 @@
 //! Are all numbers of a scene within their limits?
 
 use super::limits::{Limit, check, check_number, check_point, check_some, check_spot};
+use super::steer::check_steering;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::{
@@ -40,7 +41,8 @@ pub(super) fn check_scene(scene: &Scene) -> Checked {
     }
     check_names(scene)?;
     check_view(&scene.view)?;
-    check_expect(&scene.expect)
+    check_expect(&scene.expect)?;
+    super::expect::check_groups(scene)
 }
 
 /// Two groups of one name would make `--set group.name...` ambiguous.
@@ -138,10 +140,11 @@ fn check_group(path: &Path, group: &Group) -> Checked {
             .hint("add `turn_rate = 180`, degrees a second, or leave tracking_error away"));
     }
     check(&path.key("priority"), group.priority, Limit::Finite)?;
-    check(&path.key("keep_right"), group.keep_right, Limit::Between(-28.0, 28.0))?;
+    check_some(&path.key("keep_right"), group.keep_right, Limit::Between(-28.0, 28.0))?;
     check_layers(&path.key("layers"), &group.layers)?;
     check_layers(&path.key("avoids"), group.avoids.as_deref().unwrap_or_default())?;
-    check_avoid(path, &group.avoid)
+    check_steering(path, group)?;
+    check_avoid(path, &group.local_model())
 }
 
 pub(super) fn check_layers(path: &Path, layers: &[u8]) -> Checked {
@@ -215,7 +218,7 @@ fn check_avoid(path: &Path, avoid: &Avoid) -> Checked {
             path
         }
         Avoid::RvoLab(_) => key("rvo_lab"),
-        Avoid::None(_) => return Ok(()),
+        Avoid::None(_) => key("none"),
     };
     let (neighbours, distance) = avoid.sight();
     check(&path.key("neighbours"), f64::from(neighbours), Limit::Between(1.0, 1000.0))?;

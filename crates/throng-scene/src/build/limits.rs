@@ -109,7 +109,9 @@ pub(super) fn check_number(path: &Path, number: &Number, limit: Limit) -> Result
 pub(super) fn name(path: &Path) -> String {
     let text = path.to_string();
     match text.split_once("].") {
-        Some((head, rest)) if ["group[", "obstacle[", "mover["].iter().any(|list| head.starts_with(list)) => {
+        Some((head, rest))
+            if ["group[", "obstacle[", "mover[", "surface[", "path["].iter().any(|list| head.starts_with(list)) =>
+        {
             rest.to_owned()
         }
         _ => text,

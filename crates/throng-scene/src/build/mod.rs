@@ -3,6 +3,7 @@
 mod agents;
 mod check;
 mod count;
+mod expect;
 mod goals;
 mod ground;
 mod limits;
@@ -10,6 +11,8 @@ mod movers;
 mod place;
 mod plan;
 mod size;
+mod steer;
+mod surface;
 mod world;
 
 pub use count::MAX_AGENTS;

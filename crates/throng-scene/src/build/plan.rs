@@ -8,10 +8,15 @@ use super::ground::{self, Wrong};
 use super::movers;
 use super::place::{Ground, middle};
 use super::size::Size;
+use super::steer::{Making, Named};
+use super::surface;
 use crate::error::Error;
 use crate::file::Problem;
 use crate::geometry::{DVec2, Solid, bounds};
-use crate::scene::{Group, Scene};
+use crate::scene::{Group, Mover, Scene};
+use std::sync::Arc;
+use throng::space::Pathway;
+use throng::space::surface::{Barrier, Surface};
 
 /// Everything a scene puts into a world: what [`Scene::build`] adds, in this order.
 #[derive(Clone, Debug)]
@@ -22,6 +27,10 @@ pub struct Plan {
     pub walkable: Vec<throng::Walkable>,
     /// What is solid, in the scene's order.
     pub obstacles: Vec<throng::Obstacle>,
+    /// Surfaces that behaviours steer by, in the scene's order, relative to the settings' origin.
+    pub surfaces: Vec<Barrier<Arc<dyn Surface>>>,
+    /// Paths that behaviours steer by, in the scene's order, relative to the settings' origin.
+    pub paths: Vec<Arc<Pathway>>,
     /// The groups, in the scene's order, then one for everything that moves by itself.
     pub groups: Vec<throng::Group>,
     /// All goals.
@@ -129,9 +138,25 @@ impl Scene {
             // Whole metres: simple coordinates stay simple in f32.
             origin: ((bounds[0] + bounds[1]) * 0.5).round(),
         };
-        let named = |(i, group): (usize, &Group)| shared(group, Group::name_at(&group.name, i));
-        let groups = self.groups.iter().enumerate().map(named).chain(movers::groups(self)).collect();
-        Ok(Plan { settings, walkable, obstacles, groups, goals, journeys, scripts, agents, bounds })
+        let surfaces = surface::surfaces(self, settings.origin)?;
+        let paths = surface::paths(self, settings.origin)?;
+        let groups = self.shared(&agents, settings.origin)?;
+        Ok(Plan { settings, walkable, obstacles, surfaces, paths, groups, goals, journeys, scripts, agents, bounds })
+    }
+
+    /// What the agents of each group share, and those of everything that moves by itself.
+    fn shared(&self, agents: &[PlannedAgent], origin: DVec2) -> Result<Vec<throng::Group>, Problem> {
+        let names = self.groups.iter().enumerate().map(|(i, group)| Group::name_at(&group.name, i));
+        let names = names.chain(self.movers.iter().enumerate().map(|(i, mover)| Mover::name_at(&mover.name, i)));
+        let first = |group| agents.partition_point(|agent| agent.group < group) as u32;
+        let named = names.enumerate().map(|(i, name)| Named { name, numbers: first(i)..first(i + 1) });
+        let named: Vec<Named> = named.collect();
+        let one = |(i, group): (usize, &Group)| {
+            let making = Making { scene: self, origin, named: &named, group: i };
+            Ok(shared(group, named[i].name.clone(), making.steering()?))
+        };
+        let groups: Vec<throng::Group> = self.groups.iter().enumerate().map(one).collect::<Result<_, Problem>>()?;
+        Ok(groups.into_iter().chain(movers::groups(self)).collect())
     }
 }
 

@@ -112,8 +112,9 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
         let value = match (step, table, array) {
             (Step::Key(key), Some(items), _) => items.get(key.as_str()),
             (Step::Index(index), _, Some(items)) => <[Spanned<DeValue>]>::get(items, *index),
-            // A single source may stand where a list could be.
+            // A single source may stand where a list could be, and a list where a table of it could.
             (Step::Index(0), Some(_), _) => continue,
+            (Step::Key(key), _, Some(_)) if key == "of" => continue,
             _ => None,
         };
         let Some(value) = value else { break };
@@ -139,9 +140,11 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
 }
 
 /// Lists of numbers that may have any length; all others are points of the plane ...
-const NUMBER_LISTS: [&str; 2] = ["layers", "avoids"];
-/// ... but those in these tables, which are points in space.
-const IN_SPACE: [&str; 3] = ["sphere", "air", "camera"];
+const NUMBER_LISTS: [&str; 4] = ["layers", "avoids", "heights", "radii"];
+/// ... but those in these tables, which are points in space ...
+const IN_SPACE: [&str; 7] = ["sphere", "air", "camera", "steer", "surface", "path", "distance"];
+/// ... or not, after all.
+const IN_PLANE: [&str; 2] = ["rectangle", "corners"];
 
 /// The place of a list with more numbers than a point has, how many, and how many it should have: the deserialiser
 /// would drop the surplus.
@@ -160,7 +163,15 @@ fn surplus(table: &DeTable, most: usize) -> Option<(Range<usize>, usize, usize)>
         }
     }
     let points = table.iter().filter(|(key, _)| !NUMBER_LISTS.contains(&key.get_ref().as_ref()));
-    points
-        .into_iter()
-        .find_map(|(key, value)| inside(value, if IN_SPACE.contains(&key.get_ref().as_ref()) { 3 } else { most }))
+    points.into_iter().find_map(|(key, value)| {
+        let key = key.get_ref().as_ref();
+        let most = if IN_SPACE.contains(&key) {
+            3
+        } else if IN_PLANE.contains(&key) {
+            2
+        } else {
+            most
+        };
+        inside(value, most)
+    })
 }

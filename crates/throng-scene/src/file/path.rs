@@ -28,6 +28,13 @@ impl Path {
         path
     }
 
+    /// Further down, by a key that may have dots in it.
+    pub fn name(&self, key: &str) -> Self {
+        let mut path = self.clone();
+        path.steps.push(Step::Key(key.to_owned()));
+        path
+    }
+
     /// Further down, by position in a list.
     pub fn index(&self, index: usize) -> Self {
         let mut path = self.clone();

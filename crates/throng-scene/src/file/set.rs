@@ -10,8 +10,8 @@ use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
 /// Keys whose table names one choice: setting another choice replaces it.
-const CHOICES: [&str; 11] =
-    ["body", "walkable", "shape", "place", "goal", "avoid", "radius", "preferred", "max", "area", "exit"];
+const CHOICES: [&str; 12] =
+    ["body", "walkable", "shape", "place", "goal", "avoid", "steer", "radius", "preferred", "max", "area", "exit"];
 
 /// One changed value.
 #[derive(Clone, Debug)]
@@ -43,6 +43,7 @@ impl Scene {
         let document = document.with(Override { written: path.trim().to_owned(), value: quoted(value.trim()) });
         let mut changed: Self = document.read()?;
         changed.origin.folder.clone_from(&self.origin.folder);
+        changed.behaviours.clone_from(&self.behaviours);
         changed.origin.document = Some(Arc::new(document));
         *self = changed;
         Ok(())

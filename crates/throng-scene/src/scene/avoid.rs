@@ -123,6 +123,8 @@ parameters! {
     }
     /// Parameters of the labs' algorithm: it has none but whom an agent sees.
     RvoLab {}
+    /// No avoidance; those whom an agent sees are those it may queue behind, and steer by.
+    Unavoiding {}
     /// Parameters of velocity obstacles.
     Vo {
         /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
@@ -145,11 +147,6 @@ pub enum BuiltFrom {
     Zero,
 }
 
-/// No avoidance has no parameters.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Unavoiding {}
-
 impl Avoid {
     /// How many of the nearest others are taken into account, and how far an agent looks for them.
     pub fn sight(&self) -> (u32, f64) {
@@ -162,8 +159,7 @@ impl Avoid {
             Self::Rvo(model) => (model.neighbours, model.neighbour_distance),
             Self::RvoLab(model) => (model.neighbours, model.neighbour_distance),
             Self::Vo(model) => (model.neighbours, model.neighbour_distance),
-            // those who are followed in a queue
-            Self::None(_) => (Orca::default().neighbours, Orca::default().neighbour_distance),
+            Self::None(model) => (model.neighbours, model.neighbour_distance),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! What a scene must show: every scene is also a test.
 
 use super::Point;
+use super::ground::is_zero;
+use super::steer::Position;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::borrow::Cow;
@@ -35,6 +37,15 @@ pub struct Expect {
     /// How many cross a line.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub flow: Vec<FlowExpect>,
+    /// How far each of a group is from a place, or from others, metres.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub distance: Vec<DistanceExpect>,
+    /// How fast each of a group is, m/s.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub speed: Vec<GroupExpect>,
+    /// How much groups go one way, or face it at rest: the length of the mean direction, 0 (any way) to 1 (all the same).
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub order: Vec<GroupExpect>,
 }
 
 impl Expect {
@@ -57,6 +68,87 @@ pub struct FlowExpect {
     /// At most this many a second. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_most: Option<f64>,
+}
+
+/// How far each of a group is from a place, or from the nearest of a group, metres between centres.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DistanceExpect {
+    /// Name of the group. Without it, everybody.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub of: Option<String>,
+    /// From what.
+    pub to: To,
+    /// At least so much. Limit: >= 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_least: Option<f64>,
+    /// At most so much. Limit: >= 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_most: Option<f64>,
+    /// When.
+    #[serde(default, skip_serializing_if = "When::is_end")]
+    pub when: When,
+    /// From when on, seconds. Limit: >= 0.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub after: f64,
+}
+
+impl DistanceExpect {
+    /// The same without what the distance is to.
+    pub(crate) fn of_group(&self) -> GroupExpect {
+        let Self { of, at_least, at_most, when, after, .. } = self.clone();
+        GroupExpect { of, at_least, at_most, when, after }
+    }
+}
+
+/// What every agent of a group shows.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GroupExpect {
+    /// Name of the group. Without it, everybody.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub of: Option<String>,
+    /// At least so much. Limit: >= 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_least: Option<f64>,
+    /// At most so much. Limit: >= 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_most: Option<f64>,
+    /// When.
+    #[serde(default, skip_serializing_if = "When::is_end")]
+    pub when: When,
+    /// From when on, seconds. Limit: >= 0.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub after: f64,
+}
+
+/// From what a distance is. In files `[x, y]`, `[x, y, z]`, or the name of a group or a mover.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged, expecting = "this should be [x, y], [x, y, z] or the name of a group")]
+pub enum To {
+    /// From a place.
+    Place(Position),
+    /// From the nearest of a group, other than itself.
+    Group(String),
+}
+
+/// When something must be so.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum When {
+    /// At the end.
+    #[default]
+    End,
+    /// After every step.
+    Always,
+    /// After one step at least; not all of a group after the same.
+    Ever,
+}
+
+impl When {
+    fn is_end(&self) -> bool {
+        *self == Self::End
+    }
 }
 
 /// How many arrive. In files `"all"`, a whole number of agents, or a fraction from 0.0 to 1.0.

@@ -1,6 +1,7 @@
 //! Groups of agents.
 
-use super::{Avoid, Body, Colour, Goal, Number, Place, Source, source};
+use super::avoid::Unavoiding;
+use super::{Avoid, Body, Colour, Goal, Number, Place, Source, Steer, Vehicle, source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -58,23 +59,30 @@ pub struct Group {
     /// The layers they avoid. Without it, all. Limit: 0 to 31 each.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub avoids: Option<Vec<u8>>,
-    /// Degrees by which the preferred velocity is turned clockwise; negative keeps left. Limit: -28 to 28.
-    #[serde(default = "default_keep_right")]
-    pub keep_right: f64,
-    /// Whether an agent whom others block steps aside for a moment.
-    #[serde(default = "yes", skip_serializing_if = "is_yes")]
-    pub detour: bool,
-    /// Whether they go no faster than those right ahead who go the same way.
-    #[serde(default = "yes", skip_serializing_if = "is_yes")]
-    pub queue: bool,
-    /// Whether agents that cannot pass each other agree who steps aside.
-    #[serde(default = "yes", skip_serializing_if = "is_yes")]
-    pub resolve: bool,
-    /// How they avoid others.
-    #[serde(default)]
-    pub avoid: Avoid,
+    /// What they steer by, instead of walking along their ways.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub steer: Option<Steer>,
+    /// What the bodies of those who steer can do; speed, acceleration and turning follow from it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vehicle: Option<Vehicle>,
+    /// Degrees by which the preferred velocity is turned clockwise; negative keeps left. Without it, 5, or 0 for those
+    /// who steer. Limit: -28 to 28.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub keep_right: Option<f64>,
+    /// Whether an agent whom others block steps aside for a moment. Without it, those who do not steer do.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub detour: Option<bool>,
+    /// Whether they go no faster than those right ahead who go the same way. Without it, those who do not steer do.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub queue: Option<bool>,
+    /// Whether agents that cannot pass each other agree who steps aside. Without it, those who do not steer do.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub resolve: Option<bool>,
+    /// How they avoid others. Without it, by ORCA, or not at all if they steer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub avoid: Option<Avoid>,
     /// Whether the guard keeps them from overlapping others and walls. Two of groups without it may overlap. Without this
-    /// key, it does, but for `avoid.rvo_lab`.
+    /// key, it does, but for `avoid.rvo_lab` and those who steer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub guard: Option<bool>,
     /// Colour in pictures. Without it, the next of the palette.
@@ -101,11 +109,13 @@ impl Default for Group {
             priority: 0.0,
             layers: first_layer(),
             avoids: None,
-            keep_right: default_keep_right(),
-            detour: true,
-            queue: true,
-            resolve: true,
-            avoid: Avoid::default(),
+            steer: None,
+            vehicle: None,
+            keep_right: None,
+            detour: None,
+            queue: None,
+            resolve: None,
+            avoid: None,
             guard: None,
             colour: None,
         }
@@ -130,9 +140,6 @@ impl Default for Speed {
     }
 }
 
-fn default_keep_right() -> f64 {
-    5.0
-}
 pub(super) fn first_layer() -> Vec<u8> {
     vec![0]
 }
@@ -151,9 +158,18 @@ pub(super) fn is_yes(yes: &bool) -> bool {
 }
 
 impl Group {
-    /// Whether the guard keeps them from overlapping: as the key says, else as the model's description does.
+    /// How they avoid others: as the key says, else by ORCA, or not at all if they steer.
+    pub fn local_model(&self) -> Avoid {
+        self.avoid.clone().unwrap_or_else(|| match self.steer {
+            None => Avoid::default(),
+            Some(_) => Avoid::None(Unavoiding::default()),
+        })
+    }
+
+    /// Whether the guard keeps them from overlapping: as the key says, else all but those who steer and those with the
+    /// labs' algorithm.
     pub fn is_guarded(&self) -> bool {
-        self.guard.unwrap_or(!matches!(self.avoid, Avoid::RvoLab(_)))
+        self.guard.unwrap_or(self.steer.is_none() && !matches!(self.avoid, Some(Avoid::RvoLab(_))))
     }
 
     /// The name of the group at this position of a scene: its own, or `group-1` for the first.

@@ -2,6 +2,7 @@
 
 mod annotate;
 mod avoid;
+mod behaviours;
 mod body;
 mod expect;
 mod goal;
@@ -14,13 +15,17 @@ mod obstacle;
 mod place;
 mod schema;
 mod source;
+pub mod steer;
+mod surface;
 mod time;
+mod vehicle;
 mod view;
 
 pub use annotate::{Annotate, Annotation};
 pub use avoid::{Avo, Avoid, BuiltFrom, Clearpath, Hrvo, Orca, Orca3d, Rvo, RvoLab, Unavoiding, Vo};
+pub use behaviours::Behaviours;
 pub use body::{Body, Sides};
-pub use expect::{Arrived, Expect, FlowExpect};
+pub use expect::{Arrived, DistanceExpect, Expect, FlowExpect, GroupExpect, To, When};
 pub use goal::{AirGoal, Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
 pub use ground::{Area, Rectangle, Region, Walkable};
 pub use group::{Group, Speed};
@@ -31,7 +36,12 @@ pub use obstacle::{As, Circle, Obstacle, Shape};
 pub use place::{DiscPlace, Grid, Line, Place, PolygonPlace, RectanglePlace, Ring, Sphere, WalkablePlace};
 pub use schema::schema;
 pub use source::Source;
+pub use steer::Steer;
+pub use surface::{
+    Ball, Block, Column, Form, HalfSpace, HeightField, MeshFile, Pathway, Rod, SeenFrom, Sheet, Surface, Up,
+};
 pub use time::{SubSteps, Time, Until};
+pub use vehicle::{Forces, Integrator, Vehicle, VehicleKind};
 pub use view::{Camera, Colour, Projection, View};
 
 pub use crate::file::Origin;
@@ -66,6 +76,12 @@ pub struct Scene {
     /// What is solid.
     #[serde(default, rename = "obstacle", skip_serializing_if = "Vec::is_empty")]
     pub obstacles: Vec<Obstacle>,
+    /// Surfaces that behaviours steer by.
+    #[serde(default, rename = "surface", skip_serializing_if = "Vec::is_empty")]
+    pub surfaces: Vec<Surface>,
+    /// Paths that behaviours steer by.
+    #[serde(default, rename = "path", skip_serializing_if = "Vec::is_empty")]
+    pub paths: Vec<Pathway>,
     /// Who is there.
     #[serde(default, rename = "group", skip_serializing_if = "Vec::is_empty")]
     pub groups: Vec<Group>,
@@ -78,6 +94,10 @@ pub struct Scene {
     /// What it must show.
     #[serde(default, skip_serializing_if = "Expect::is_default")]
     pub expect: Expect,
+    /// Behaviours that a program brings along, for `steer.custom`. Not part of what the scene says either.
+    #[serde(skip)]
+    #[schemars(skip)]
+    pub behaviours: Behaviours,
     /// Where it was read from: what relative file names and the places of errors refer to. Not part of what the
     /// scene says: scenes that differ only in this are equal.
     #[serde(skip)]
@@ -98,10 +118,13 @@ impl Default for Scene {
             time: Time::default(),
             walkable: None,
             obstacles: vec![],
+            surfaces: vec![],
+            paths: vec![],
             groups: vec![],
             movers: vec![],
             view: View::default(),
             expect: Expect::default(),
+            behaviours: Behaviours::default(),
             origin: Origin::default(),
         }
     }

@@ -18,7 +18,7 @@ const KEPT: [&str; 2] = ["neighbours", "neighbour_distance"];
 ///
 /// let model: Model = "rvo:weight=0.5:time_horizon=4".parse()?;
 /// let scene = gallery::scene("circle")?.with_model(&model)?;
-/// let Avoid::Rvo(rvo) = scene.groups[0].avoid else { panic!() };
+/// let Some(Avoid::Rvo(rvo)) = scene.groups[0].avoid else { panic!() };
 /// assert_eq!((rvo.weight, rvo.time_horizon, rvo.neighbours), (0.5, 4.0, 10));
 /// # Ok::<(), throng_scene::Error>(())
 /// ```
@@ -87,7 +87,7 @@ impl Scene {
     pub fn with_model(&self, model: &Model) -> Result<Self, Error> {
         let mut scene = self.clone();
         for group in &mut scene.groups {
-            group.avoid = model.instead_of(&group.avoid)?;
+            group.avoid = Some(model.instead_of(&group.local_model())?);
         }
         Ok(scene)
     }
@@ -136,7 +136,7 @@ mod tests {
 
     fn avoid(scene: &str, model: &str) -> Avoid {
         let scene: Scene = scene.parse().unwrap();
-        scene.with_model(&model.parse().unwrap()).unwrap().groups.remove(0).avoid
+        scene.with_model(&model.parse().unwrap()).unwrap().groups.remove(0).local_model()
     }
 
     const ONE: &str = "[[group]]\nplace.point = [0.0, 0.0]\navoid.orca = { time_horizon = 3.0, neighbours = 20 }\n";

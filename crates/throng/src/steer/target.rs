@@ -73,7 +73,7 @@ impl Who {
 pub enum Target {
     /// A place.
     Point(Vec3),
-    /// Where the agent's own journey leads next.
+    /// Where the agent's own journey leads next; its last goal if it has arrived.
     Goal,
     /// The agent with this number; for itself it is nobody.
     Agent(u32),

@@ -162,14 +162,13 @@ impl World {
         }
     }
 
-    /// Where the journey of an agent leads next.
+    /// Where the journey of an agent leads next; who waits or has arrived is there.
     pub(super) fn steering_goal(&self, row: usize) -> Option<Vec3> {
-        if self.agents.status[row] != Status::Walking {
-            return None;
-        }
         let travel = &self.agents.travel[row];
-        let stop = self.stop(row, travel.leg)?;
-        let aim = travel.aim().or_else(|| self.goal_middle(row, travel.leg))?;
+        let leg = travel.leg;
+        let stop = self.stop(row, leg)?;
+        let corner = travel.aim().filter(|_| self.agents.status[row] == Status::Walking);
+        let aim = corner.or_else(|| self.goal_middle(row, leg))?;
         let altitude = self.goals[stop.goal.index()].altitude().unwrap_or(0.0);
         Some((aim - self.settings.origin).as_vec2().extend(altitude as f32))
     }

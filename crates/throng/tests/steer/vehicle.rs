@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
-use std::f32::consts::PI;
+use std::f32::consts::{FRAC_PI_2, PI};
 use throng::motion::{Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
 
 fn vector(range: f32) -> impl Strategy<Value = Vec3> {
@@ -205,4 +205,16 @@ fn mistakes_are_named() {
     assert!(told(Vehicle { mass: 0.0, ..Vehicle::default() }).contains("mass is 0"));
     assert!(told(Vehicle { min_speed: 3.0, ..Vehicle::default() }).contains("least speed is 3"));
     assert!(told(Vehicle { response: f32::NAN, ..Vehicle::default() }).contains("response"));
+}
+
+/// A force straight to the side, give or take rounding, moves nobody aside who stands and cannot turn on the spot.
+#[test]
+fn at_rest_it_goes_ahead_first() {
+    let vehicle = Vehicle { low_speed: 0.5, ..Vehicle::default() };
+    for heading in [FRAC_PI_2, -FRAC_PI_2] {
+        let forward = Vec3::new(heading.cos(), heading.sin(), 0.0);
+        let mut motion = Motion::at_rest(Vec3::ZERO, forward);
+        vehicle.step(&mut motion, Vec3::X * 5.0, 0.02);
+        assert!(angle(motion.velocity, forward) < 1e-3 && motion.speed() > 0.05, "{heading}: {}", motion.velocity);
+    }
 }

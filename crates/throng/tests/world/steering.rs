@@ -6,7 +6,7 @@ use std::sync::Arc;
 use throng::avoid::{Orca, Unavoiding};
 use throng::motion::{Locomotion, Motion, Vehicle};
 use throng::steer::{Arrive, Behaviour, Flocking, Pursue, Seek, Target, View, Wander, WeightedSum, Why};
-use throng::{Agent, AgentId, Asked, Group, Settings, SubSteps, World};
+use throng::{Agent, AgentId, Asked, Goal, Group, Journey, Settings, Stop, SubSteps, World};
 
 const STEP: f64 = 1.0 / 30.0;
 
@@ -172,4 +172,17 @@ fn those_who_are_asked_tell_what_explain_says_and_go_where_they_would() {
     }
     assert_eq!(asked.state_hash(), quiet.state_hash());
     assert_eq!(asked.save(), quiet.save());
+}
+
+#[test]
+fn who_has_arrived_stays_at_its_goal() {
+    let mut world = world();
+    let vehicle = Vehicle::default();
+    let group = world.add_group(vehicles(Arrive::from(Target::Goal), vehicle)).unwrap();
+    let goal = world.add_goal(Goal::Point { at: DVec2::new(6.0, 2.0), tolerance: 0.5 }).unwrap();
+    let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false }).unwrap();
+    let id = world.add_agent(Agent { journey, ..agent((0.0, 0.0, 0.0), group, &vehicle) }).unwrap();
+    (0..600).for_each(|_| world.step());
+    assert_eq!(world.counts().arrived, 1);
+    assert!(place(&world, id).distance(Vec3::new(6.0, 2.0, 0.0)) < 0.02, "{}", place(&world, id));
 }

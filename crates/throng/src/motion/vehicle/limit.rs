@@ -31,7 +31,8 @@ fn steerable(vehicle: &Vehicle, motion: &Motion, force: Vec3, seconds: f32) -> V
         let stops = vehicle.velocity_of(motion, force, seconds).dot(motion.basis.forward) >= -REST * vehicle.max_speed;
         stops && force.dot(motion.basis.forward) < 0.0
     };
-    if part >= 1.0 || brakes() {
+    // at rest there is nothing to brake
+    if part >= 1.0 || part > 0.0 && brakes() {
         return force;
     }
     let cone = PI * part * part * (3.0 - 2.0 * part);

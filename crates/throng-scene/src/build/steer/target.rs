@@ -1,0 +1,63 @@
+//! Places, agents and groups that behaviours name.
+
+use super::super::limits::{HIGHEST, Limit, check};
+use super::{Making, Named};
+use crate::error::Kind;
+use crate::file::{Path, Problem};
+use crate::geometry::DVec2;
+use crate::scene::steer::{Member, Position, Target, Who};
+use glam::Vec3;
+use throng::GroupId;
+
+impl Making<'_> {
+    /// A place of the scene in the world.
+    pub fn place(&self, place: Position, at: &Path) -> Result<Vec3, Problem> {
+        let [x, y, z] = place.0;
+        check(&at.index(2), z, Limit::Between(0.0, HIGHEST))?;
+        Ok((DVec2::new(x, y) - self.origin).as_vec2().extend(z as f32))
+    }
+
+    /// Whom or what a behaviour steers by.
+    pub fn target(&self, target: &Target, at: &Path) -> Result<throng::steer::Target, Problem> {
+        Ok(match target {
+            Target::At(place) => throng::steer::Target::Point(self.place(*place, at)?),
+            Target::Goal => throng::steer::Target::Goal,
+            Target::Agent(member) => throng::steer::Target::Agent(self.member(member, at)?),
+            Target::Nearest(who) => throng::steer::Target::Nearest(self.who(Some(who), &at.key("nearest"))?),
+        })
+    }
+
+    /// Which others count; anybody if nothing is said.
+    pub fn who(&self, who: Option<&Who>, at: &Path) -> Result<throng::steer::Who, Problem> {
+        Ok(match who {
+            None | Some(Who::Anybody) => throng::steer::Who::Anybody,
+            Some(Who::Own) => throng::steer::Who::OwnGroup,
+            Some(Who::Others) => throng::steer::Who::OtherGroups,
+            // behind the group that every world has
+            Some(Who::Group(name)) => throng::steer::Who::Group(GroupId::DEFAULT.index() + 1 + self.named(name, at)?.0),
+        })
+    }
+
+    /// The number of an agent.
+    fn member(&self, member: &Member, at: &Path) -> Result<u32, Problem> {
+        let (_, Named { name, numbers }) = self.named(&member.group, &at.key("group"))?;
+        let number = u32::try_from(member.agent).ok().and_then(|k| numbers.start.checked_add(k));
+        number.filter(|number| numbers.contains(number)).ok_or_else(|| {
+            let message = format!("there is no agent {} in `{name}`", member.agent);
+            let hint = match numbers.len() {
+                1 => "it has one agent, 0".to_owned(),
+                count => format!("it has {count} agents, 0 to {}", count - 1),
+            };
+            Problem::new(&at.key("agent"), Kind::OutOfRange, message).hint(hint)
+        })
+    }
+
+    /// The group or mover of a name, and its position.
+    fn named(&self, name: &str, at: &Path) -> Result<(usize, &Named), Problem> {
+        self.named.iter().enumerate().find(|(_, named)| named.name == name).ok_or_else(|| {
+            let names: Vec<&str> = self.named.iter().map(|named| named.name.as_str()).collect();
+            let message = format!("there is no group `{name}`");
+            Problem::new(at, Kind::UnknownKey, message).hint(format!("there is: {}", names.join(", ")))
+        })
+    }
+}
