@@ -153,8 +153,9 @@ struct StepMemory {
     measured: Vec<measure::Measured>,
     /// Whether the status of anybody may change in this sub-step.
     anybody_may_change: bool,
-    /// How many have arrived at each goal.
+    /// How many have arrived at each goal, and whether anybody has at any.
     arrivals: Vec<u32>,
+    anybody_arrived: bool,
     cycles: Cycles,
     /// Rows with their next status, where it may be another.
     changes: Vec<(usize, Status)>,

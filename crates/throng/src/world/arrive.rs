@@ -35,6 +35,7 @@ impl World {
                 arrivals[goal.index()] += 1;
             }
         }
+        self.step.anybody_arrived = arrivals.iter().any(|&arrivals| arrivals > 0);
         self.step.arrivals = arrivals;
     }
 

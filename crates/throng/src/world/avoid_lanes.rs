@@ -39,11 +39,10 @@ impl World {
     pub(super) fn common(&self, seconds: f32) -> Option<Common> {
         let agents = &self.agents;
         let plain = agents.all_discs()
-            && !agents.anybody_flies()
+            && !self.in_space_now()
             && agents.all_avoid()
             && agents.script.uniform() == Some(None)
             && agents.spin.uniform() == Some(0.0)
-            && agents.climb.uniform() == Some(0.0)
             && agents.tracking_error.uniform() == Some(0.0)
             && agents.max_turn_rate.uniform() == Some(f32::INFINITY)
             && self.standoffs.is_empty()
@@ -112,13 +111,11 @@ impl World {
         }
     }
 
-    /// Who of a range of rows goes by another model, wants to leave the ground or sees walls, as bits.
+    /// Who of a range of rows goes by another model or sees walls, as bits.
     fn misfits(&self, common: &Common, rows: Range<usize>) -> u64 {
         let model = |row: usize| self.groups[self.agents.group[row].index()].model.as_orca();
         let fits = |row: usize| {
-            self.step.preferred.climb(row) <= 0.0
-                && (common.alike || model(row) == Some(common.orca))
-                && (common.open || self.sees_no_wall(row, &common.orca))
+            (common.alike || model(row) == Some(common.orca)) && (common.open || self.sees_no_wall(row, &common.orca))
         };
         rows.rev().fold(0, |misfits, row| misfits << 1 | u64::from(!fits(row)))
     }

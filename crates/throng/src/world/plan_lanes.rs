@@ -43,11 +43,10 @@ impl World {
         mut left: impl FnMut(usize, &mut Travel) -> Way,
     ) -> bool {
         let mut may_change = false;
-        let anybody_arrived = self.step.arrivals.iter().any(|&arrivals| arrivals > 0);
         let lanes = S::f32s::LEN;
         let parts = travels.chunks_mut(lanes).zip(shown.chunks_mut(lanes));
         for (start, (travels, shown)) in rows.step_by(lanes).zip(parts) {
-            let looked = self.look_at(simd, start, travels, shown, seconds, anybody_arrived);
+            let looked = self.look_at(simd, start, travels, shown, seconds);
             may_change |= looked.may_change;
             for lane in ones(looked.left) {
                 let row = start + lane;
@@ -67,7 +66,6 @@ impl World {
         travels: &mut [Travel],
         shown: &mut [Shown],
         seconds: f32,
-        anybody_arrived: bool,
     ) -> Looked {
         let agents = &self.agents;
         let rows = start..start + travels.len();
@@ -81,7 +79,7 @@ impl World {
                 {
                     set(&mut towards, lane, (leg.middle - self.world_position(row)).as_vec2());
                     tolerance[lane] = near;
-                    let taken = anybody_arrived && self.step.arrivals[leg.goal.index()] > 0;
+                    let taken = self.step.anybody_arrived && self.step.arrivals[leg.goal.index()] > 0;
                     let way =
                         Way::walking(Some(leg.goal), Vec2::ZERO, 0.0).stopping(leg.is_last).changing(taken).plain(true);
                     keys[lane] = way.key();

@@ -220,3 +220,18 @@ fn who_is_pushed_off_its_point_in_the_air_comes_back() {
     assert!(pushed > 0.15 && place(&world).distance(at) <= 0.12, "{pushed} {}", place(&world).distance(at));
     assert!(world.agents().status.iter().all(|&status| status == Status::Arrived));
 }
+
+#[test]
+fn who_stands_among_others_takes_off() {
+    let mut world = world(0.05, DVec2::ZERO);
+    let journey = journey_into(&mut world, Goal::Air { at: DVec3::new(0.0, 0.0, 6.0), tolerance: 0.2 });
+    let flier = world.add_agent(Agent { journey, ..Agent::default() }).unwrap();
+    for k in 0..30 {
+        world.add_agent(Agent { position: DVec2::new(3.0 + f64::from(k), 1.0), ..Agent::default() }).unwrap();
+    }
+    let arrived = (0..1200).any(|_| {
+        world.step();
+        world.agents().status[world.row(flier).unwrap()] == Status::Arrived
+    });
+    assert!(arrived, "it is {} m high", world.agents().altitude[world.row(flier).unwrap()]);
+}
