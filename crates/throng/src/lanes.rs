@@ -1,8 +1,8 @@
-//! Vectors of the plane, a lane an agent. Every operation is that of one agent's `Vec2`, in the same order: so lanes
-//! have the same bits as agents one by one.
+//! Vectors of the plane and of space, a lane an agent. Every operation is that of one agent's `Vec2` or `Vec3`, in the same
+//! order: so lanes have the same bits as agents one by one.
 
 use fearless_simd::prelude::*;
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use std::ops::{Add, Mul, Sub};
 
 /// Lanes that a vector has at most.
@@ -124,6 +124,125 @@ impl<S: Simd> Mul<S::f32s> for Vec2s<S> {
     }
 }
 
+/// A vector of space in every lane.
+#[derive(Clone, Copy)]
+pub(crate) struct Vec3s<S: Simd> {
+    pub x: S::f32s,
+    pub y: S::f32s,
+    pub z: S::f32s,
+}
+
+impl<S: Simd> Vec3s<S> {
+    /// The same in every lane.
+    #[inline(always)]
+    pub fn splat(simd: S, v: Vec3) -> Self {
+        Self { x: S::f32s::splat(simd, v.x), y: S::f32s::splat(simd, v.y), z: S::f32s::splat(simd, v.z) }
+    }
+
+    #[inline(always)]
+    pub fn load(simd: S, all: &[[f32; LANES]; 3]) -> Self {
+        Self { x: load(simd, &all[0]), y: load(simd, &all[1]), z: load(simd, &all[2]) }
+    }
+
+    /// Puts them into an array a component.
+    #[inline(always)]
+    pub fn store(self, all: &mut [[f32; LANES]; 3]) {
+        self.x.store_slice(&mut all[0][..S::f32s::LEN]);
+        self.y.store_slice(&mut all[1][..S::f32s::LEN]);
+        self.z.store_slice(&mut all[2][..S::f32s::LEN]);
+    }
+
+    #[inline(always)]
+    pub fn dot(self, other: Self) -> S::f32s {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+
+    /// The part along the ground.
+    #[inline(always)]
+    pub fn truncate(self) -> Vec2s<S> {
+        Vec2s { x: self.x, y: self.y }
+    }
+
+    #[inline(always)]
+    pub fn length(self) -> S::f32s {
+        self.dot(self).sqrt()
+    }
+
+    #[inline(always)]
+    pub fn cross(self, other: Self) -> Self {
+        Self {
+            x: self.y * other.z - other.y * self.z,
+            y: self.z * other.x - other.z * self.x,
+            z: self.x * other.y - other.x * self.y,
+        }
+    }
+
+    /// As `Vec3::lerp`.
+    #[inline(always)]
+    pub fn lerp(self, simd: S, other: Self, part: f32) -> Self {
+        self * S::f32s::splat(simd, 1.0 - part) + other * S::f32s::splat(simd, part)
+    }
+
+    /// As `Vec3::reject_from_normalized`.
+    #[inline(always)]
+    pub fn reject_from_normalized(self, other: Self) -> Self {
+        self - other * self.dot(other)
+    }
+
+    /// Divided, each component.
+    #[inline(always)]
+    pub fn over(self, by: S::f32s) -> Self {
+        Self { x: self.x / by, y: self.y / by, z: self.z / by }
+    }
+
+    #[inline(always)]
+    pub fn select(mask: S::mask32s, yes: Self, no: Self) -> Self {
+        Self { x: mask.select(yes.x, no.x), y: mask.select(yes.y, no.y), z: mask.select(yes.z, no.z) }
+    }
+
+    /// As `Vec3::try_normalize`: where there is a direction, and which; elsewhere the second says nothing.
+    #[inline(always)]
+    pub fn try_normalize(self, simd: S) -> (S::mask32s, Self) {
+        let inverse = S::f32s::splat(simd, 1.0) / self.length();
+        (inverse.is_finite() & inverse.simd_gt(S::f32s::splat(simd, 0.0)), self * inverse)
+    }
+
+    /// As `Vec3::clamp_length_max`.
+    #[inline(always)]
+    pub fn clamp_length_max(self, most: S::f32s) -> Self {
+        let length_squared = self.dot(self);
+        let longer = length_squared.simd_gt(most * most);
+        if !longer.any_true() {
+            return self;
+        }
+        Self::select(longer, self.over(length_squared.sqrt()) * most, self)
+    }
+}
+
+impl<S: Simd> Add for Vec3s<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
+    }
+}
+
+impl<S: Simd> Sub for Vec3s<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
+    }
+}
+
+impl<S: Simd> Mul<S::f32s> for Vec3s<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, by: S::f32s) -> Self {
+        Self { x: self.x * by, y: self.y * by, z: self.z * by }
+    }
+}
+
 /// The first lanes of an array.
 #[inline(always)]
 pub(crate) fn load<S: Simd>(simd: S, all: &[f32; LANES]) -> S::f32s {
@@ -154,10 +273,63 @@ pub(crate) fn load_pairs<S: Simd>(simd: S, all: &[[f32; 4]; LANES]) -> [Vec2s<S>
     [Vec2s { x: ax, y: ay }, Vec2s { x: bx, y: by }]
 }
 
+/// Words of a record.
+pub(crate) const WORDS: usize = 16;
+
+/// The words of a vector of records, a lane a record.
+#[inline(always)]
+pub(crate) fn load_records<S: Simd>(simd: S, records: &[[f32; WORDS]; LANES]) -> [S::f32s; WORDS] {
+    let (flat, lanes) = (records.as_flattened(), S::f32s::LEN);
+    let mut all = [S::f32s::splat(simd, 0.0); WORDS];
+    for (at, vector) in all.iter_mut().enumerate() {
+        *vector = S::f32s::from_slice(simd, &flat[at * lanes..(at + 1) * lanes]);
+    }
+    // each time the lowest bit of a word's index becomes the highest
+    let mut halved = 1;
+    while halved < WORDS {
+        let before = all;
+        for at in 0..WORDS / 2 {
+            (all[at], all[at + WORDS / 2]) = before[2 * at].deinterleave(before[2 * at + 1]);
+        }
+        halved *= 2;
+    }
+    all
+}
+
+/// The other way round.
+#[inline(always)]
+pub(crate) fn store_records<S: Simd>(_: S, words: [S::f32s; WORDS], records: &mut [[f32; WORDS]; LANES]) {
+    let (flat, lanes) = (records.as_flattened_mut(), S::f32s::LEN);
+    let mut all = words;
+    let mut doubled = 1;
+    while doubled < WORDS {
+        let before = all;
+        for at in 0..WORDS / 2 {
+            (all[2 * at], all[2 * at + 1]) = before[at].interleave(before[at + WORDS / 2]);
+        }
+        doubled *= 2;
+    }
+    for (at, vector) in all.into_iter().enumerate() {
+        vector.store_slice(&mut flat[at * lanes..(at + 1) * lanes]);
+    }
+}
+
 /// Puts a vector into a lane of arrays.
 #[inline(always)]
 pub(crate) fn set(all: &mut [[f32; LANES]; 2], lane: usize, v: Vec2) {
     (all[0][lane], all[1][lane]) = (v.x, v.y);
+}
+
+/// Puts a vector of space into a lane of arrays.
+#[inline(always)]
+pub(crate) fn set3(all: &mut [[f32; LANES]; 3], lane: usize, v: Vec3) {
+    (all[0][lane], all[1][lane], all[2][lane]) = (v.x, v.y, v.z);
+}
+
+/// The vector of space in a lane of arrays.
+#[inline(always)]
+pub(crate) fn get3(all: &[[f32; LANES]; 3], lane: usize) -> Vec3 {
+    Vec3::new(all[0][lane], all[1][lane], all[2][lane])
 }
 
 /// The places of the ones in a word, the lowest first.
@@ -175,6 +347,23 @@ mod tests {
     use super::*;
     use crate::perceive::Instructions;
     use fearless_simd::dispatch;
+
+    #[test]
+    fn records_come_to_their_lanes_and_back() {
+        let all: [[f32; WORDS]; LANES] =
+            std::array::from_fn(|lane| std::array::from_fn(|at| (WORDS * lane + at) as f32));
+        for level in Instructions::ALL.into_iter().filter_map(Instructions::level) {
+            dispatch!(level, simd => {
+                let words = load_records(simd, &all);
+                let mut back = [[0.0; WORDS]; LANES];
+                store_records(simd, words, &mut back);
+                for (lane, record) in all.iter().enumerate().take(words[0].as_slice().len()) {
+                    let found: Vec<f32> = words.iter().map(|word| word.as_slice()[lane]).collect();
+                    assert_eq!((&found[..], back[lane]), (&record[..], *record), "{level:?}");
+                }
+            });
+        }
+    }
 
     #[test]
     fn pairs_come_to_their_lanes() {

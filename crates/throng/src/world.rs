@@ -9,6 +9,8 @@ mod avoid;
 mod avoid_lanes;
 mod build;
 mod explain;
+mod flock;
+mod flock_lanes;
 mod intend;
 mod intend_lanes;
 mod measure;
@@ -135,9 +137,10 @@ struct StepMemory {
     near: perceive::Neighbours,
     shown: Vec<Shown>,
     accounts: Vec<Account>,
+    flocks: flock::Flocks,
     index: steer::Index,
     steering: Vec<Vec<Neighbour>>,
-    planned: Vec<steer::Planned>,
+    planned: steer::Planned,
     stuck: Vec<usize>,
     following: Vec<queue::Following>,
     seen: Vec<u32>,

@@ -151,6 +151,24 @@ impl<T: Value> Column<T> {
         self.values[row] = value;
     }
 
+    /// The values of all rows, to change one by one.
+    pub(crate) fn rows_mut(&mut self) -> &mut [T] {
+        if self.mask == 0 && self.len > 1 {
+            self.spread();
+        }
+        &mut self.values
+    }
+
+    /// Exchanges the values of all rows for others.
+    ///
+    /// # Panics
+    /// If there are more or fewer.
+    pub(crate) fn exchange(&mut self, values: &mut Vec<T>) {
+        assert_eq!(values.len(), self.len, "a value for every row");
+        self.rows_mut();
+        std::mem::swap(&mut self.values, values);
+    }
+
     /// Removes a row; the last row takes its place.
     ///
     /// # Panics

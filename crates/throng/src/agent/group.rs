@@ -14,7 +14,8 @@ pub struct Group {
     pub model: Arc<dyn LocalModel>,
     /// How far an agent looks for others, metres between centres (cores, of bodies that are no discs). Limit: > 0.
     pub neighbour_distance: f32,
-    /// How many of the nearest it takes into account. Limit: >= 1.
+    /// How many of the nearest it takes into account, 1 to 1000; or [`EVERYBODY`](Self::EVERYBODY) within
+    /// `neighbour_distance`, for those who avoid nobody.
     pub neighbours: usize,
     /// Keep-right: the preferred velocity is turned clockwise by this angle, radians; negative keeps left. It is
     /// what resolves symmetric meetings (MODELS 1.10). Limit: -0.5 to 0.5.
@@ -33,6 +34,17 @@ pub struct Group {
     /// Whether the [guard](crate::guard) keeps its agents from overlapping others and walls. Two who are both of
     /// groups without it may overlap; nobody else may.
     pub guard: bool,
+}
+
+impl Group {
+    /// As [`neighbours`](Self::neighbours): everybody near. What flocks want: however dense they are, they are fast, and those
+    /// of one plain [`Flocking`](crate::steer::Flocking) fastest.
+    pub const EVERYBODY: usize = usize::MAX;
+
+    /// How many of the nearest are to be found for each of its agents.
+    pub(crate) fn nearest(&self) -> usize {
+        if self.neighbours == Self::EVERYBODY { 0 } else { self.neighbours }
+    }
 }
 
 impl Default for Group {

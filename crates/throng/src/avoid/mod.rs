@@ -207,6 +207,11 @@ pub trait LocalModel: std::fmt::Debug + Send + Sync {
         false
     }
 
+    /// Whether the model avoids anybody. One that does not takes the preferred velocity, as far as the top speed allows.
+    fn avoids(&self) -> bool {
+        true
+    }
+
     /// The model as a plain ORCA, if it is one: the step makes those choose many at a time, with the same bits.
     fn as_orca(&self) -> Option<Orca> {
         None

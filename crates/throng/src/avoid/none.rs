@@ -17,6 +17,10 @@ impl LocalModel for Unavoiding {
         view.preferred.clamp_length_max(view.max_speed)
     }
 
+    fn avoids(&self) -> bool {
+        false
+    }
+
     fn wall_range(&self, radius: f32, _: f32) -> f32 {
         radius
     }

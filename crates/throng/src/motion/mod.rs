@@ -14,4 +14,4 @@ pub(crate) use heading::wrap;
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};
 pub use vehicle::{Attitude, Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
-pub(crate) use vehicle::{angle_between, part_in, turned, turned_towards};
+pub(crate) use vehicle::{Attitudes, Motions, Stepping, angle_between, part_in, turned, turned_towards};

@@ -1,6 +1,6 @@
 //! What a behaviour is.
 
-use super::{View, Why};
+use super::{Flocking, View, Why};
 use crate::Error;
 use crate::motion::Steering;
 use std::fmt::Debug;
@@ -41,6 +41,11 @@ pub trait Behaviour: Debug + Send + Sync {
     /// The steering of one agent; `None`: there is nothing to correct. `memory` has [`memory`](Self::memory) words, at
     /// first zero; they are kept from step to step and saved with the world.
     fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering>;
+
+    /// The flock that it is, if it is no more and no less: the birds of a flock are steered many at once.
+    fn as_flocking(&self) -> Option<&Flocking> {
+        None
+    }
 
     /// What is wrong with the parameters, if anything is.
     ///

@@ -1,10 +1,9 @@
 //! 4. What is certain, and 5. move: to where the guard says nobody overlaps.
 
 use super::World;
-use super::steer::Planned;
 use crate::agent::Status;
 use crate::guard::{self, Bodies, Pose, Report, Seen};
-use crate::motion::{Motion, Vehicle, angle, faces, turn, wrap};
+use crate::motion::{Attitude, Motion, Vehicle, angle, faces, turn, wrap};
 use glam::{Vec2, Vec3};
 
 impl World {
@@ -28,7 +27,7 @@ impl World {
         } else {
             // to be measured
             contacts.collect_walls_only(&bodies, walls);
-            if world.lanes_to_move().is_none() {
+            if world.lanes_to_move().is_none() && world.lanes_to_fly(seconds).is_none() {
                 guard::unguarded(&bodies, wished, &mut targets);
             }
             Report::default()
@@ -77,8 +76,8 @@ impl World {
         move |row| {
             let group = &groups[agents.group[row].index()];
             let nearest = step.near.of(row);
-            let all = nearest.len() < group.neighbours;
-            sees_all.then_some(Seen { nearest, range: group.neighbour_distance, all })
+            let all = nearest.len() < group.nearest();
+            (sees_all && group.nearest() > 0).then_some(Seen { nearest, range: group.neighbour_distance, all })
         }
     }
 
@@ -103,9 +102,11 @@ impl World {
     /// 5. Move: to where the guard said, then headings, arrivals, exits.
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
         self.note_still(seconds);
-        match self.lanes_to_move() {
-            Some(level) => self.advance_many(level, seconds),
-            None => self.advance_each(seconds),
+        let flying = self.lanes_to_fly(seconds).filter(|_| !self.is_guarded());
+        match (self.lanes_to_move(), flying) {
+            (Some(level), _) => self.advance_many(level, seconds),
+            (None, Some((level, _))) => self.fly_many(level, seconds),
+            (None, None) => self.advance_each(seconds),
         }
         self.agents.pass(seconds);
         self.measure();
@@ -128,11 +129,21 @@ impl World {
             let group = &groups[agents.group[row].index()];
             let heading = if group.steering.is_some() {
                 let before = agents.attitude[row].motion(from, velocity_before.extend(climb_before));
-                let moved = steered(&group.vehicle, &before, &step.planned[row], velocity, seconds);
-                agents.velocity[row] = moved.velocity.truncate();
-                agents.climb.set(row, moved.velocity.z);
-                agents.attitude.set(row, moved.into());
-                moved.basis.heading()
+                let (moved, attitude) = if velocity == step.preferred.at(row) {
+                    (step.planned.velocity[row], step.planned.attitude[row])
+                } else {
+                    diverted(
+                        &group.vehicle,
+                        &before,
+                        (&step.planned.attitude[row], step.planned.faces[row]),
+                        velocity,
+                        seconds,
+                    )
+                };
+                agents.velocity[row] = moved.truncate();
+                agents.climb.set(row, moved.z);
+                agents.attitude.set(row, attitude);
+                attitude.basis.heading()
             } else if agents.is_disc(row) {
                 let facing = faces(agents.velocity[row], step.preferred.ground[row], agents.max_turn_rate[row]);
                 turn(before, facing, seconds, agents.max_turn_rate[row])
@@ -170,14 +181,17 @@ fn angle_between(a: Vec2, b: Vec2) -> f32 {
     if a.length() < SEEN || b.length() < SEEN { 0.0 } else { angle(Vec2::new(a.dot(b), a.perp_dot(b))).abs() }
 }
 
-/// How one who steers moves that was left a velocity.
-fn steered(vehicle: &Vehicle, before: &Motion, planned: &Planned, velocity: Vec3, seconds: f32) -> Motion {
-    let wanted = (planned.motion.position - before.position) / seconds;
-    if velocity == wanted {
-        planned.motion
-    } else {
-        vehicle.diverted(before, planned.motion, planned.faces, velocity, seconds)
-    }
+/// How one who steers moves that was left another velocity than it preferred.
+pub(super) fn diverted(
+    vehicle: &Vehicle,
+    before: &Motion,
+    (planned, faces): (&Attitude, bool),
+    velocity: Vec3,
+    seconds: f32,
+) -> (Vec3, Attitude) {
+    let planned = planned.motion(before.position, velocity);
+    let moved = vehicle.diverted(before, planned, faces, velocity, seconds);
+    (moved.velocity, moved.into())
 }
 
 /// The velocity of a motion. What was certified as it was wished is the wish: the motion may be far below what

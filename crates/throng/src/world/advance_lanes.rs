@@ -21,9 +21,7 @@ struct Moving<'a> {
     position: &'a mut [Vec2],
     velocity: &'a mut [Vec2],
     heading: &'a mut [f32],
-    turned: &'a mut [f64],
-    course_turned: &'a mut [f64],
-    walked: &'a mut [f64],
+    trip: Trips<'a>,
 }
 
 impl World {
@@ -50,7 +48,8 @@ impl World {
         let turning = Turning::of(seconds);
         let move_part =
             |rows: Range<usize>, ((position, velocity, heading), (turned, course_turned, walked)): Columns<'_>| {
-                let mut moving = Moving { position, velocity, heading, turned, course_turned, walked };
+                let trip = Trips { turned, course_turned, walked };
+                let mut moving = Moving { position, velocity, heading, trip };
                 let targets = if is_guarded {
                     Targets::Certain(&targets[rows.clone()])
                 } else {
@@ -112,21 +111,44 @@ fn move_all<S: Simd>(
         let seen = |v: Vec2s<S>| v.dot(v).sqrt().simd_ge(splat(SEEN));
         let course = angles(simd, Vec2s { x: before.dot(velocity), y: before.perp_dot(velocity) }).abs();
         let course = (seen(before) & seen(velocity)).select(course, splat(0.0));
-        let walks = |bits, &status: &Status| bits << 1 | u64::from(status == Status::Walking);
-        let walks = status[rows.clone()].iter().rev().fold(0, walks);
-        let walks = S::mask32s::from_bitmask(simd, walks);
-        let of_walkers = |all: S::f32s| walks.select(all, splat(0.0));
         to.put_side_by_side(&mut moving.position[rows.clone()]);
         velocity.put_side_by_side(&mut moving.velocity[rows.clone()]);
-        let count = rows.len();
-        moving.heading[rows.clone()].copy_from_slice(&facing.as_slice()[..count]);
-        let turned = of_walkers((facing - heading).abs());
-        for (sum, &turned) in moving.turned[rows.clone()].iter_mut().zip(turned.as_slice()) {
+        moving.heading[rows.clone()].copy_from_slice(&facing.as_slice()[..rows.len()]);
+        let way = motion.dot(motion).sqrt();
+        moving.trip.add(simd, &status[rows.clone()], rows, ((facing - heading).abs(), course, way));
+    }
+}
+
+/// What trips so far came to, of some rows.
+pub(super) struct Trips<'a> {
+    /// How far they turned, radians.
+    pub turned: &'a mut [f64],
+    /// How far their courses turned, radians.
+    pub course_turned: &'a mut [f64],
+    /// How far they went, metres.
+    pub walked: &'a mut [f64],
+}
+
+impl Trips<'_> {
+    /// Adds to those of a vector of rows: of those who walk.
+    #[inline(always)]
+    pub fn add<S: Simd>(
+        &mut self,
+        simd: S,
+        status: &[Status],
+        rows: Range<usize>,
+        (turned, course, way): (S::f32s, S::f32s, S::f32s),
+    ) {
+        let walks = |bits, &status: &Status| bits << 1 | u64::from(status == Status::Walking);
+        let walks = S::mask32s::from_bitmask(simd, status.iter().rev().fold(0, walks));
+        let of_walkers = |all: S::f32s| walks.select(all, S::f32s::splat(simd, 0.0));
+        let turned = of_walkers(turned);
+        for (sum, &turned) in self.turned[rows.clone()].iter_mut().zip(turned.as_slice()) {
             let turned = f64::from(turned);
             *sum += turned.min(std::f64::consts::TAU - turned);
         }
-        add(&mut moving.course_turned[rows.clone()], of_walkers(course).as_slice());
-        add(&mut moving.walked[rows], of_walkers(motion.dot(motion).sqrt()).as_slice());
+        add(&mut self.course_turned[rows.clone()], of_walkers(course).as_slice());
+        add(&mut self.walked[rows], of_walkers(way).as_slice());
     }
 }
 

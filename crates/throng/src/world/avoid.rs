@@ -61,6 +61,10 @@ impl World {
         if self.agents.script[row].is_some() {
             return self.step.preferred.at(row).clamp_length_max(self.agents.max_speed[row]);
         }
+        if self.steering(row).is_some() && !self.model(row).avoids() {
+            // its vehicle has limited it
+            return self.stays_down(row, self.step.preferred.at(row));
+        }
         let view = self.view(row, seconds, sight);
         let chosen = self.chosen_velocity(row, &view, workspace);
         self.limited_velocity(row, chosen, seconds)
@@ -70,10 +74,15 @@ impl World {
         &*self.groups[self.agents.group[row].index()].model
     }
 
-    /// What the model of an agent chooses. Who is on the ground and does not want to leave it stays there.
+    /// What the model of an agent chooses.
     pub(super) fn chosen_velocity(&self, row: usize, view: &View<'_>, workspace: &mut Workspace) -> Vec3 {
-        let chosen = self.model(row).velocity_in_space(view, workspace);
-        if self.agents.altitude[row] == 0.0 && view.preferred_climb <= 0.0 { chosen.with_z(0.0) } else { chosen }
+        self.stays_down(row, self.model(row).velocity_in_space(view, workspace))
+    }
+
+    /// Who is on the ground and does not want to leave it stays there.
+    fn stays_down(&self, row: usize, chosen: Vec3) -> Vec3 {
+        let stays = self.agents.altitude[row] == 0.0 && self.step.preferred.climb(row) <= 0.0;
+        if stays { chosen.with_z(0.0) } else { chosen }
     }
 
     /// What the model of an agent sees.

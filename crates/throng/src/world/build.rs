@@ -56,7 +56,9 @@ impl World {
     /// [`Error::Limit`] names the parameter that is out of range.
     pub fn add_group(&mut self, group: Group) -> Result<GroupId, Error> {
         Error::unless_positive("neighbour distance", group.neighbour_distance)?;
-        Error::unless((1..=1000).contains(&group.neighbours), "neighbours", group.neighbours as f64, "from 1 to 1000")?;
+        let count = group.neighbours;
+        let counts = (1..=1000).contains(&count) || count == Group::EVERYBODY && !group.model.avoids();
+        Error::unless(counts, "neighbours", count as f64, "from 1 to 1000, or everybody for those who avoid nobody")?;
         Error::unless(group.keep_right.abs() <= 0.5, "keep right", group.keep_right, "from -0.5 to 0.5 rad")?;
         group.model.check()?;
         if let Some(steering) = &group.steering {

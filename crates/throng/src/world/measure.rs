@@ -80,7 +80,17 @@ impl World {
         parallel::ranges(Words(&mut step.measured), |rows, Words(all)| {
             rows.step_by(WORD).zip(all).for_each(|(first, measured)| measure(measured, first));
         });
-        for measured in &step.measured {
+        let mut near = before;
+        for &(row, other) in step.flocks.close_pairs() {
+            let (row, other) = (row as usize, other as usize);
+            if guarded {
+                // contacts tell who overlaps
+                near.separation(agents, row, other);
+            } else {
+                near.pair(agents, row, other, discs_only);
+            }
+        }
+        for measured in step.measured.iter().chain([&near]) {
             tally.least_separation = tally.least_separation.min(measured.least_separation);
             tally.least_wall_separation = tally.least_wall_separation.min(measured.least_wall_separation);
             tally.overlaps += measured.overlaps;

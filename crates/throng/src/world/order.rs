@@ -16,22 +16,28 @@ impl World {
     /// crowds do so by themselves now and then: everything is the same after it, but faster.
     pub fn sort_rows(&mut self) {
         self.rebuild_grid();
-        self.follow_grid();
+        self.put_in_order(false);
     }
 
-    /// As [`sort_rows`](Self::sort_rows), for a grid that is fresh, if it pays.
+    /// As [`sort_rows`](Self::sort_rows), for a grid or lattice that is fresh, if it pays.
     pub(super) fn sort_rows_if_scattered(&mut self) {
-        let order = self.step.grid.order();
+        let in_lattice = self.all_look_at_everybody();
+        let order = if in_lattice { self.step.flocks.order() } else { self.step.grid.order() };
         if order.len() >= LARGE && self.tally.sub_steps.is_multiple_of(EVERY) && is_scattered(order) {
-            self.follow_grid();
+            self.put_in_order(in_lattice);
         }
     }
 
-    fn follow_grid(&mut self) {
-        let StepMemory { grid, cycles, rest, .. } = &mut self.step;
-        cycles.find(grid.order());
+    /// Puts the rows in the order of the grid, or of the lattice.
+    fn put_in_order(&mut self, lattice: bool) {
+        let StepMemory { grid, flocks, cycles, rest, .. } = &mut self.step;
+        cycles.find(if lattice { flocks.order() } else { grid.order() });
         self.agents.permute(cycles);
-        grid.rows_are_in_order();
+        if lattice {
+            flocks.rows_are_in_order();
+        } else {
+            grid.rows_are_in_order();
+        }
         rest.end();
         for (&slot, row) in self.agents.slot.iter().zip(0..) {
             self.slots.rows[slot as usize] = row;

@@ -77,11 +77,18 @@ impl World {
         if self.step.rest.is_everybodys() {
             return;
         }
+        self.note_groups();
+        self.rebuild_lattice(seconds);
+        let guarded = self.groups_in_use().any(|group| group.guard);
+        if self.all_look_at_everybody() && !guarded {
+            self.step.near.clear(self.agents.len());
+            return self.sort_rows_if_scattered();
+        }
         let range = self.rebuild_grid();
         self.sort_rows_if_scattered();
-        let most = self.groups_in_use().map(|group| group.neighbours).max().unwrap_or(1);
+        let most = self.groups_in_use().map(|group| group.nearest()).max().unwrap_or(1);
         let close = self.close_enough_to_measure(seconds);
-        let alike = self.groups_in_use().all(|group| group.neighbours == most && group.neighbour_distance == range);
+        let alike = self.groups_in_use().all(|group| group.nearest() == most && group.neighbour_distance == range);
         let Self { agents, groups, step, .. } = self;
         step.long.rebuild(agents, range);
         step.near.resize(step.grid.order(), most);
@@ -106,9 +113,9 @@ impl World {
                 true
             };
             let at = agents.position[row];
-            grid.nearest(at, group.neighbours, group.neighbour_distance, accept, found);
+            grid.nearest(at, group.nearest(), group.neighbour_distance, accept, found);
             if !long.is_empty() {
-                long.add(agents, grid, row, (group.neighbours, group.neighbour_distance), accept, found);
+                long.add(agents, grid, row, (group.nearest(), group.neighbour_distance), accept, found);
             }
             list[0] = found.len() as u32;
             *is_close = found.first().is_some_and(|near| near.distance_squared <= close * close);
@@ -122,7 +129,7 @@ impl World {
             let group = &groups[agents.group[row].index()];
             let (at, range) = (agents.position[row], group.neighbour_distance);
             let counts = |&&other: &&u32| agents.position[other as usize].distance_squared(at) <= range * range;
-            let seen = &list[1..=group.neighbours.min(list[0] as usize)];
+            let seen = &list[1..=group.nearest().min(list[0] as usize)];
             list[0] = seen.iter().take_while(counts).count() as u32;
         };
         let many =
@@ -184,6 +191,17 @@ impl Neighbours {
         for (place, &row) in (0..).zip(order) {
             self.places[row as usize] = place;
         }
+    }
+
+    /// Nobody sees anybody.
+    fn clear(&mut self, rows: usize) {
+        self.most = 0;
+        self.lists.clear();
+        self.lists.resize(1, 0);
+        self.close.clear();
+        self.close.resize(1, false);
+        self.places.clear();
+        self.places.resize(rows, 0);
     }
 
     /// Whether the nearest of a row may come close enough to be measured.

@@ -5,7 +5,7 @@
 
 use super::World;
 use crate::agent::Status;
-use crate::motion::{Basis, Locomotion, Motion, Steering};
+use crate::motion::{Attitude, Basis, Locomotion, Motion, Steering};
 use crate::parallel;
 use crate::steer::{Branch, Mark, Neighbour, Others, Told, View, Why};
 use glam::Vec3;
@@ -13,12 +13,21 @@ use glam::Vec3;
 /// Seconds after which nobody remembers what happened.
 const FORGOTTEN: f64 = 600.0;
 
-/// Where the body of one who steers will be if nothing hinders it.
-#[derive(Clone, Copy, Debug, Default)]
+/// How those who steer will move if nothing hinders them, by row.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Planned {
-    pub motion: Motion,
-    /// Whether it faces where it was told to, and not where it goes.
-    pub faces: bool,
+    pub velocity: Vec<Vec3>,
+    pub attitude: Vec<Attitude>,
+    /// Whether they face where they were told to, and not where they go.
+    pub faces: Vec<bool>,
+}
+
+impl Planned {
+    fn resize(&mut self, rows: usize) {
+        self.velocity.resize(rows, Vec3::ZERO);
+        self.attitude.resize(rows, Attitude::default());
+        self.faces.resize(rows, false);
+    }
 }
 
 /// Rows of agents by their numbers; `u32::MAX`: nobody has it.
@@ -74,34 +83,52 @@ impl World {
     /// The preferred velocities of those who steer.
     pub(super) fn steer(&mut self, seconds: f32, now: f64) {
         if !self.anybody_steers() {
-            self.step.planned.clear();
+            self.step.planned.resize(0);
             return;
         }
         self.events.retain(|event| now - event.time <= FORGOTTEN);
         let mut index = std::mem::take(&mut self.step.index);
         index.rebuild(self);
         self.step.index = index;
+        self.flock(seconds, now);
         let mut planned = std::mem::take(&mut self.step.planned);
-        planned.resize(self.agents.len(), Planned::default());
+        planned.resize(self.agents.len());
         let mut memory = std::mem::take(&mut self.agents.memory);
         let mut preferred = std::mem::take(&mut self.step.preferred);
         let each = memory.lists().stride;
-        let all = (&mut planned[..], memory.lists(), preferred.rows());
+        let Planned { velocity, attitude, faces } = &mut planned;
+        let all = ((&mut velocity[..], &mut attitude[..], &mut faces[..]), memory.lists(), preferred.rows());
         let mut scratch = std::mem::take(&mut self.step.steering);
         let world = &*self;
-        parallel::ranges_with(all, &mut scratch, |neighbours, rows, (planned, memory, mut preferred)| {
-            for (at, row) in rows.enumerate() {
-                let Some(steering) = world.steering(row) else { continue };
-                let memory = &mut memory.all[at * each..][..steering.words()];
-                let view = world.steering_view(row, seconds, now, neighbours);
-                let steering = steering.steer(&view, memory, &mut Why::default()).unwrap_or_default();
-                let mut motion = view.motion;
-                view.vehicle.step(&mut motion, steering, seconds);
-                let moved = (motion.position - view.motion.position) / seconds;
-                super::velocities::set(&mut preferred, at, moved);
-                planned[at] = Planned { motion, faces: steering.facing.is_some() };
-            }
-        });
+        let flying = world.lanes_to_fly(seconds);
+        parallel::ranges_with(
+            all,
+            &mut scratch,
+            |neighbours, rows, ((velocity, attitude, faces), memory, mut preferred)| {
+                if let Some(flying) = flying {
+                    faces.fill(false);
+                    return world.steer_many(flying, rows, (velocity, attitude), preferred, seconds);
+                }
+                for (at, row) in rows.enumerate() {
+                    let Some(steering) = world.steering(row) else { continue };
+                    let vehicle = &world.groups[world.agents.group[row].index()].vehicle;
+                    let before = world.motion(row);
+                    let steering = if world.is_bird(row) {
+                        world.step.flocks.force(row).into()
+                    } else {
+                        let memory = &mut memory.all[at * each..][..steering.words()];
+                        let view = world.steering_view(row, seconds, now, neighbours);
+                        steering.steer(&view, memory, &mut Why::default()).unwrap_or_default()
+                    };
+                    let mut motion = before;
+                    vehicle.step(&mut motion, steering, seconds);
+                    let moved = (motion.position - before.position) / seconds;
+                    super::velocities::set(&mut preferred, at, moved);
+                    (velocity[at], attitude[at]) = (motion.velocity, motion.into());
+                    faces[at] = steering.facing.is_some();
+                }
+            },
+        );
         (self.step.planned, self.step.steering) = (planned, scratch);
         (self.agents.memory, self.step.preferred) = (memory, preferred);
     }
@@ -120,27 +147,47 @@ impl World {
     /// Where an agent is and how it moves.
     pub(super) fn motion(&self, row: usize) -> Motion {
         let agents = &self.agents;
-        let position = agents.position[row].extend(agents.altitude[row]);
+        let position = self.place_in_space(row);
         let velocity = agents.velocity[row].extend(agents.climb[row]);
         if self.steering(row).is_some() {
             agents.attitude[row].motion(position, velocity)
         } else {
-            let (sin, cos) = libm::sincosf(agents.heading[row]);
-            Motion { position, velocity, basis: Basis::facing(Vec3::new(cos, sin, 0.0)), ..Motion::default() }
+            Motion { position, velocity, basis: Basis::facing(self.forward(row)), ..Motion::default() }
+        }
+    }
+
+    /// Where the centre of an agent is in space.
+    pub(super) fn place_in_space(&self, row: usize) -> Vec3 {
+        self.agents.position[row].extend(self.agents.altitude[row])
+    }
+
+    /// Which way an agent faces.
+    pub(super) fn forward(&self, row: usize) -> Vec3 {
+        if self.steering(row).is_some() {
+            self.agents.attitude[row].basis.forward
+        } else {
+            let (sin, cos) = libm::sincosf(self.agents.heading[row]);
+            Vec3::new(cos, sin, 0.0)
         }
     }
 
     /// What the behaviour of an agent sees.
-    fn steering_view<'a>(&'a self, row: usize, seconds: f32, now: f64, neighbours: &'a mut Vec<Neighbour>) -> View<'a> {
+    pub(super) fn steering_view<'a>(
+        &'a self,
+        row: usize,
+        seconds: f32,
+        now: f64,
+        neighbours: &'a mut Vec<Neighbour>,
+    ) -> View<'a> {
         let (agents, own) = (&self.agents, self.motion(row));
         neighbours.clear();
+        self.look_at_everybody(row, neighbours);
         neighbours.extend(self.neighbours(row).iter().map(|&other| {
             let other = other as usize;
-            let motion = self.motion(other);
             Neighbour {
-                offset: motion.position - own.position,
-                velocity: motion.velocity,
-                forward: motion.basis.forward,
+                offset: self.place_in_space(other) - own.position,
+                velocity: agents.velocity[other].extend(agents.climb[other]),
+                forward: self.forward(other),
                 radius: agents.radius[other],
                 number: agents.number[other],
                 group: agents.group[other].index(),

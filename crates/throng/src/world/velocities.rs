@@ -1,7 +1,10 @@
 //! A velocity for every row, in space.
 
+use crate::lanes::from_side_by_side;
 use crate::parallel::Lists;
+use fearless_simd::prelude::*;
 use glam::{Vec2, Vec3};
+use std::ops::Range;
 
 /// A velocity for every row. While nobody leaves the ground, what is upwards takes no memory.
 #[derive(Clone, Debug, Default)]
@@ -32,6 +35,17 @@ impl Velocities {
     #[inline]
     pub fn climb(&self, row: usize) -> f32 {
         self.climb.get(row).copied().unwrap_or(0.0)
+    }
+
+    /// Whether anybody may go up or down.
+    pub fn is_in_space(&self) -> bool {
+        !self.climb.is_empty()
+    }
+
+    /// Upwards, of a vector of rows.
+    #[inline(always)]
+    pub fn climbs<S: Simd>(&self, simd: S, rows: Range<usize>) -> S::f32s {
+        self.climb.get(rows).map_or(S::f32s::splat(simd, 0.0), |climbs| from_side_by_side(simd, climbs))
     }
 
     /// That of a row.

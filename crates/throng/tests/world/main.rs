@@ -10,6 +10,7 @@ mod determinism;
 mod doors;
 mod entry;
 mod explain;
+mod flocks;
 mod instructions;
 mod journeys;
 mod limits;

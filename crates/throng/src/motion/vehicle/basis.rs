@@ -1,5 +1,6 @@
 //! Which way something faces: Reynolds' local space.
 
+use crate::motion::angle;
 use glam::{Mat3, Quat, Vec3};
 use serde::{Deserialize, Serialize};
 use std::f32::consts::PI;
@@ -71,7 +72,7 @@ impl Basis {
 
     /// Direction of forward along the ground, radians counter-clockwise from +x.
     pub fn heading(&self) -> f32 {
-        libm::atan2f(self.forward.y, self.forward.x)
+        angle(self.forward.truncate())
     }
 }
 

@@ -9,11 +9,13 @@ mod limit;
 mod state;
 mod steering;
 mod step;
+mod step_lanes;
 
 pub use basis::Basis;
 pub(crate) use basis::{angle_between, turned, turned_towards};
 pub use state::{Attitude, Motion};
 pub use steering::Steering;
+pub(crate) use step_lanes::{Attitudes, Motions, Stepping};
 
 use crate::Error;
 use glam::Vec3;

@@ -5,13 +5,13 @@ use super::{Basis, Integrator, Locomotion, Motion, Steering, Vehicle, part_in, t
 use glam::Vec3;
 
 /// Seconds over which the curvature of the path is smoothed (OpenSteer: a rate of 4).
-const CURVATURE_TIME: f32 = 0.25;
+pub(super) const CURVATURE_TIME: f32 = 0.25;
 /// Seconds in which one that flies rights itself, or leans (OpenSteer: a rate of 3).
-const ROLL_TIME: f32 = 1.0 / 3.0;
+pub(super) const ROLL_TIME: f32 = 1.0 / 3.0;
 /// Gravity, m/s².
-const GRAVITY: f32 = 9.81;
+pub(super) const GRAVITY: f32 = 9.81;
 /// Part of the top speed below which the velocity says nothing about the direction.
-const REST: f32 = 1e-3;
+pub(super) const REST: f32 = 1e-3;
 
 impl Vehicle {
     /// Moves by a step of so many seconds (> 0), steered by a force (newtons) or a [`Steering`].

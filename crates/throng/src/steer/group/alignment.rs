@@ -29,8 +29,9 @@ impl Behaviour for Alignment {
         if count == 0.0 {
             return None;
         }
-        why.note(|| Reason::Wishes(sum / count));
-        view.urge(sum / count - view.forward(), self.full)
+        let mean = sum * (1.0 / count);
+        why.note(|| Reason::Wishes(mean));
+        view.urge(mean - view.forward(), self.full)
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -28,8 +28,9 @@ impl Behaviour for Cohesion {
         if count == 0.0 {
             return None;
         }
-        why.note(|| Reason::Aim(view.position() + sum / count));
-        view.urge(sum / count, self.full)
+        let middle = sum * (1.0 / count);
+        why.note(|| Reason::Aim(view.position() + middle));
+        view.urge(middle, self.full)
     }
 
     fn check(&self) -> Result<(), Error> {

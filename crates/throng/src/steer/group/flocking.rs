@@ -70,6 +70,10 @@ impl Behaviour for Flocking {
         Some(sum.into())
     }
 
+    fn as_flocking(&self) -> Option<&Flocking> {
+        Some(self)
+    }
+
     fn check(&self) -> Result<(), Error> {
         for rule in [self.separation, self.alignment, self.cohesion] {
             Error::unless(rule.weight >= 0.0, "weight", rule.weight, "0 or more")?;
@@ -80,7 +84,7 @@ impl Behaviour for Flocking {
 
 impl Flocking {
     /// The neighbourhoods of the three rules.
-    fn near(&self) -> [Neighbourhood; 3] {
+    pub(super) fn near(&self) -> [Neighbourhood; 3] {
         [self.separation, self.alignment, self.cohesion].map(|Rule { distance, angle, .. }| Neighbourhood {
             distance,
             angle,

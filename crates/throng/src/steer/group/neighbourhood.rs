@@ -37,13 +37,23 @@ impl Default for Neighbourhood {
 impl Neighbourhood {
     /// Those who belong to it, nearest first.
     pub fn of<'v, 'a>(&'v self, view: &'v View<'a>) -> impl Iterator<Item = &'a Neighbour> + 'v {
-        let cosine = if self.angle < PI { libm::cosf(self.angle) } else { -2.0 };
+        let (sight, most) = (self.sight(view.radius), self.most);
         let belongs = move |other: &&Neighbour| {
-            let distance = other.offset.length();
-            let in_sight = || distance <= self.distance && view.forward().dot(other.offset) > cosine * distance;
-            self.who.counts(view, other) && (distance < self.always * view.radius || in_sight())
+            let ahead = view.forward().dot(other.offset);
+            self.who.counts(view, other) && sight.reaches(other.offset.length_squared(), ahead)
         };
-        view.neighbours.iter().filter(belongs).take(self.most)
+        view.neighbours.iter().filter(belongs).take(most)
+    }
+
+    /// What one of this radius sees of it.
+    pub(super) fn sight(&self, radius: f32) -> Sight {
+        let cosine = libm::cosf(self.angle);
+        let always = self.always * radius;
+        Sight {
+            range_squared: self.distance * self.distance,
+            always_squared: always * always,
+            cosine: if self.angle < PI { cosine * cosine.abs() } else { -2.0 },
+        }
     }
 
     /// Tells who belongs to it.
@@ -63,5 +73,24 @@ impl Neighbourhood {
         Error::unless((0.0..=PI).contains(&self.angle), "angle of neighbours", self.angle, "from 0 to pi")?;
         Error::unless(self.always >= 0.0, "radii that always count", self.always, "0 or more")?;
         Error::unless(self.most > 0, "number of neighbours", self.most as f64, "1 or more")
+    }
+}
+
+/// Whom a neighbourhood reaches, as squares: so it takes no root.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sight {
+    /// Square of its distance.
+    pub range_squared: f32,
+    /// Square of the distance within which everybody belongs to it.
+    pub always_squared: f32,
+    /// Square of the cosine of its angle, with the sign of the cosine.
+    pub cosine: f32,
+}
+
+impl Sight {
+    /// Whether it reaches somebody so far off, squared, and so far ahead.
+    fn reaches(&self, distance_squared: f32, ahead: f32) -> bool {
+        let in_sight = distance_squared <= self.range_squared && ahead * ahead.abs() >= self.cosine * distance_squared;
+        distance_squared < self.always_squared || in_sight
     }
 }

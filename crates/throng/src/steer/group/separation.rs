@@ -48,11 +48,11 @@ impl Behaviour for Separation {
     fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
         self.near.tell(view, why);
         let push = |other: &Neighbour| {
-            let distance = other.offset.length();
+            let distance_squared = other.offset.length_squared();
             match self.falloff {
-                _ if distance == 0.0 => aside(view, other),
-                Falloff::Inverse => -other.offset / (distance * distance),
-                Falloff::InverseSquare => -other.offset / (distance * distance * distance),
+                _ if distance_squared == 0.0 => aside(view, other),
+                Falloff::Inverse => other.offset * (-1.0 / distance_squared),
+                Falloff::InverseSquare => other.offset * (-1.0 / (distance_squared * distance_squared.sqrt())),
             }
         };
         view.urge(self.near.of(view).map(push).sum(), self.full)

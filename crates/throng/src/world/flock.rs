@@ -1,0 +1,204 @@
+//! Those who look at everybody within a distance, and not at the nearest few: who is near them, and the forces that flocks
+//! are steered by.
+
+use super::World;
+use crate::agent::Group;
+use crate::lanes::LANES;
+use crate::parallel;
+use crate::perceive::Lattice;
+use crate::steer::{Behaviour, Bird, Birds, Flock, Flocking, Neighbour, Pack, Why};
+use glam::Vec3;
+use std::ops::Range;
+
+/// What is known of everybody, for those who look at everybody.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Flocks {
+    lattice: Lattice,
+    birds: Birds,
+    /// The forces of those that are birds of a flock, by place; none where birds are steered one by one.
+    forces: Vec<Vec3>,
+    scratch: Vec<Scratch>,
+    /// Within what distance two are to be measured, metres.
+    close: f32,
+    /// Rows of two who are to be measured, each pair once.
+    close_pairs: Vec<(u32, u32)>,
+}
+
+/// What a thread keeps while it goes through places.
+#[derive(Clone, Debug, Default)]
+struct Scratch {
+    pack: Pack,
+    neighbours: Vec<Neighbour>,
+}
+
+impl Flocks {
+    /// Rows of two who are to be measured after they have moved.
+    pub fn close_pairs(&self) -> &[(u32, u32)] {
+        &self.close_pairs
+    }
+
+    /// The force of a row that is a bird of a flock.
+    pub fn force(&self, row: usize) -> Vec3 {
+        self.forces[self.lattice.places()[row] as usize]
+    }
+
+    /// Rows by where they are.
+    pub fn order(&self) -> &[u32] {
+        self.lattice.order()
+    }
+
+    /// Notes that the rows have been put in that order.
+    pub fn rows_are_in_order(&mut self) {
+        self.lattice.rows_are_in_order();
+    }
+}
+
+impl World {
+    /// Whether anybody looks at everybody within a distance.
+    fn anybody_looks_at_everybody(&self) -> bool {
+        self.groups_in_use().any(|group| group.neighbours == Group::EVERYBODY)
+    }
+
+    /// Whether an agent is a bird of a flock, and no more.
+    pub(super) fn is_bird(&self, row: usize) -> bool {
+        let group = &self.groups[self.agents.group[row].index()];
+        group.neighbours == Group::EVERYBODY && group.steering.as_ref().is_some_and(|all| all.as_flocking().is_some())
+    }
+
+    /// Whether all look at everybody within a distance.
+    pub(super) fn all_look_at_everybody(&self) -> bool {
+        self.groups_in_use().all(|group| group.neighbours == Group::EVERYBODY)
+    }
+
+    /// Sorts everybody into the lattice, for those who look at everybody.
+    pub(super) fn rebuild_lattice(&mut self, seconds: f32) {
+        let looking = self.groups_in_use().filter(|group| group.neighbours == Group::EVERYBODY);
+        let reach = looking.map(|group| group.neighbour_distance).fold(0.0, f32::max);
+        let mut flocks = std::mem::take(&mut self.step.flocks);
+        flocks.close_pairs.clear();
+        if reach > 0.0 {
+            flocks.close = self.close_enough_to_measure(seconds);
+            let world = &*self;
+            flocks.lattice.rebuild(|row| world.place_in_space(row), &world.agents.number, reach);
+        }
+        self.step.flocks = flocks;
+    }
+
+    /// Notes how everybody looks to a flock.
+    fn note_birds(&mut self) {
+        let mut flocks = std::mem::take(&mut self.step.flocks);
+        let Birds { all, forward: [x, y, z], radius } = &mut flocks.birds;
+        all.resize(self.agents.len(), Bird::default());
+        for column in [&mut *x, &mut *y, &mut *z] {
+            column.resize(self.agents.len() + LANES, 0.0);
+        }
+        *radius = self.agents.radius.uniform();
+        let (world, order) = (&*self, flocks.lattice.order());
+        let columns = (&mut x[..order.len()], &mut y[..order.len()], &mut z[..order.len()]);
+        parallel::ranges((&mut all[..], columns), |places, (birds, (x, y, z))| {
+            for (at, (&row, bird)) in order[places].iter().zip(birds).enumerate() {
+                let row = row as usize;
+                let forward = world.forward(row);
+                [x[at], y[at], z[at]] = forward.to_array();
+                let (group, radius) = (world.agents.group[row].index() as u32, world.agents.radius[row]);
+                *bird = Bird { position: world.place_in_space(row), forward, group, radius };
+            }
+        });
+        self.step.flocks = flocks;
+    }
+
+    /// The forces of those that are birds of a flock; and who of those who look at everybody is so close to somebody that
+    /// it is to be measured.
+    pub(super) fn flock(&mut self, seconds: f32, now: f64) {
+        if !self.anybody_looks_at_everybody() {
+            return;
+        }
+        self.note_birds();
+        let mut forces = std::mem::take(&mut self.step.flocks.forces);
+        let mut scratch = std::mem::take(&mut self.step.flocks.scratch);
+        forces.resize(self.agents.len(), Vec3::ZERO);
+        let world = &*self;
+        parallel::ranges_with(&mut forces[..], &mut scratch, |scratch, places, forces| {
+            for (index, group) in world.groups.iter().enumerate().filter(|&(index, _)| world.step.groups[index]) {
+                if group.neighbours == Group::EVERYBODY {
+                    world.flock_of_group(index, places.clone(), scratch, forces, (seconds, now));
+                }
+            }
+        });
+        let Self { agents, step, .. } = self;
+        let Flocks { lattice, close_pairs, .. } = &mut step.flocks;
+        let rows = |(a, b): (u32, u32)| (lattice.order()[a as usize], lattice.order()[b as usize]);
+        let pairs = scratch.iter_mut().flat_map(|scratch| scratch.pack.take_close()).map(rows);
+        close_pairs.extend(pairs.filter(|&(a, b)| agents.number[a as usize] < agents.number[b as usize]));
+        (step.flocks.forces, step.flocks.scratch) = (forces, scratch);
+    }
+
+    /// As [`flock`](Self::flock), of those of a group in some places.
+    fn flock_of_group(
+        &self,
+        index: usize,
+        places: Range<usize>,
+        Scratch { pack, neighbours }: &mut Scratch,
+        forces: &mut [Vec3],
+        (seconds, now): (f32, f64),
+    ) {
+        let (group, Flocks { lattice, birds, close, .. }) = (&self.groups[index], &self.step.flocks);
+        let close = close.min(group.neighbour_distance);
+        let flocking = group.steering.as_ref().and_then(|steering| steering.as_flocking());
+        let mut force = |place: usize, flocking: &Flocking| {
+            let row = lattice.order()[place] as usize;
+            let view = self.steering_view(row, seconds, now, neighbours);
+            flocking.steer(&view, &mut [], &mut Why::default()).unwrap_or_default().force
+        };
+        let level = self.instructions.level().filter(|_| self.agents.all_avoid());
+        if let (Some(level), Some(flocking)) = (level, flocking) {
+            let flock = Flock {
+                flocking,
+                vehicle: &group.vehicle,
+                group: index as u32,
+                range: group.neighbour_distance,
+                close,
+                lattice,
+                birds,
+            };
+            return flock.forces(level, places, pack, forces, |place| force(place, flocking));
+        }
+        for (place, out) in places.zip(forces).filter(|(place, _)| birds.all[*place].group as usize == index) {
+            lattice.within(birds.all[place].position, close, |other, _| {
+                if other != place {
+                    pack.note_close(place, other);
+                }
+            });
+            if let Some(flocking) = flocking {
+                *out = force(place, flocking);
+            }
+        }
+    }
+
+    /// Notes everybody whom an agent sees, if it looks at everybody.
+    pub(super) fn look_at_everybody(&self, row: usize, neighbours: &mut Vec<Neighbour>) {
+        let (agents, Flocks { lattice, birds, .. }) = (&self.agents, &self.step.flocks);
+        let group = &self.groups[agents.group[row].index()];
+        if group.neighbours != Group::EVERYBODY {
+            return;
+        }
+        lattice.within(self.place_in_space(row), group.neighbour_distance, |place, offset| {
+            let other = lattice.order()[place] as usize;
+            if other != row && agents.avoids(row, other) {
+                neighbours.push(Neighbour {
+                    offset,
+                    velocity: agents.velocity[other].extend(agents.climb[other]),
+                    forward: birds.all[place].forward,
+                    radius: agents.radius[other],
+                    number: agents.number[other],
+                    group: agents.group[other].index(),
+                });
+            }
+        });
+        // birds of a flock do not mind in which order, and are many
+        if group.steering.as_ref().is_none_or(|steering| steering.as_flocking().is_none()) {
+            let distance = |other: &Neighbour| other.offset.length_squared();
+            neighbours.sort_unstable_by(|a, b| distance(a).total_cmp(&distance(b)).then(a.number.cmp(&b.number)));
+        }
+    }
+}

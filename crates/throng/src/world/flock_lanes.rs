@@ -1,0 +1,214 @@
+//! The birds of one flock, many at once, a lane a bird: what their vehicles make of their forces, and how they move. The same
+//! bits as one by one, where [they steer](super::steer) and [they move](super::advance).
+
+use super::World;
+use super::advance::{SEEN, diverted};
+use super::advance_lanes::Trips;
+use super::velocities::{Rows, Velocities};
+use crate::agent::{Column, Status};
+use crate::lanes::{LANES, Vec2s, Vec3s, from_side_by_side, get3, ones, set, set3};
+use crate::motion::{Attitude, Attitudes, Motions, Stepping, Vehicle, angles};
+use crate::parallel::{self, Lists};
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
+use glam::{Vec2, Vec3};
+use std::ops::Range;
+
+impl World {
+    /// With what instructions, and how, everybody steps, if all are birds of one flock.
+    pub(super) fn lanes_to_fly(&self, seconds: f32) -> Option<(Level, Stepping)> {
+        let group = &self.groups[self.agents.group.uniform()?.index()];
+        let level = self.instructions.level().filter(|_| self.agents.all_discs() && self.is_bird(0))?;
+        Some((level, Stepping::of(&group.vehicle, seconds)?))
+    }
+
+    /// What the vehicles of some rows make of their forces.
+    pub(super) fn steer_many(
+        &self,
+        (level, stepping): (Level, Stepping),
+        rows: Range<usize>,
+        planned: (&mut [Vec3], &mut [Attitude]),
+        preferred: Rows<'_>,
+        seconds: f32,
+    ) {
+        dispatch!(level, simd => self.steer_all(simd, stepping, rows, planned, preferred, seconds));
+    }
+
+    #[inline(always)]
+    fn steer_all<S: Simd>(
+        &self,
+        simd: S,
+        stepping: Stepping,
+        rows: Range<usize>,
+        (velocities, attitudes): (&mut [Vec3], &mut [Attitude]),
+        (ground, climb): Rows<'_>,
+        seconds: f32,
+    ) {
+        let lanes = S::f32s::LEN;
+        for start in (0..rows.len()).step_by(lanes) {
+            let part = start..(start + lanes).min(rows.len());
+            let rows = rows.start + part.start..rows.start + part.end;
+            let before = self.motions(simd, rows.clone());
+            let mut force = [[0.0; LANES]; 3];
+            for (lane, row) in rows.enumerate() {
+                set3(&mut force, lane, self.step.flocks.force(row));
+            }
+            let after = stepping.step(simd, &before, Vec3s::load(simd, &force));
+            let wish = (after.position - before.position).over(S::f32s::splat(simd, seconds));
+            wish.truncate().put_side_by_side(&mut ground[part.clone()]);
+            if let Some(climb) = climb.all.get_mut(part.clone()) {
+                climb.copy_from_slice(&wish.z.as_slice()[..climb.len()]);
+            }
+            let mut velocity = [[0.0; LANES]; 3];
+            after.velocity.store(&mut velocity);
+            (velocities[part.clone()].iter_mut().enumerate()).for_each(|(lane, v)| *v = get3(&velocity, lane));
+            after.attitude.store(simd, &mut attitudes[part]);
+        }
+    }
+
+    /// How the agents of a vector of rows move.
+    #[inline(always)]
+    fn motions<S: Simd>(&self, simd: S, rows: Range<usize>) -> Motions<S> {
+        let agents = &self.agents;
+        Motions {
+            position: in_space(simd, &agents.position[rows.clone()], agents.altitude.lanes(simd, rows.clone())),
+            velocity: in_space(simd, &agents.velocity[rows.clone()], agents.climb.lanes(simd, rows.clone())),
+            attitude: Attitudes::load(simd, rows.map(|row| agents.attitude[row])),
+        }
+    }
+
+    /// Moves everybody, if all are birds of one flock and nobody is guarded.
+    pub(super) fn fly_many(&mut self, level: Level, seconds: f32) {
+        let Self { agents, groups, step, .. } = self;
+        let in_air = step.wishes.is_in_space();
+        let flight = Flight {
+            preferred: &step.preferred,
+            wishes: &step.wishes,
+            before: &agents.attitude,
+            reach: &step.reach,
+            status: &agents.status,
+            vehicle: &groups[agents.group[0].index()].vehicle,
+            seconds,
+        };
+        let flying = (
+            (&mut agents.position[..], &mut agents.velocity[..], &mut agents.heading[..]),
+            (
+                (&mut step.planned.velocity[..], &mut step.planned.attitude[..]),
+                (in_the_air(&mut agents.altitude, in_air), in_the_air(&mut agents.climb, in_air)),
+            ),
+            (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
+        );
+        parallel::ranges(flying, |rows, (place, (planned, (altitude, climb)), (turned, course_turned, walked))| {
+            let trip = Trips { turned, course_turned, walked };
+            let mut flying = Flying { place, planned, altitude: altitude.all, climb: climb.all, trip };
+            dispatch!(level, simd => flight.all(simd, rows, &mut flying));
+        });
+        // what was planned has become what is
+        agents.attitude.exchange(&mut step.planned.attitude);
+    }
+}
+
+/// A column of those who may be in the air; nothing of those who are not.
+fn in_the_air(column: &mut Column<f32>, in_air: bool) -> Lists<'_, f32> {
+    Lists { all: if in_air { column.rows_mut() } else { &mut [] }, stride: usize::from(in_air) }
+}
+
+/// What flying depends on, of all rows.
+struct Flight<'a> {
+    preferred: &'a Velocities,
+    wishes: &'a Velocities,
+    before: &'a Column<Attitude>,
+    reach: &'a Column<f32>,
+    status: &'a [Status],
+    vehicle: &'a Vehicle,
+    seconds: f32,
+}
+
+/// What flying changes, of some rows.
+struct Flying<'a> {
+    /// Positions, velocities and headings along the ground.
+    place: (&'a mut [Vec2], &'a mut [Vec2], &'a mut [f32]),
+    /// Velocities and attitudes: as they were planned, then as they are.
+    planned: (&'a mut [Vec3], &'a mut [Attitude]),
+    altitude: &'a mut [f32],
+    climb: &'a mut [f32],
+    trip: Trips<'a>,
+}
+
+impl Flight<'_> {
+    #[inline(always)]
+    fn all<S: Simd>(&self, simd: S, rows: Range<usize>, flying: &mut Flying<'_>) {
+        for start in (0..rows.len()).step_by(S::f32s::LEN) {
+            let part = start..(start + S::f32s::LEN).min(rows.len());
+            self.some(simd, rows.start + start..rows.start + part.end, part, flying);
+        }
+    }
+
+    /// Those of a vector of rows, which are a part of what changes.
+    #[inline(always)]
+    fn some<S: Simd>(&self, simd: S, rows: Range<usize>, part: Range<usize>, flying: &mut Flying<'_>) {
+        let splat = |value: f32| S::f32s::splat(simd, value);
+        let seconds = splat(self.seconds);
+        let Flying { place: (positions, velocities, headings), planned, altitude, climb, trip } = flying;
+        let planned = (&mut planned.0[part.clone()], &mut planned.1[part.clone()]);
+        let air = |column: &[f32]| column.get(part.clone()).map_or(splat(0.0), |part| from_side_by_side(simd, part));
+        let from = in_space(simd, &positions[part.clone()], air(altitude));
+        let before = in_space(simd, &velocities[part.clone()], air(climb));
+        let wish = in_space(simd, &self.wishes.ground[rows.clone()], self.wishes.climbs(simd, rows.clone()));
+        // as `within_reach`
+        let wished = from + wish * seconds;
+        let motion = wished - from;
+        let reached = motion.clamp_length_max(self.reach.lanes(simd, rows.clone()));
+        let is_finite = wished.x.is_finite() & wished.y.is_finite() & wished.z.is_finite();
+        let to = Vec3s::select(is_finite, from + reached, from);
+        // nobody gets below the ground
+        let to = Vec3s { z: to.z.simd_gt(splat(0.0)).select(to.z, splat(0.0)), ..to };
+        // as `velocity`
+        let limit = to.x.abs().max(to.y.abs()).max(to.z.abs()) * splat(f32::EPSILON);
+        let unchanged = (to - wished).length().simd_le(limit);
+        let velocity = Vec3s::select(unchanged, wish, (to - from).over(seconds));
+        // who may not do as planned
+        let wanted = in_space(simd, &self.preferred.ground[rows.clone()], self.preferred.climbs(simd, rows.clone()));
+        let same = velocity.x.simd_eq(wanted.x) & velocity.y.simd_eq(wanted.y) & velocity.z.simd_eq(wanted.z);
+        let other = !same.to_bitmask() & ((1 << part.len()) - 1);
+        if other != 0 {
+            let (mut places, mut were, mut are) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3], [[0.0; LANES]; 3]);
+            (from.store(&mut places), before.store(&mut were), velocity.store(&mut are));
+            for lane in ones(other) {
+                let before = self.before[rows.start + lane].motion(get3(&places, lane), get3(&were, lane));
+                let planned = (&mut planned.0[lane], &mut planned.1[lane]);
+                let (velocity, attitude) =
+                    diverted(self.vehicle, &before, (planned.1, false), get3(&are, lane), self.seconds);
+                (*planned.0, *planned.1) = (velocity, attitude);
+            }
+        }
+        let (mut forwards, mut moved) = ([[0.0; LANES]; 2], [[0.0; LANES]; 3]);
+        for (lane, (&velocity, attitude)) in planned.0.iter().zip(&*planned.1).enumerate() {
+            set(&mut forwards, lane, attitude.basis.forward.truncate());
+            set3(&mut moved, lane, velocity);
+        }
+        let velocity = Vec3s::load(simd, &moved);
+        let facing = angles(simd, Vec2s::load(simd, &forwards));
+        let heading = from_side_by_side(simd, &headings[part.clone()]);
+        // what the trip so far grows by
+        let (before, after) = (before.truncate(), velocity.truncate());
+        let seen = |v: Vec2s<S>| v.dot(v).sqrt().simd_ge(splat(SEEN));
+        let course = angles(simd, Vec2s { x: before.dot(after), y: before.perp_dot(after) }).abs();
+        let course = (seen(before) & seen(after)).select(course, splat(0.0));
+        to.truncate().put_side_by_side(&mut positions[part.clone()]);
+        after.put_side_by_side(&mut velocities[part.clone()]);
+        if let (Some(altitude), Some(climb)) = (altitude.get_mut(part.clone()), climb.get_mut(part.clone())) {
+            altitude.copy_from_slice(&to.z.as_slice()[..part.len()]);
+            climb.copy_from_slice(&velocity.z.as_slice()[..part.len()]);
+        }
+        headings[part.clone()].copy_from_slice(&facing.as_slice()[..part.len()]);
+        trip.add(simd, &self.status[rows], part, ((facing - heading).abs(), course, (to - from).length()));
+    }
+}
+
+/// Vectors of space of their parts along the ground and up.
+#[inline(always)]
+fn in_space<S: Simd>(simd: S, ground: &[Vec2], z: S::f32s) -> Vec3s<S> {
+    let Vec2s { x, y } = Vec2s::from_side_by_side(simd, ground);
+    Vec3s { x, y, z }
+}
