@@ -20,7 +20,7 @@ pub const WARM_UP: u32 = 20;
 /// The work cannot be built, or Python does not answer.
 pub fn measure(name: &str, agents: usize, repeat: u32, python: Option<&Path>) -> Result<Vec<Outcome>, Box<dyn Error>> {
     let work = work(name).ok_or("no such work")?;
-    let crowd = work.crowd(agents);
+    let crowd = work.crowd(agents).expect("a work of people");
     let mut contestants: Vec<Box<dyn Contestant>> = vec![
         Box::new(Throng::new("throng", work.world(agents, false)?)),
         Box::new(Throng::new("throng with its guard", work.world(agents, true)?)),

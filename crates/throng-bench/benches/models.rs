@@ -28,7 +28,7 @@ fn crossing_of_10000(bencher: Bencher, name: &str) {
         "rvo_lab" => Arc::new(RvoLab),
         _ => Arc::new(Unavoiding),
     };
-    let crowd = work("crossing").expect("a work").crowd(10_000);
+    let crowd = work("crossing").expect("a work").crowd(10_000).expect("of people");
     let mut world = crowd.world(Group { model, ..Crowd::manners() }, 5.0).expect("these are valid");
     lap(&mut world, 20, || true);
     bencher.counter(ItemsCount::new(crowd.people.len())).bench_local(|| world.step());

@@ -1,6 +1,6 @@
 //! Random numbers that are the same everywhere.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// A small generator of numbers that look random (SplitMix64: Steele, Lea, Flood, OOPSLA 2014), from a seed.
 #[derive(Clone, Debug)]
@@ -30,6 +30,16 @@ impl Dice {
     pub fn in_disc(&mut self, radius: f64) -> DVec2 {
         loop {
             let p = DVec2::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0));
+            if p.length_squared() <= 1.0 {
+                return p * radius;
+            }
+        }
+    }
+
+    /// The next point of a ball round the origin.
+    pub fn in_sphere(&mut self, radius: f64) -> DVec3 {
+        loop {
+            let p = DVec3::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0), self.between(-1.0, 1.0));
             if p.length_squared() <= 1.0 {
                 return p * radius;
             }

@@ -1,6 +1,6 @@
 //! The reference works: crowds that the speed of simulators is measured on, and how long they take.
 //!
-//! A [`Work`] makes a [`Crowd`], plain data that any simulator can be given, and a [`World`](throng::World) of it;
+//! A [`Work`] makes a [`Crowd`] or a [`Flock`], plain data that any simulator can be given, and a [`World`](throng::World) of it;
 //! [`lap`] moves a world on and says where the time went. `throng bench` measures them, and `peers/` measures other
 //! simulators on the same crowds. `docs/performance.md` has figures.
 //!
@@ -17,6 +17,7 @@
 pub mod clock;
 mod crowd;
 mod dice;
+mod flock;
 mod floor;
 mod lap;
 mod place;
@@ -24,5 +25,6 @@ mod work;
 
 pub use crowd::{Crowd, Person};
 pub use dice::Dice;
+pub use flock::{Bird, Flock};
 pub use lap::{Lap, lap, median};
 pub use work::{WORKS, Work, work};

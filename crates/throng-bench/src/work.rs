@@ -1,7 +1,7 @@
 //! The reference works by name.
 
 use crate::place::{bricks, sort, uniform};
-use crate::{Crowd, Dice, Person, floor};
+use crate::{Crowd, Dice, Flock, Person, floor};
 use glam::DVec2;
 use throng::{Agent, Error, Group, World};
 
@@ -13,9 +13,17 @@ pub struct Work {
     pub about: &'static str,
     /// The sizes it is measured with if no others are asked for.
     pub sizes: &'static [usize],
-    crowd: fn(usize) -> Crowd,
-    /// Whether people have throng's manners, and bodies that take time to change their velocity.
-    manners: bool,
+    kind: Kind,
+}
+
+/// Whom a work is of.
+enum Kind {
+    Crowd {
+        crowd: fn(usize) -> Crowd,
+        /// Whether people have throng's manners, and bodies that take time to change their velocity.
+        manners: bool,
+    },
+    Flock(fn(usize) -> Flock),
 }
 
 /// All works.
@@ -24,22 +32,19 @@ pub const WORKS: &[Work] = &[
         name: "crossing",
         about: "0.25 per m2, everybody bound far away in a random direction; added in spatial order",
         sizes: &[1_000, 10_000, 100_000],
-        crowd: |count| crossing(count, true),
-        manners: false,
+        kind: Kind::Crowd { crowd: |count| crossing(count, true), manners: false },
     },
     Work {
         name: "crossing-shuffled",
         about: "the same, added in random order",
         sizes: &[1_000, 10_000, 100_000],
-        crowd: |count| crossing(count, false),
-        manners: false,
+        kind: Kind::Crowd { crowd: |count| crossing(count, false), manners: false },
     },
     Work {
         name: "crossing-manners",
         about: "the same with keeping right, detours, standoffs and accelerations, as throng does by default",
         sizes: &[10_000],
-        crowd: |count| crossing(count, false),
-        manners: true,
+        kind: Kind::Crowd { crowd: |count| crossing(count, false), manners: true },
     },
     density("density-0.1", "0.1 per m2, bodies of 0.2 m, bound far away in random directions", |n| packed(n, 0.1)),
     density("density-0.25", "the same, 0.25 per m2", |n| packed(n, 0.25)),
@@ -52,29 +57,37 @@ pub const WORKS: &[Work] = &[
         name: "one-spot",
         about: "everybody within 5 cm, bound far away in random directions",
         sizes: &[1_000],
-        crowd: one_spot,
-        manners: false,
+        kind: Kind::Crowd { crowd: one_spot, manners: false },
     },
     Work {
         name: "at-rest",
         about: "1 per m2, everybody stands and wants to",
         sizes: &[10_000],
-        crowd: at_rest,
-        manners: false,
+        kind: Kind::Crowd { crowd: at_rest, manners: false },
+    },
+    Work {
+        name: "flock",
+        about: "OpenSteer's boids in space, three or four within 9 m of each",
+        sizes: &[1_000, 10_000, 100_000],
+        kind: Kind::Flock(|count| Flock::in_sphere(count, 50.0 * (count as f64 / 200.0).cbrt())),
+    },
+    Work {
+        name: "flock-dense",
+        about: "the same in a sphere of 100 m, however many: 16 within 9 m of each of 1,000, more than 100 of 10,000",
+        sizes: &[1_000, 10_000],
+        kind: Kind::Flock(|count| Flock::in_sphere(count, 50.0)),
     },
     Work {
         name: "hall",
         about: "to and fro in an empty hall with 20 m2 for five people, with manners",
         sizes: &[500],
-        crowd: floor::hall,
-        manners: true,
+        kind: Kind::Crowd { crowd: floor::hall, manners: true },
     },
     Work {
         name: "rooms",
         about: "the same on a floor of rooms of 20 m2, with doors, desks and pillars",
         sizes: &[500],
-        crowd: floor::rooms,
-        manners: true,
+        kind: Kind::Crowd { crowd: floor::rooms, manners: true },
     },
 ];
 
@@ -84,26 +97,41 @@ pub fn work(name: &str) -> Option<&'static Work> {
 }
 
 impl Work {
-    /// Its people; the same for the same count.
-    pub fn crowd(&self, count: usize) -> Crowd {
-        (self.crowd)(count)
+    /// Its people, if it is of people; the same for the same count.
+    pub fn crowd(&self, count: usize) -> Option<Crowd> {
+        match self.kind {
+            Kind::Crowd { crowd, .. } => Some(crowd(count)),
+            Kind::Flock(_) => None,
+        }
+    }
+
+    /// Its birds, if it is of birds; the same for the same count.
+    pub fn flock(&self, count: usize) -> Option<Flock> {
+        match self.kind {
+            Kind::Crowd { .. } => None,
+            Kind::Flock(flock) => Some(flock(count)),
+        }
     }
 
     /// Its world, with or without the guard.
     ///
     /// # Errors
-    /// Those of [`Crowd::world`]: the ground of very many people reaches farther than a world does.
+    /// Those of [`Crowd::world`] and [`Flock::world`]: the ground of very many people reaches farther than a world does.
     pub fn world(&self, count: usize, guard: bool) -> Result<World, Error> {
-        let (group, max_acceleration) = match self.manners {
-            true => (Crowd::manners(), Agent::default().max_acceleration),
-            false => (Crowd::bare(), f32::INFINITY),
-        };
-        self.crowd(count).world(Group { guard, ..group }, max_acceleration)
+        match self.kind {
+            Kind::Crowd { crowd, manners: true } => {
+                crowd(count).world(Group { guard, ..Crowd::manners() }, Agent::default().max_acceleration)
+            }
+            Kind::Crowd { crowd, manners: false } => {
+                crowd(count).world(Group { guard, ..Crowd::bare() }, f32::INFINITY)
+            }
+            Kind::Flock(flock) => flock(count).world(guard),
+        }
     }
 }
 
 const fn density(name: &'static str, about: &'static str, crowd: fn(usize) -> Crowd) -> Work {
-    Work { name, about, sizes: &[10_000], crowd, manners: false }
+    Work { name, about, sizes: &[10_000], kind: Kind::Crowd { crowd, manners: false } }
 }
 
 /// The reference work that crowd simulators are compared on.

@@ -3,7 +3,7 @@
 use super::size::Size;
 use super::steer::vehicle;
 use crate::random::{Purpose, Random};
-use crate::scene::{self, Avoid, Group, Number, Scene};
+use crate::scene::{self, Avoid, Group, Neighbours, Number, Scene};
 use std::sync::Arc;
 use throng::Agent;
 use throng::avoid::{Avo, BuiltFrom, ClearPath, Hrvo, LocalModel, Orca, Orca3d, Rvo, RvoLab, Search, Unavoiding, Vo};
@@ -90,7 +90,10 @@ pub(super) fn shared(group: &Group, name: String, steering: Option<Branch>) -> t
         name,
         model: model(&avoid),
         neighbour_distance: neighbour_distance as f32,
-        neighbours: neighbours as usize,
+        neighbours: match neighbours {
+            Neighbours::Nearest(count) => count as usize,
+            Neighbours::All => throng::Group::EVERYBODY,
+        },
         keep_right: group.keep_right.unwrap_or(if walks { KEEP_RIGHT } else { 0.0 }).to_radians() as f32,
         detour: group.detour.unwrap_or(walks),
         queue: group.queue.unwrap_or(walks),

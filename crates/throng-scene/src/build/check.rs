@@ -5,8 +5,8 @@ use super::steer::check_steering;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::{
-    Avoid, Body, Camera, Expect, Goal, Group, Mover, Obstacle, Place, Point, PointGoal, Rectangle, Region, Scene,
-    Shape, Sides, Stop, SubSteps, View,
+    Avoid, Body, Camera, Expect, Goal, Group, Mover, Neighbours, Obstacle, Place, Point, PointGoal, Rectangle, Region,
+    Scene, Shape, Sides, Stop, SubSteps, View,
 };
 
 type Checked = Result<(), Problem>;
@@ -221,7 +221,9 @@ fn check_avoid(path: &Path, avoid: &Avoid) -> Checked {
         Avoid::None(_) => key("none"),
     };
     let (neighbours, distance) = avoid.sight();
-    check(&path.key("neighbours"), f64::from(neighbours), Limit::Between(1.0, 1000.0))?;
+    if let Neighbours::Nearest(count) = neighbours {
+        check(&path.key("neighbours"), f64::from(count), Limit::Between(1.0, 1000.0))?;
+    }
     check(&path.key("neighbour_distance"), distance, Limit::Positive)
 }
 

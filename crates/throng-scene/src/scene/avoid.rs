@@ -1,5 +1,6 @@
 //! How agents avoid each other.
 
+use super::Neighbours;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -123,8 +124,6 @@ parameters! {
     }
     /// Parameters of the labs' algorithm: it has none but whom an agent sees.
     RvoLab {}
-    /// No avoidance; those whom an agent sees are those it may queue behind, and steer by.
-    Unavoiding {}
     /// Parameters of velocity obstacles.
     Vo {
         /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
@@ -147,10 +146,27 @@ pub enum BuiltFrom {
     Zero,
 }
 
+/// Parameters of no avoidance: whom an agent sees.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Unavoiding {
+    /// How many of the nearest others are taken into account, 1 to 1000; or `"all"` within the distance: for flocks.
+    pub neighbours: Neighbours,
+    /// How far an agent looks for others, metres between centres. Limit: > 0.
+    pub neighbour_distance: f64,
+}
+
+impl Default for Unavoiding {
+    fn default() -> Self {
+        Self { neighbours: Neighbours::Nearest(10), neighbour_distance: 5.0 }
+    }
+}
+
 impl Avoid {
-    /// How many of the nearest others are taken into account, and how far an agent looks for them.
-    pub fn sight(&self) -> (u32, f64) {
-        match self {
+    /// Which of the others are taken into account, and how far an agent looks for them.
+    pub fn sight(&self) -> (Neighbours, f64) {
+        let (nearest, distance) = match self {
+            Self::None(model) => return (model.neighbours, model.neighbour_distance),
             Self::Orca(model) => (model.neighbours, model.neighbour_distance),
             Self::Orca3d(model) => (model.neighbours, model.neighbour_distance),
             Self::Avo(model) => (model.neighbours, model.neighbour_distance),
@@ -159,7 +175,7 @@ impl Avoid {
             Self::Rvo(model) => (model.neighbours, model.neighbour_distance),
             Self::RvoLab(model) => (model.neighbours, model.neighbour_distance),
             Self::Vo(model) => (model.neighbours, model.neighbour_distance),
-            Self::None(model) => (model.neighbours, model.neighbour_distance),
-        }
+        };
+        (Neighbours::Nearest(nearest), distance)
     }
 }

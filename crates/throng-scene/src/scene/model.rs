@@ -1,6 +1,6 @@
 //! A local model by its name, to try a scene with: `rvo`, `orca:time_horizon=4`.
 
-use super::{Avoid, Scene};
+use super::{Avoid, Neighbours, Scene};
 use crate::error::{Error, Kind};
 use crate::file::{explain, keys_of, quoted, unknown_key};
 use serde::Deserialize;
@@ -51,7 +51,12 @@ impl Model {
             _ => {
                 let (neighbours, distance) = other.sight();
                 let mut values = values_of(&read(Table::new())?);
-                let kept = [Value::Integer(neighbours.into()), Value::Float(distance)];
+                let neighbours = match neighbours {
+                    Neighbours::Nearest(count) => Value::Integer(count.into()),
+                    // models look at the nearest
+                    Neighbours::All => values.get(KEPT[0]).cloned().unwrap_or(Value::Integer(10)),
+                };
+                let kept = [neighbours, Value::Float(distance)];
                 for (key, value) in KEPT.into_iter().zip(kept) {
                     if let Some(place) = values.get_mut(key) {
                         *place = value;

@@ -173,7 +173,9 @@ impl Flight<'_> {
         let other = !same.to_bitmask() & ((1 << part.len()) - 1);
         if other != 0 {
             let (mut places, mut were, mut are) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3], [[0.0; LANES]; 3]);
-            (from.store(&mut places), before.store(&mut were), velocity.store(&mut are));
+            from.store(&mut places);
+            before.store(&mut were);
+            velocity.store(&mut are);
             for lane in ones(other) {
                 let before = self.before[rows.start + lane].motion(get3(&places, lane), get3(&were, lane));
                 let planned = (&mut planned.0[lane], &mut planned.1[lane]);

@@ -44,7 +44,12 @@ impl World {
             Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
             None => world.preferred_velocity(row, travel, &manners[world.agents.group[row].index()], seconds),
         };
+        // who steers is asked afterwards
+        let steers = self.all_steer();
         parallel::ranges((&mut travels[..], preferred.rows()), |rows, both| {
+            if steers {
+                return;
+            }
             world.step.rest.each(rows, both, |rows, (travels, mut preferred)| match level {
                 Some(level) => world.intend_many(level, rows, travels, preferred.0, (&manners, seconds), one),
                 None => (rows.zip(travels).zip(0..))

@@ -75,6 +75,11 @@ impl World {
         self.groups_in_use().any(|group| group.steering.is_some())
     }
 
+    /// Whether everybody does.
+    pub(super) fn all_steer(&self) -> bool {
+        self.agents.script.uniform() == Some(None) && self.groups_in_use().all(|group| group.steering.is_some())
+    }
+
     /// Whether anybody who steers may leave the ground.
     pub(super) fn anybody_steers_in_space(&self) -> bool {
         self.groups_in_use().any(|group| group.steering.is_some() && group.vehicle.locomotion != Locomotion::Ground)

@@ -177,10 +177,10 @@ impl<'a, S: Simd> Tile<'a, S> {
         let inside = Vec3s::select(used, position, Vec3s::splat(simd, own[0].position));
         let low = Vec3::new(inside.x.reduce_min(), inside.y.reduce_min(), inside.z.reduce_min());
         let high = Vec3::new(inside.x.reduce_max(), inside.y.reduce_max(), inside.z.reduce_max());
-        let radius = flock.birds.radius.map_or_else(
-            || S::f32s::from_fn(simd, |lane| own.get(lane).map_or(0.0, |bird| bird.radius)),
-            |radius| splat(radius),
-        );
+        let radius = flock
+            .birds
+            .radius
+            .map_or_else(|| S::f32s::from_fn(simd, |lane| own.get(lane).map_or(0.0, |bird| bird.radius)), splat);
         let always = splat(flock.flocking.always) * radius;
         let always_squared = always * always;
         let farthest = sights.iter().fold(0.0, |farthest: f32, sight| farthest.max(sight.range_squared));

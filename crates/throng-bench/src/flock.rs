@@ -1,0 +1,95 @@
+//! Birds of a flock: plain data for any simulator.
+
+use crate::Dice;
+use glam::{DVec2, DVec3};
+use std::sync::Arc;
+use throng::avoid::Unavoiding;
+use throng::motion::{Locomotion, Vehicle};
+use throng::steer::Flocking;
+use throng::{Agent, Error, Group, Settings, SubSteps, World};
+
+/// One bird of a [`Flock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bird {
+    /// Where it is, metres.
+    pub position: DVec3,
+    /// Which way it faces along the ground, radians.
+    pub heading: f64,
+}
+
+/// The birds of a work: OpenSteer's boids. They separate from those within 5 m, align with those within 7.5 m, and gather with
+/// those within 9 m, at top speeds of 9 m/s.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flock {
+    /// In the order in which they are added.
+    pub birds: Vec<Bird>,
+}
+
+impl Flock {
+    /// Radius of everybody, metres.
+    pub const RADIUS: f64 = 0.5;
+    /// Speed nobody exceeds, m/s.
+    pub const MAX_SPEED: f64 = 9.0;
+    /// Speed of everybody at the start, m/s.
+    pub const START_SPEED: f64 = 2.7;
+    /// Force nobody exceeds, newtons.
+    pub const MAX_FORCE: f64 = 27.0;
+    /// How far everybody looks, metres.
+    pub const NEIGHBOUR_DISTANCE: f64 = 9.0;
+    /// Seconds of a step.
+    pub const STEP: f64 = 1.0 / 30.0;
+
+    /// So many birds in a sphere of this radius, metres, facing anywhere along the ground, which they do not touch.
+    pub(crate) fn in_sphere(count: usize, radius: f64) -> Self {
+        let mut dice = Dice(9);
+        let bird = |_| {
+            let middle = DVec3::Z * (radius + 100.0);
+            Bird { position: dice.in_sphere(radius) + middle, heading: dice.between(-3.1, 3.1) }
+        };
+        Self { birds: (0..count).map(bird).collect() }
+    }
+
+    /// A world of this flock, with or without the guard. Steps are not divided.
+    ///
+    /// # Errors
+    /// Those of [`World::add_agent`].
+    pub fn world(&self, guard: bool) -> Result<World, Error> {
+        let mut world =
+            World::new(Settings { step: Self::STEP, sub_steps: SubSteps::Fixed(1), ..Settings::default() })?;
+        let vehicle = Vehicle {
+            max_force: Self::MAX_FORCE as f32,
+            max_speed: Self::MAX_SPEED as f32,
+            locomotion: Locomotion::Banking,
+            ..Vehicle::default()
+        };
+        let group = world.add_group(Group {
+            model: Arc::new(Unavoiding),
+            neighbours: Group::EVERYBODY,
+            neighbour_distance: Self::NEIGHBOUR_DISTANCE as f32,
+            steering: Some(Flocking::default().into()),
+            vehicle,
+            keep_right: 0.0,
+            detour: false,
+            queue: false,
+            resolve: false,
+            guard,
+            ..Group::default()
+        })?;
+        world.reserve(self.birds.len());
+        for &Bird { position, heading } in &self.birds {
+            world.add_agent(Agent {
+                position: DVec2::new(position.x, position.y),
+                altitude: position.z as f32,
+                velocity: (DVec2::from_angle(heading) * Self::START_SPEED).as_vec2(),
+                heading: Some(heading as f32),
+                group,
+                radius: Self::RADIUS as f32,
+                preferred_speed: Self::MAX_SPEED as f32,
+                max_speed: Self::MAX_SPEED as f32,
+                max_acceleration: f32::INFINITY,
+                ..Agent::default()
+            })?;
+        }
+        Ok(world)
+    }
+}
