@@ -1,6 +1,6 @@
 //! What the agents of a group share.
 
-use crate::avoid::{LocalModel, Orca};
+use crate::avoid::{LocalModel, Orca, Unavoiding};
 use crate::motion::Vehicle;
 use crate::steer::Branch;
 use std::sync::Arc;
@@ -33,6 +33,32 @@ pub struct Group {
     /// Whether the [guard](crate::guard) keeps its agents from overlapping others and walls. Two who are both of
     /// groups without it may overlap; nobody else may.
     pub guard: bool,
+}
+
+impl Group {
+    /// Vehicles that go as they are steered: without manners, and nobody else has a say in it, be it that they overlap.
+    ///
+    /// ```
+    /// use throng::motion::Vehicle;
+    /// use throng::steer::Wander;
+    /// use throng::{Group, Settings, World};
+    /// let cars = Group { name: "cars".into(), ..Group::vehicles(Wander::default(), Vehicle::default()) };
+    /// World::new(Settings::default())?.add_group(cars)?;
+    /// # Ok::<(), throng::Error>(())
+    /// ```
+    pub fn vehicles(steering: impl Into<Branch>, vehicle: Vehicle) -> Self {
+        Self {
+            model: Arc::new(Unavoiding),
+            steering: Some(steering.into()),
+            vehicle,
+            keep_right: 0.0,
+            detour: false,
+            queue: false,
+            resolve: false,
+            guard: false,
+            ..Self::default()
+        }
+    }
 }
 
 impl Default for Group {

@@ -1,6 +1,6 @@
 //! Combinations and cures: what they grant, whom they ask, what they keep.
 
-use crate::harness::{Actor, Stage, angle, ask, told, vector};
+use crate::harness::{Actor, RADIUS, Stage, angle, ask, on_ground, rate, told, vector};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use throng::motion::{Motion, Steering, Vehicle};
@@ -128,6 +128,43 @@ proptest! {
                 prop_assert!((said.unwrap_or(0.0) - expected).abs() < 1e-3, "{said:?} {expected}");
             }
         }
+    }
+
+    /// What is kept is forgotten where it would run it into somebody, and only there: by a search in small steps.
+    #[test]
+    fn what_is_held_causes_no_hit(velocity in on_ground(1.5), push in on_ground(5.0), place in on_ground(2.5), theirs in on_ground(1.0)) {
+        let other = Neighbour { offset: place, velocity: theirs, forward: Vec3::X, radius: 0.2, number: 1, group: 0 };
+        let hold = Hold { seconds: 1.0, of: Clock(0.0).into() };
+        let mut memory = vec![0.0; hold.memory()];
+        memory[..4].copy_from_slice(&[1.0, push.x, push.y, 0.0]);
+        let view = View { neighbours: &[other], motion: Motion::moving(Vec3::ZERO, velocity), seconds: 0.1, ..View::default() };
+        let nearest = |own: Vec3| {
+            (0..900).map(|k| (place + (theirs - own) * (k as f32 * 1e-3)).length()).fold(f32::INFINITY, f32::min)
+        };
+        let distances = [nearest(view.wish(Some((push * 0.9).into()))), nearest(velocity)];
+        prop_assume!(place.length() > 0.41 && distances.iter().all(|distance| (distance - 0.4).abs() > 0.01));
+        let said = hold.steer(&view, &mut memory, &mut Why::default());
+        prop_assert_eq!(said.is_none(), distances[0] < 0.4 && distances[1] > 0.4, "{:?}", distances);
+    }
+
+    /// Whatever comes, from wherever, it has stopped before they touch, if it can: then it is not it that runs into the other.
+    #[test]
+    fn who_stops_runs_into_nobody(
+        speed in 0.2f32..1.8, far in 1.5f32..4.0, beside in -0.6f32..0.6, theirs in 0.0f32..1.5, seconds in rate(),
+    ) {
+        let stop = StopAndWait { within: 0.6, ..StopAndWait::new(Seek { target: Target::Point(Vec3::X * 50.0) }) };
+        let walker = Actor::new(Motion::moving(Vec3::ZERO, Vec3::X * speed), Vehicle::default(), stop);
+        let from = Vec3::new(far, beside, 0.0);
+        let other = Actor::new(Motion::moving(from, Vec3::NEG_X * theirs), Vehicle::default(), MoveForward { part: 0.0 });
+        let mut stage = Stage::new(seconds, vec![walker, other]);
+        let mut worst = 0.0f32;
+        stage.run(6.0, |stage| {
+            let offset = stage.actors[1].motion.position - stage.actors[0].motion.position;
+            if offset.length() < 2.0 * RADIUS {
+                worst = worst.max(stage.actors[0].motion.velocity.dot(offset.normalize()));
+            }
+        });
+        prop_assert!(worst < 0.2, "it goes at {worst} m/s into the other");
     }
 
     /// Within the angle and the part of the speed, and not always the same.

@@ -1,6 +1,6 @@
 //! Behaviours that ask the world's geometry: nobody leaves, nobody bumps, everybody gets there.
 
-use crate::harness::{Actor, RADIUS, Stage, ask, flier, rotation, told, vector};
+use crate::harness::{Actor, RADIUS, RATES, Stage, ask, flier, rotation, told, vector};
 use glam::{Quat, Vec3};
 use proptest::prelude::*;
 use std::f32::consts::{FRAC_PI_6, TAU};
@@ -14,8 +14,6 @@ use throng::steer::{
     Priority, Reason, Seek, StayOnPath, Target, TargetSpeed, View, Wander, Whisker, Whiskers, crowd_path,
     queue_at_door,
 };
-
-const RATES: [f32; 3] = [1.0 / 15.0, 1.0 / 60.0, 1.0 / 240.0];
 
 type Shared = Arc<dyn Surface>;
 
@@ -379,7 +377,7 @@ fn who_is_on_the_wrong_side_comes_back() {
 /// How fast and where one wanders in a bowl, whatever the step: mean speed, mean distance from the middle.
 #[test]
 fn the_step_does_not_show() {
-    let means = [1.0 / 15.0, 1.0 / 60.0, 1.0 / 240.0].map(|seconds| {
+    let means = RATES.map(|seconds| {
         let contain = Contain::inside(Sphere::new(Vec3::ZERO, 5.0).unwrap());
         let pillar: Shared = Arc::new(Sphere::new(Vec3::ZERO, 1.0).unwrap());
         let avoid = AvoidObstacles::from(barriers(&[pillar]));
