@@ -4,6 +4,7 @@ mod combine;
 mod group;
 mod harness;
 mod place;
+mod rates;
 mod single;
 mod turned;
 mod vehicle;
