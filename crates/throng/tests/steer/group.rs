@@ -310,37 +310,39 @@ proptest! {
     }
 }
 
-/// Followers end up behind the leader, apart, and out of its way when it turns on them.
-#[test]
-fn followers_follow() {
-    for single_file in [false, true] {
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Followers end up behind the leader, apart, and out of its way when it turns on them.
+    #[test]
+    fn followers_follow(off in prop::collection::vec(on_ground(0.5), 6), single_file: bool, seconds in rate()) {
         let follow = FollowLeader { single_file, ..FollowLeader::from(Target::Agent(0)) };
         let start =
-            |i: usize| Motion::at_rest(Vec3::new((i % 3) as f32 - 2.0, (i / 3) as f32 - 1.0, 0.0) * 1.5, Vec3::X);
+            |i: usize| Motion::at_rest(Vec3::new((i % 3) as f32 - 2.0, (i / 3) as f32 - 1.0, 0.0) * 1.5 + off[i], Vec3::X);
         let slow = Vehicle { max_speed: 1.0, ..Vehicle::default() };
         let leader = Actor::new(Motion::default(), slow, Seek { target: Target::Point(Vec3::X * 1e3) });
         let followers = (0..6).map(|i| Actor { group: 1, ..Actor::new(start(i), Vehicle::default(), follow) });
-        let mut stage = Stage::new(0.05, std::iter::once(leader).chain(followers).collect());
+        let mut stage = Stage::new(seconds, std::iter::once(leader).chain(followers).collect());
         let mut nearest = f32::INFINITY;
         stage.run(30.0, |stage| {
-            if stage.step > 100 {
+            if stage.time() > 15.0 {
                 let apart = |row: usize| stage.neighbours(row)[0].offset.length();
                 nearest = nearest.min((0..7).map(apart).fold(f32::INFINITY, f32::min));
             }
         });
         let places: Vec<Vec3> =
             stage.actors.iter().map(|actor| actor.motion.position - stage.actors[0].motion.position).collect();
-        assert!(places[1..].iter().all(|place| place.x < -0.3), "behind: {places:?}");
-        assert!(nearest > 0.35, "{nearest}");
+        prop_assert!(places[1..].iter().all(|place| place.x < 0.0), "behind: {places:?}");
+        prop_assert!(nearest > 0.35, "{nearest}");
         if single_file {
-            assert!(places[1..].windows(2).all(|pair| pair[1].x < pair[0].x - 0.4), "{places:?}");
-            assert!(places.iter().all(|place| place.y.abs() < 0.2), "{places:?}");
+            prop_assert!(places[1..].windows(2).all(|pair| pair[1].x < pair[0].x - 0.4), "{places:?}");
+            prop_assert!(places.iter().all(|place| place.y.abs() < 0.2), "{places:?}");
         }
         // back through them
         stage.actors[0].behaviour = Seek { target: Target::Point(-Vec3::X * 1e3) }.into();
         nearest = f32::INFINITY;
         stage.run(15.0, |stage| nearest = nearest.min(stage.neighbours(0)[0].offset.length()));
-        assert!(nearest > 0.3, "{nearest}");
+        prop_assert!(nearest > 0.3, "{nearest}");
     }
 }
 

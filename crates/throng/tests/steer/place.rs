@@ -1,6 +1,6 @@
 //! Behaviours that ask the world's geometry: nobody leaves, nobody bumps, everybody gets there.
 
-use crate::harness::{Actor, RADIUS, RATES, Stage, ask, flier, rotation, told, vector};
+use crate::harness::{Actor, RADIUS, RATES, Stage, ask, flier, rate, rotation, told, vector};
 use glam::{Quat, Vec3};
 use proptest::prelude::*;
 use std::f32::consts::{FRAC_PI_6, TAU};
@@ -233,17 +233,65 @@ fn an_eight_is_walked_as_an_eight() {
     }
 }
 
-/// Whoever wanders stays on the path.
-#[test]
-fn wanderers_stay_on_a_path() {
-    let path = Arc::new(Pathway::new(&[Vec3::ZERO, Vec3::X * 9.0], 1.5, false).unwrap());
-    for seconds in RATES {
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    /// Whoever wanders stays on the path, but for the inside of bends: it may cut across them where the way to its future
+    /// place is outside, as deep as the triangle of that way is.
+    #[test]
+    fn wanderers_stay_on_a_path(corners in corners(), radius in 0.8f32..1.6, seed in 0u64..999, seconds in rate()) {
+        let path = Arc::new(Pathway::new(&corners, radius, false).unwrap());
         let stay = StayOnPath { path: path.clone(), seconds: 0.6 };
         let wander = first(vec![stay.into(), Wander::default().into()]);
-        let mut stage = Stage::new(seconds, vec![Actor::new(Motion::default(), Vehicle::default(), wander)]);
+        let start = Motion::at_rest(corners[0], Vec3::X);
+        let mut stage = Stage { seed, ..Stage::new(seconds, vec![Actor::new(start, flier(), wander)]) };
         let mut outside = f32::NEG_INFINITY;
-        stage.run(300.0, |stage| outside = outside.max(path.nearest(stage.actors[0].motion.position).outside));
-        assert!(outside < 0.1, "{outside}");
+        stage.run(100.0, |stage| outside = outside.max(path.nearest(stage.actors[0].motion.position).outside));
+        let bend = corners.windows(3).map(|c| (c[1] - c[0]).angle_between(c[2] - c[1])).fold(0.0, f32::max);
+        let across = 0.5 * 0.6 * 1.8 * (0.5 * bend).tan();
+        prop_assert!(outside < across + 0.1, "{outside}, not {across}");
+    }
+
+    /// Along the outside of balls and the inside of rooms, in any direction: once it has the wall it holds the offset.
+    #[test]
+    fn walls_are_followed_at_any_offset(
+        radius in 2.0f32..6.0, offset in 0.4f32..1.5, from in 0.5f32..1.8, heading in 0.0f32..6.3, inside: bool, seconds in rate(),
+    ) {
+        let ball: Shared = Arc::new(Sphere::new(Vec3::ZERO, if inside { radius + 3.0 } else { radius }).unwrap());
+        let follow = FollowWall { offset, ..FollowWall::from(barriers(slice::from_ref(&ball))) };
+        let x = if inside { radius + 3.0 - offset * from } else { radius + offset * from };
+        let start = Motion::moving(Vec3::X * x, Quat::from_rotation_z(heading) * Vec3::X);
+        let mut stage = Stage::new(seconds, vec![Actor::new(start, Vehicle::default(), follow)]);
+        let (mut least, mut most) = (f32::INFINITY, 0.0f32);
+        stage.run(40.0, |stage| {
+            if stage.time() > 10.0 {
+                let distance = ball.query(stage.actors[0].motion.position).distance.abs();
+                (least, most) = (least.min(distance), most.max(distance));
+            }
+        });
+        prop_assert!(least > 0.9 * offset && most < 1.1 * offset, "from {least} to {most}, not {offset}");
+        prop_assert!(stage.actors[0].motion.speed() > 1.5);
+    }
+
+    /// Who hides is not seen from where the other is, once it had the time to get there, among any trees.
+    #[test]
+    fn who_hides_is_not_seen_among_any_trees(field in field(), x in 4.0f32..14.0, y in -4.0f32..4.0, seconds in rate()) {
+        let all = barriers(&field);
+        let at = Vec3::new(x, y, 0.0);
+        prop_assume!(nearest(&field, at) > 0.5 && nearest(&field, Vec3::ZERO) > 0.5);
+        let hide = Hide::new(Target::Agent(0), all.clone());
+        let hide = first(vec![AvoidObstacles::from(all).into(), hide.into()]);
+        let actors = vec![
+            Actor::new(Motion::at_rest(Vec3::ZERO, Vec3::X), Vehicle::default(), TargetSpeed { speed: 0.0 }),
+            Actor::new(Motion::at_rest(at, Vec3::X), Vehicle::default(), hide),
+        ];
+        let mut stage = Stage::new(seconds, actors);
+        let mut least = f32::INFINITY;
+        stage.run(40.0, |stage| least = least.min(nearest(&field, stage.actors[1].motion.position)));
+        let to = stage.actors[1].motion.position;
+        let (way, distance) = to.normalize_and_length();
+        prop_assert!(least > RADIUS - 0.01, "{least}");
+        prop_assert!(field.iter().any(|tree| tree.ray(Vec3::ZERO, way, distance).is_some()), "it is seen at {to}");
     }
 }
 

@@ -223,3 +223,26 @@ fn combined() {
         ("stop and wait", StopAndWait::new(go()).into()),
     ]);
 }
+
+#[test]
+fn every_behaviour_is_here() {
+    let folder = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src/steer"));
+    let files = ["single", "group", "place", "combine"]
+        .into_iter()
+        .flat_map(|room| std::fs::read_dir(folder.join(room)).unwrap());
+    let texts = files.map(|file| std::fs::read_to_string(file.unwrap().path()).unwrap());
+    let behaviours: Vec<String> = texts
+        .flat_map(|text| {
+            text.lines()
+                .filter_map(|line| Some(line.strip_prefix("impl Behaviour for ")?.replace(" {", "")))
+                .collect::<Vec<_>>()
+        })
+        .collect();
+    assert!(behaviours.len() > 45, "{behaviours:?}");
+    let here = include_str!("rates.rs");
+    let missing: Vec<&String> = behaviours
+        .iter()
+        .filter(|name| !here.split(|c: char| !c.is_alphanumeric()).any(|word| word == *name))
+        .collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}
