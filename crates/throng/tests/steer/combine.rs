@@ -1,13 +1,15 @@
 //! Combinations and cures: what they grant, whom they ask, what they keep.
 
-use crate::harness::{Actor, RADIUS, Stage, angle, ask, on_ground, rate, told, vector};
-use glam::{DVec3, Vec3};
+use crate::harness::{Actor, RADIUS, RATES, Stage, angle, ask, on_ground, rate, told, vector};
+use glam::{DVec3, Quat, Vec3};
 use proptest::prelude::*;
+use std::f32::consts::TAU;
 use throng::motion::{Motion, Steering, Vehicle};
+use throng::space::surface::{Cylinder, SeenFrom, Surface};
 use throng::steer::{
-    Allocation, Amortised, Behaviour, Branch, Condition, Dice, Dithering, Face, Flee, Hold, Irregular, Limited,
-    MoveForward, Neighbour, Neighbourhood, Noise, Priority, Reason, RunningSum, Seek, State, StopAndWait, Switch,
-    Target, TargetSpeed, View, Wander, WeightedSum, Who, Why,
+    Allocation, Amortised, Barriers, Behaviour, Branch, Condition, ContextSteering, Dice, Dithering, Face, Flee, Hold,
+    Irregular, Limited, MoveForward, Neighbour, Neighbourhood, Noise, Priority, Reason, RunningSum, Seek, State,
+    StopAndWait, Switch, Target, TargetSpeed, View, Wander, WeightedSum, Who, Why,
 };
 
 /// Says what it is told to.
@@ -128,6 +130,34 @@ proptest! {
                 prop_assert!((said.unwrap_or(0.0) - expected).abs() < 1e-3, "{said:?} {expected}");
             }
         }
+    }
+
+    /// The best of all directions by a search, danger in small steps of time.
+    #[test]
+    fn the_most_interesting_less_its_danger(
+        wishes in prop::collection::vec((on_ground(1.2), 0.1f32..2.0), 1..4), others in prop::collection::vec((on_ground(3.0), on_ground(1.0)), 0..4),
+        own in on_ground(1.0),
+    ) {
+        let all: Vec<Neighbour> = others.iter().enumerate().map(|(k, &(offset, velocity))| Neighbour {
+            offset, velocity, forward: Vec3::X, radius: 0.2, number: k as u32 + 1, group: 0,
+        }).collect();
+        prop_assume!(own.length() > 0.01 && all.iter().all(|other| other.offset.length() > 0.41));
+        let view = View { neighbours: &all, motion: Motion::moving(Vec3::ZERO, own), ..View::default() };
+        let parts = wishes.iter().map(|&(wish, weight)| (weight, Says(Some(view.reach(wish).force)).into()));
+        let said = view.wish(ask(&ContextSteering::new(parts.collect()), &view));
+        let speed = wishes.iter().map(|(wish, _)| wish.length()).fold(0.0, f32::max);
+        let value = |direction: Vec3| {
+            let interest = wishes.iter().map(|(wish, weight)| weight * wish.dot(direction)).fold(0.0, f32::max);
+            let touches = |time: f32| all.iter().any(|o| (o.offset + (o.velocity - direction * speed) * time).length() < 0.4);
+            let safe = (0..2000).map(|k| k as f32 * 1e-3).find(|&time| touches(time)).map_or(1.0, |time| time / 2.0);
+            let keeps = 1.0 + 0.2 * angle(own, direction).cos().max(0.0);
+            (interest * safe * keeps, direction * speed * safe)
+        };
+        let slots = (0..16).map(|k| Quat::from_rotation_z(k as f32 * TAU / 16.0) * own.normalize_or(Vec3::X));
+        let directions = wishes.iter().filter_map(|(wish, _)| wish.try_normalize()).chain(slots);
+        let best = directions.map(value).map(|best| best.0).fold(0.0, f32::max);
+        let (found, velocity) = value(said.normalize_or(Vec3::X));
+        prop_assert!(best < 5e-3 || found > best - 5e-3 && velocity.distance(said) < 5e-3, "{found} {best} {said}");
     }
 
     /// What is kept is forgotten where it would run it into somebody, and only there: by a search in small steps.
@@ -325,6 +355,26 @@ fn who_waits_neither_collides_nor_waits_for_ever() {
     assert!(nearest > 0.4 && stage.actors[0].motion.position.x > 6.0, "{nearest}");
 }
 
+/// Between two wishes it chooses, round what is in the way, in any time step; a sum would stand still.
+#[test]
+fn who_weighs_directions_neither_hesitates_nor_touches() {
+    let pillar = Cylinder::new(Vec3::new(3.0, 0.1, -1.0), Vec3::new(3.0, 0.1, 1.0), 0.8).unwrap();
+    let seek = |x: f32| (1.0, Branch::from(Seek { target: Target::Point(Vec3::X * x) }));
+    for seconds in RATES {
+        let barriers = Barriers::default().with(pillar.clone(), SeenFrom::Outside);
+        let weighs = ContextSteering { barriers, ..ContextSteering::new(vec![seek(8.0), seek(-8.0)]) };
+        let mut stage = Stage::new(seconds, vec![Actor::new(Motion::default(), Vehicle::default(), weighs)]);
+        let mut least = f32::INFINITY;
+        let mut reached = false;
+        stage.run(12.0, |stage| {
+            let place = stage.actors[0].motion.position;
+            least = least.min(pillar.query(place).distance);
+            reached |= place.x.abs() > 7.5;
+        });
+        assert!(least > RADIUS && reached, "{seconds}: {least}, {}", stage.actors[0].motion.position);
+    }
+}
+
 /// Every behaviour is a part of any other, at any depth; each part has a memory and random numbers of its own.
 #[test]
 fn everything_nests() {
@@ -340,7 +390,8 @@ fn everything_nests() {
             6 => Hold { seconds: 0.3, of }.into(),
             7 => Irregular { angle: 0.2, speed: 0.1, noise: Noise::default(), of }.into(),
             8 => StopAndWait::new(of).into(),
-            9 => Limited { max_speed: 1.0, max_force: 2.0, of }.into(),
+            9 => ContextSteering::new(vec![(1.0, of), (0.5, wander())]).into(),
+            10 => Limited { max_speed: 1.0, max_force: 2.0, of }.into(),
             _ => Switch(vec![
                 State { behaviour: wander(), exits: vec![(Condition::After(0.1), 1)] },
                 State { behaviour: of, exits: vec![(Condition::Chance(3.0), 0)] },
@@ -348,8 +399,8 @@ fn everything_nests() {
             .into(),
         }
     };
-    for first in 0..11 {
-        for second in 0..11 {
+    for first in 0..12 {
+        for second in 0..12 {
             let tree = wrap(wrap(wander(), first), second);
             assert!(tree.check().is_ok());
             let run = || {

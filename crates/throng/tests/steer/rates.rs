@@ -8,11 +8,12 @@ use throng::space::Pathway;
 use throng::space::surface::{Cuboid, Cylinder, SeenFrom, Sphere};
 use throng::steer::{
     Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, AvoidObstacles, Barriers, Boids, Branch, CloseAvoidance,
-    Cohesion, Condition, Contain, Dice, Dithering, Dock, Evade, Event, Explore, Face, Fear, Flee, Flocking, FollowFlow,
-    FollowLeader, FollowPath, FollowWall, Forage, FractalWander, Hide, Hold, Interpose, Irregular, KeepFormation,
-    KeepStation, Limited, LookWhereYouGo, MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern,
-    Prediction, Priority, Pursue, Queue, RunningSum, Seek, Separation, Shadow, State, StayOnPath, StopAndWait, Switch,
-    Target, TargetSpeed, Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers, Who, crowd_path, queue_at_door,
+    Cohesion, Condition, Contain, ContextSteering, Dice, Dithering, Dock, Evade, Event, Explore, Face, Fear, Flee,
+    Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, Hide, Hold, Interpose,
+    Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity, MoveForward,
+    Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue, RunningSum, Seek, Separation,
+    Shadow, State, StayOnPath, StopAndWait, Switch, Target, TargetSpeed, Tether, UnalignedAvoidance, Wander,
+    WeightedSum, Whiskers, Who, crowd_path, queue_at_door,
 };
 
 /// How many worlds there are of each, how many agents in each, and for how many seconds.
@@ -123,6 +124,14 @@ fn of_one() {
             "face",
             WeightedSum(vec![(1.0, Face { target: LEADER }.into()), (1.0, FollowFlow::new(field, 0.3).into())]).into(),
         ),
+        (
+            "match orientation",
+            WeightedSum(vec![
+                (1.0, MatchOrientation { with: LEADER }.into()),
+                (1.0, FollowFlow::new(field, 0.3).into()),
+            ])
+            .into(),
+        ),
         ("look where you go", WeightedSum(vec![(1.0, LookWhereYouGo.into()), (1.0, Wander::default().into())]).into()),
     ]);
 }
@@ -209,6 +218,7 @@ fn combined() {
             ])
             .into(),
         ),
+        ("context", ContextSteering::new(vec![(1.0, go()), (0.5, Seek { target: LEADER }.into())]).into()),
         ("amortised", Amortised { every: 0.2, of: go() }.into()),
         (
             "hold",

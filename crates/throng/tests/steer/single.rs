@@ -6,8 +6,8 @@ use proptest::prelude::*;
 use throng::motion::{Motion, Vehicle};
 use throng::steer::{
     Arrive, Branch, Dock, Evade, Event, Explore, Face, Fear, Flee, FollowFlow, Forage, FractalWander, Interpose,
-    KeepStation, LookWhereYouGo, MoveForward, Neighbour, Noise, OffsetPursuit, Prediction, Pursue, Reason, Seek,
-    Shadow, Target, TargetSpeed, Tether, View, Wander, Who,
+    KeepStation, LookWhereYouGo, MatchOrientation, MoveForward, Neighbour, Noise, OffsetPursuit, Prediction, Pursue,
+    Reason, Seek, Shadow, Target, TargetSpeed, Tether, View, Wander, Who, takeoff,
 };
 
 /// Nothing at all.
@@ -239,10 +239,35 @@ proptest! {
         prop_assert!(angle(face, place - Vec3::ONE) < 1e-3);
         let look = ask(&LookWhereYouGo, &view).and_then(|said| said.facing).expect("a facing");
         prop_assert!(angle(look, velocity) < 1e-3);
+        let as_other = Neighbour { offset: Vec3::Y, velocity: Vec3::ZERO, forward: velocity.normalize(), radius: 0.2, number: 1, group: 0 };
+        let seen = View { neighbours: &[as_other], ..view };
+        let matched = ask(&MatchOrientation { with: Target::Nearest(Who::Anybody) }, &seen).and_then(|said| said.facing);
+        prop_assert!(angle(matched.expect("a facing"), velocity) < 1e-3);
         let tether = ask(&Tether { to: at(place), length: 3.0 }, &view);
         prop_assert_eq!(tether, (place.distance(Vec3::ONE) > 3.0).then(|| ask(&Seek { target: at(place) }, &view)).flatten());
         let wish = view.wish(ask(&TargetSpeed { speed }, &view));
         prop_assert!(wish.distance(velocity.normalize() * speed) < 3e-3);
+    }
+
+    /// A leap flown in small steps lands where it should, coming down; what cannot be done is said.
+    #[test]
+    fn who_takes_off_lands(leap in vector(4.0), rise in 0.5f32..8.0) {
+        let highest = rise * rise / 20.0;
+        prop_assume!((leap.z - highest).abs() > 0.01);
+        let velocity = takeoff(leap, rise, 10.0, 1e3);
+        prop_assert_eq!(velocity.is_some(), leap.z < highest);
+        if let Some(start) = velocity {
+            let (mut place, mut velocity, step) = (Vec3::ZERO, start, 1e-4);
+            while velocity.z > 0.0 || place.z > leap.z {
+                velocity.z -= 0.5 * step * 10.0;
+                place += velocity * step;
+                velocity.z -= 0.5 * step * 10.0;
+            }
+            prop_assert!(place.distance(leap) < 0.05, "{place} {leap}");
+            let level = start.truncate().length();
+            prop_assert!(takeoff(leap, rise, 10.0, level * 1.01 + 1e-6).is_some());
+            prop_assert!(level < 0.01 || takeoff(leap, rise, 10.0, level * 0.99).is_none());
+        }
     }
 
     /// By angles and distances in f64.

@@ -79,7 +79,10 @@ impl Behaviour for AvoidObstacles {
             let side = course.basis.to_world(Vec3::new(0.0, side[0], side[1]));
             (*left > 0.0 && *which == (index + 1) as f32).then_some(side)
         };
+        // within the gap of one obstacle the way ahead touches that, whatever comes after it: its middle does not
+        let beyond = self.barriers.ahead(view.position(), course.basis.forward, 0.0, course.reach);
         let here = self.barriers.nearest(view.position()).map(|here| (here.point, here.free()));
+        let near = beyond.map(|(_, hit)| (hit.point, hit.free())).into_iter().chain(here);
         let Some((index, hit)) = self.ahead(view, &course, course.basis.forward) else {
             // who turned back to its goal at once would meet the same obstacle again
             let (index, hit) = self.ahead(view, &course, wish)?;
@@ -87,7 +90,7 @@ impl Behaviour for AvoidObstacles {
             *left = self.keeps;
             why.note(|| Reason::Aim(view.position() + direction * course.reach));
             let force = view.reach(direction * view.vehicle.max_speed).force;
-            return Some(course.held_off(force, here.into_iter().chain([(hit.point, hit.free())])));
+            return Some(course.held_off(force, near.chain([(hit.point, hit.free())])));
         };
         why.note(|| Reason::Expects(hit.point));
         if self.barriers.0[index].forbids(hit.vehicle_outside) {
@@ -101,7 +104,7 @@ impl Behaviour for AvoidObstacles {
         let urgency = 1.0 - hit.distance / course.reach.max(f32::MIN_POSITIVE);
         let speed = view.motion.speed().max(SLOW * view.vehicle.max_speed);
         let force = view.reach(direction * speed).force * urgency;
-        Some(course.held_off(force, here.into_iter().chain([(hit.point, hit.free())])))
+        Some(course.held_off(force, near.chain([(hit.point, hit.free())])))
     }
 
     fn check(&self) -> Result<(), Error> {

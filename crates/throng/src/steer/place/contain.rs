@@ -65,7 +65,9 @@ impl Behaviour for Contain {
         let probes = if view.is_on_ground() { &probes[2..] } else { &probes };
         let mut touches = [None; 5];
         for (touch, &(axis, angle, part)) in touches.iter_mut().zip(probes) {
-            *touch = self.feel(&course, view, turned(forward, axis, angle), course.reach * part);
+            let (direction, reach) = (turned(forward, axis, angle), course.reach * part);
+            why.note(|| Reason::Feels(view.position() + direction * reach));
+            *touch = self.feel(&course, view, direction, reach);
         }
         let touches = touches.iter().flatten();
         let Touch { hit, urgency, .. } = touches.clone().max_by(|a, b| a.urgency.total_cmp(&b.urgency))?;
