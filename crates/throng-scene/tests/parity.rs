@@ -1,6 +1,6 @@
 //! The page on what other libraries have: each item that it names exists, each scene is in the gallery, nothing is missing.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use throng_scene::gallery;
 
 const PAGE: &str = include_str!("../../../docs/parity.md");
@@ -21,12 +21,12 @@ fn quoted(cell: &str) -> impl Iterator<Item = &str> {
     cell.split('`').skip(1).step_by(2)
 }
 
-/// All Rust files of a folder and those below it.
+/// All Rust files of a folder and those below it; none if there is no such folder.
 fn sources(folder: &Path) -> Vec<String> {
     let mut folders = vec![folder.to_owned()];
     let mut texts = vec![];
     while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(&folder).unwrap() {
+        for entry in std::fs::read_dir(&folder).into_iter().flatten() {
             let path = entry.unwrap().path();
             if path.is_dir() {
                 folders.push(path);
@@ -42,50 +42,44 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !(c.is_alphanumeric() || c == '_')).filter(|word| !word.is_empty())
 }
 
-/// Whether a text has these words one after the other.
-fn says(text: &str, phrase: &[&str]) -> bool {
-    words(text).collect::<Vec<_>>().windows(phrase.len()).any(|window| window == phrase)
+/// Whether a text says this, and the last word is whole.
+fn says(text: &str, phrase: &str) -> bool {
+    let ends = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
+    text.match_indices(phrase).any(|(at, _)| ends(&text[at + phrase.len()..]))
 }
 
-/// Whether a path such as `throng::motion::Vehicle::brake` names something public: the item is defined in the crate and its
-/// module says `pub use` or defines it; a method, a field or a variant is in a file that defines or extends it.
+/// Whether a text defines an item.
+fn defines(text: &str, item: &str) -> bool {
+    ["struct", "enum", "trait", "fn", "const", "type"].iter().any(|kind| says(text, &format!("pub {kind} {item}")))
+}
+
+/// Whether a text that defines or extends an item has this method, field or variant.
+fn has(text: &str, item: &str, member: &str) -> bool {
+    let extends = ["struct", "enum", "trait", "impl"].iter().any(|kind| says(text, &format!("{kind} {item}")));
+    let fields =
+        [format!("pub {member}:"), format!("    {member},"), format!("    {member}("), format!("    {member} {{")];
+    extends && (says(text, &format!("fn {member}")) || fields.iter().any(|field| text.contains(field)))
+}
+
+/// Whether a path such as `throng::motion::Vehicle::brake` names something: its crate defines the item, its module does so too or
+/// uses it, and a file that is about the item has the member.
 fn exists(path: &str) -> bool {
     let mut names: Vec<&str> = path.split("::").collect();
-    let is_item = |name: &&str| name.starts_with(char::is_uppercase);
-    let member = (names.len() > 2 && is_item(&names[names.len() - 2])).then(|| names.pop().unwrap());
-    let (item, modules) = (names.pop().unwrap(), &names[1..]);
-    let src = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..").join(names[0].replace('_', "-")).join("src");
+    let is_member = names.len() > 2 && names[names.len() - 2].starts_with(char::is_uppercase);
+    let member = if is_member { names.pop() } else { None };
+    let (Some(item), [library, modules @ ..]) = (names.pop(), &names[..]) else { return false };
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(library.replace('_', "-")).join("src");
     let module = modules.iter().fold(src.clone(), |folder, name| folder.join(name));
-    let texts: Vec<String> = sources(&src);
-    let defines = |text: &&String| {
-        ["struct", "enum", "trait", "fn", "const", "type"].iter().any(|kind| says(text, &["pub", kind, item]))
-            // scenes' parameters are made by a macro
-            || text.contains("parameters!") && text.contains(&format!("    {item} {{"))
+    let own = match std::fs::read_to_string(module.with_extension("rs")) {
+        Ok(text) => vec![text],
+        Err(_) => sources(&module),
     };
-    let own = if module.is_dir() {
-        sources(&module)
-    } else {
-        vec![std::fs::read_to_string(module.with_extension("rs")).unwrap_or_default()]
-    };
-    let uses = own
-        .iter()
-        .any(|text| text.split(';').any(|line| line.contains("pub use") && words(line).any(|word| word == item)));
-    let is_there = texts.iter().any(|text| defines(&text)) && (uses || own.iter().any(|text| defines(&text)));
-    let has = |member: &str| {
-        let extends = |text: &&String| {
-            text.contains(&format!(" {item} {{"))
-                || text.contains(&format!(" {item}<"))
-                || text.contains(&format!(" {item}("))
-        };
-        let told = |text: &String| {
-            says(text, &["pub", "fn", member])
-                || says(text, &["fn", member]) && text.contains("pub trait")
-                || text.contains(&format!("pub {member}:"))
-                || [",", "(", " {"].iter().any(|end| text.contains(&format!("\n    {member}{end}")))
-        };
-        texts.iter().filter(extends).any(told)
-    };
-    is_there && member.is_none_or(has)
+    let uses =
+        |text: &String| text.split(';').any(|line| line.contains("pub use") && words(line).any(|word| word == item));
+    let all = sources(&src);
+    all.iter().any(|text| defines(text, item))
+        && own.iter().any(|text| defines(text, item) || uses(text))
+        && member.is_none_or(|member| all.iter().any(|text| has(text, item, member)))
 }
 
 #[test]
