@@ -1,6 +1,7 @@
 //! Steering: each behaviour against its definition, and what vehicles do that are steered by it.
 
 mod combine;
+mod cures;
 mod group;
 mod harness;
 mod place;
@@ -8,3 +9,4 @@ mod rates;
 mod single;
 mod turned;
 mod vehicle;
+mod wander;
