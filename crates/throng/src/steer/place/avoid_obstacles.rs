@@ -70,9 +70,28 @@ impl Behaviour for AvoidObstacles {
     }
 
     fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let wish = self.towards.find(view).map(|mark| view.to(mark.position));
+        self.avoid(wish, view, memory, why)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("horizon", self.seconds)?;
+        Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")?;
+        Error::unless(self.keeps >= 0.0, "time that a side is kept", self.keeps, "0 or more")
+    }
+}
+
+impl AvoidObstacles {
+    /// Goes round what is in the way on the way that it would like to go, straight ahead if there is none.
+    pub(super) fn avoid(
+        &self,
+        wish: Option<Vec3>,
+        view: &View<'_>,
+        memory: &mut [f32],
+        why: &mut Why<'_>,
+    ) -> Option<Steering> {
         let [which, left, side @ ..] = memory else { return None };
         *left = (*left - view.seconds).max(0.0);
-        let wish = self.towards.find(view).map(|mark| view.to(mark.position));
         let course = self.course(view, wish);
         let wish = wish.and_then(Vec3::try_normalize).unwrap_or(course.basis.forward);
         let kept = |index| {
@@ -107,14 +126,6 @@ impl Behaviour for AvoidObstacles {
         Some(course.held_off(force, near.chain([(hit.point, hit.free())])))
     }
 
-    fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("horizon", self.seconds)?;
-        Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")?;
-        Error::unless(self.keeps >= 0.0, "time that a side is kept", self.keeps, "0 or more")
-    }
-}
-
-impl AvoidObstacles {
     /// The way ahead, no farther than the goal, if it can stop there.
     fn course<'a>(&self, view: &'a View<'a>, wish: Option<Vec3>) -> Course<'a> {
         let mut course = Course::new(view, self.gap, self.seconds);
