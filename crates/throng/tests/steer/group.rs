@@ -1,6 +1,6 @@
 //! Behaviours among others: against brute force in f64, and by what crowds of them do.
 
-use crate::harness::{Actor, RADIUS, Stage, angle, ask, flier, on_ground, rate, vector};
+use crate::harness::{Actor, RADIUS, RATES, Stage, angle, ask, flier, on_ground, rate, vector};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use throng::motion::{Motion, Vehicle};
@@ -366,42 +366,47 @@ fn flocks_form() {
         };
         let pushes = WeightedSum(vec![(1.0, behaviour), (0.1, MoveForward { part: 1.0 }.into())]);
         let pushes = Branch::from(pushes);
-        let mut stage = Stage::new(0.04, (0..24).map(|i| Actor::new(start(i), bird, pushes.clone())).collect());
-        // how much each flies as its nearest does
-        let order = |stage: &Stage| {
-            let likeness = |row: usize| stage.neighbours(row)[0].forward.dot(stage.actors[row].motion.basis.forward);
-            (0..24).map(likeness).sum::<f32>() / 24.0
-        };
-        let before = order(&stage);
-        stage.run(20.0, |_| ());
-        assert!(before < 0.5 && order(&stage) > 0.9, "{name}: {before} {}", order(&stage));
-        let nearest: Vec<f32> = (0..24).map(|row| stage.neighbours(row)[0].offset.length()).collect();
-        assert!(nearest.iter().all(|&distance| distance > 0.3), "{name}: {nearest:?}");
-        // who looks only so far loses some, who looks to the nearest few loses nobody
-        assert!(name != "topological" || nearest.iter().all(|&distance| distance < 8.0), "{nearest:?}");
+        for seconds in RATES {
+            let mut stage = Stage::new(seconds, (0..24).map(|i| Actor::new(start(i), bird, pushes.clone())).collect());
+            // how much each flies as its nearest does
+            let order = |stage: &Stage| {
+                let likeness =
+                    |row: usize| stage.neighbours(row)[0].forward.dot(stage.actors[row].motion.basis.forward);
+                (0..24).map(likeness).sum::<f32>() / 24.0
+            };
+            let before = order(&stage);
+            stage.run(20.0, |_| ());
+            assert!(before < 0.5 && order(&stage) > 0.9, "{name}: {before} {}", order(&stage));
+            let nearest: Vec<f32> = (0..24).map(|row| stage.neighbours(row)[0].offset.length()).collect();
+            assert!(nearest.iter().all(|&distance| distance > 0.3), "{name}: {nearest:?}");
+            // who looks only so far loses some, who looks to the nearest few loses nobody
+            assert!(name != "topological" || nearest.iter().all(|&distance| distance < 8.0), "{nearest:?}");
+        }
     }
 }
 
 /// Reynolds' demo of 1999: thirty who stroll about in a square hardly touch.
 #[test]
 fn strollers_hardly_touch() {
-    let touches = |avoid: fn() -> Branch| {
-        let walk = |i: usize| {
-            let place = Vec3::new((i % 6) as f32 - 2.5, (i / 6) as f32 - 2.0, 0.0) * 2.0;
-            let home = Tether { to: Target::Point(Vec3::ZERO), length: 6.0 };
-            let parts = vec![avoid(), home.into(), Wander::default().into()];
-            let slow = Vehicle { max_speed: 1.2, ..Vehicle::default() };
-            Actor::new(Motion::moving(place, Vec3::X), slow, Priority { epsilon: 0.0, parts })
+    for seconds in RATES {
+        let touches = |avoid: fn() -> Branch| {
+            let walk = |i: usize| {
+                let place = Vec3::new((i % 6) as f32 - 2.5, (i / 6) as f32 - 2.0, 0.0) * 2.0;
+                let home = Tether { to: Target::Point(Vec3::ZERO), length: 6.0 };
+                let parts = vec![avoid(), home.into(), Wander::default().into()];
+                let slow = Vehicle { max_speed: 1.2, ..Vehicle::default() };
+                Actor::new(Motion::moving(place, Vec3::X), slow, Priority { epsilon: 0.0, parts })
+            };
+            let mut stage = Stage::new(seconds, (0..30).map(walk).collect());
+            let mut touching = 0;
+            stage.run(40.0, |stage| {
+                touching += (0..30).filter(|&row| stage.neighbours(row)[0].offset.length() < 2.0 * RADIUS).count();
+            });
+            touching
         };
-        let mut stage = Stage::new(0.04, (0..30).map(walk).collect());
-        let mut touching = 0;
-        stage.run(40.0, |stage| {
-            touching += (0..30).filter(|&row| stage.neighbours(row)[0].offset.length() < 2.0 * RADIUS).count();
-        });
-        touching
-    };
-    let never = || Tether { to: Target::Point(Vec3::ZERO), length: f32::INFINITY }.into();
-    let (without, with) = (touches(never), touches(|| UnalignedAvoidance::default().into()));
-    let turning = touches(|| AvoidNeighbours::default().into());
-    assert!(with * 20 < without && turning * 2 < without, "{without}, {with}, {turning}");
+        let never = || Tether { to: Target::Point(Vec3::ZERO), length: f32::INFINITY }.into();
+        let (without, with) = (touches(never), touches(|| UnalignedAvoidance::default().into()));
+        let turning = touches(|| AvoidNeighbours::default().into());
+        assert!(with * 20 < without && turning * 2 < without, "{seconds}: {without}, {with}, {turning}");
+    }
 }
