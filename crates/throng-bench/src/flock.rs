@@ -2,8 +2,6 @@
 
 use crate::Dice;
 use glam::{DVec2, DVec3};
-use std::sync::Arc;
-use throng::avoid::Unavoiding;
 use throng::motion::{Locomotion, Vehicle};
 use throng::steer::Flocking;
 use throng::{Agent, Error, Group, Settings, SubSteps, World};
@@ -63,17 +61,10 @@ impl Flock {
             ..Vehicle::default()
         };
         let group = world.add_group(Group {
-            model: Arc::new(Unavoiding),
             neighbours: Group::EVERYBODY,
             neighbour_distance: Self::NEIGHBOUR_DISTANCE as f32,
-            steering: Some(Flocking::default().into()),
-            vehicle,
-            keep_right: 0.0,
-            detour: false,
-            queue: false,
-            resolve: false,
             guard,
-            ..Group::default()
+            ..Group::vehicles(Flocking::default(), vehicle)
         })?;
         world.reserve(self.birds.len());
         for &Bird { position, heading } in &self.birds {

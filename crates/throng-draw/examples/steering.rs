@@ -2,11 +2,9 @@
 
 use glam::{DVec2, DVec3, Vec3};
 use std::sync::Arc;
-use throng::avoid::{Orca, Unavoiding};
+use throng::avoid::Orca;
 use throng::motion::{Locomotion, Vehicle};
-use throng::steer::{
-    Behaviour, Evade, Flocking, Pursue, Seek, Separation, Target, UnalignedAvoidance, Wander, WeightedSum,
-};
+use throng::steer::{Evade, Flocking, Pursue, Seek, Separation, Target, UnalignedAvoidance, Wander, WeightedSum};
 use throng::{Agent, Error, Group, GroupId, Obstacle, Settings, SubSteps, World};
 use throng_draw::{Annotation, Film, Projection, Still, Style, Theme, Viewpoint};
 use throng_record::{Frame, Setting};
@@ -57,21 +55,6 @@ fn world() -> Result<World, Error> {
     World::new(Settings { step: STEP, sub_steps: SubSteps::Fixed(1), ..Settings::default() })
 }
 
-/// Vehicles that others have no say in.
-fn vehicles(steering: impl Behaviour + 'static, vehicle: Vehicle) -> Group {
-    Group {
-        model: Arc::new(Unavoiding),
-        steering: Some(steering.into()),
-        vehicle,
-        keep_right: 0.0,
-        detour: false,
-        queue: false,
-        resolve: false,
-        guard: false,
-        ..Group::default()
-    }
-}
-
 fn agent(at: DVec3, group: GroupId, vehicle: &Vehicle) -> Agent {
     Agent {
         position: at.truncate(),
@@ -91,7 +74,8 @@ fn flock(count: u32) -> Result<World, Error> {
     let home = Seek { target: Target::Point(Vec3::new(0.0, 0.0, 60.0)) };
     let steering =
         WeightedSum(vec![(1.0, Flocking::default().into()), (0.3, Wander::default().into()), (0.1, home.into())]);
-    let group = Group { name: "birds".into(), neighbour_distance: 9.0, neighbours: 20, ..vehicles(steering, vehicle) };
+    let group =
+        Group { name: "birds".into(), neighbour_distance: 9.0, neighbours: 20, ..Group::vehicles(steering, vehicle) };
     let group = world.add_group(group)?;
     for k in 0..count {
         let at = DVec3::new(f64::from(k % 7), f64::from(k / 7 % 5), 20.0 + f64::from(k / 35)) * 2.0;
@@ -109,7 +93,7 @@ fn towers() -> Result<World, Error> {
         let home = Seek { target: Target::Point(middle) };
         let steering =
             WeightedSum(vec![(1.0, Flocking::default().into()), (0.4, Wander::default().into()), (0.3, home.into())]);
-        let group = Group { name: name.into(), neighbour_distance: 6.0, ..vehicles(steering, vehicle) };
+        let group = Group { name: name.into(), neighbour_distance: 6.0, ..Group::vehicles(steering, vehicle) };
         let group = world.add_group(group)?;
         for n in 0..60 {
             let offset = DVec3::new(f64::from(n % 5), f64::from(n / 5 % 4), f64::from(n / 20)) * 1.4;
@@ -137,8 +121,8 @@ fn chase() -> Result<World, Error> {
         ])
     };
     for k in 0..6u32 {
-        let quarry = Group { model: Arc::new(Orca::default()), guard: true, ..vehicles(roam(2 * k + 1), slow) };
-        let pursuer = vehicles(Pursue::from(Target::Agent(2 * k)), fast);
+        let quarry = Group { model: Arc::new(Orca::default()), guard: true, ..Group::vehicles(roam(2 * k + 1), slow) };
+        let pursuer = Group::vehicles(Pursue::from(Target::Agent(2 * k)), fast);
         let pursuer = Group { model: Arc::new(Orca::default()), guard: true, ..pursuer };
         for (n, (group, vehicle)) in [(quarry, slow), (pursuer, fast)].into_iter().enumerate() {
             let name = ["quarry", "pursuers"][n];

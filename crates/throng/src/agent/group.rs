@@ -1,6 +1,6 @@
 //! What the agents of a group share.
 
-use crate::avoid::{LocalModel, Orca};
+use crate::avoid::{LocalModel, Orca, Unavoiding};
 use crate::motion::Vehicle;
 use crate::steer::Branch;
 use std::sync::Arc;
@@ -44,6 +44,30 @@ impl Group {
     /// How many of the nearest are to be found for each of its agents.
     pub(crate) fn nearest(&self) -> usize {
         if self.neighbours == Self::EVERYBODY { 0 } else { self.neighbours }
+    }
+
+    /// Vehicles that go as they are steered: without manners, and nobody else has a say in it, be it that they overlap.
+    ///
+    /// ```
+    /// use throng::motion::Vehicle;
+    /// use throng::steer::Wander;
+    /// use throng::{Group, Settings, World};
+    /// let cars = Group { name: "cars".into(), ..Group::vehicles(Wander::default(), Vehicle::default()) };
+    /// World::new(Settings::default())?.add_group(cars)?;
+    /// # Ok::<(), throng::Error>(())
+    /// ```
+    pub fn vehicles(steering: impl Into<Branch>, vehicle: Vehicle) -> Self {
+        Self {
+            model: Arc::new(Unavoiding),
+            steering: Some(steering.into()),
+            vehicle,
+            keep_right: 0.0,
+            detour: false,
+            queue: false,
+            resolve: false,
+            guard: false,
+            ..Self::default()
+        }
     }
 }
 

@@ -23,7 +23,8 @@ pub enum Prediction {
         most: f32,
     },
     /// The time in which the agent covers the distance, by nine cases: whether the quarry is ahead, aside or behind, and
-    /// goes the same way, across, or comes (OpenSteer's steerForPursuit).
+    /// goes the same way, across, or comes (OpenSteer's steerForPursuit). From one case to the next the time jumps, and with
+    /// it the aim; the vehicle smooths that. The other predictions are continuous.
     Cases {
         /// The most seconds. Limit: >= 0.
         most: f32,

@@ -167,6 +167,19 @@ impl View<'_> {
         (length > 0.0).then(|| (direction * (self.vehicle.max_force / length.max(full))).into())
     }
 
+    /// Steering by all of the force to a side, of any length: it turns the way by as much as that force does in the step, but
+    /// leaves the speed, however long the step is. Who hardly moves is pushed. `None` if the side has no length.
+    pub(super) fn veer(&self, side: Vec3) -> Option<Steering> {
+        let side = self.passable(side).try_normalize()?;
+        let (force, mass) = (self.vehicle.max_force, self.vehicle.mass);
+        let (speed, change) = (self.motion.speed(), force * self.seconds / mass);
+        if speed <= change {
+            return Some((side * force).into());
+        }
+        let turned = turned_towards(self.velocity() / speed, side, change / speed, self.motion.basis.up) * speed;
+        Some(((turned - self.velocity()) * (mass / self.seconds)).into())
+    }
+
     /// The velocity that steering leads to; the present one if there is nothing to correct.
     pub fn wish(&self, steering: Option<Steering>) -> Vec3 {
         let force = steering.map_or(Vec3::ZERO, |steering| steering.force);

@@ -1,18 +1,20 @@
-//! Combinations and cures: what they grant, whom they ask, what they keep.
+//! Combinations: what they grant, and whom they ask.
 
-use crate::harness::{Actor, Stage, angle, ask, told, vector};
-use glam::{DVec3, Vec3};
+use crate::harness::{Actor, RADIUS, RATES, Stage, angle, ask, on_ground, told, vector};
+use glam::{DVec3, Quat, Vec3};
 use proptest::prelude::*;
+use std::f32::consts::TAU;
 use throng::motion::{Motion, Steering, Vehicle};
+use throng::space::surface::{Cylinder, SeenFrom, Surface};
 use throng::steer::{
-    Allocation, Amortised, Behaviour, Branch, Condition, Dice, Dithering, Face, Flee, Hold, Irregular, Limited,
-    MoveForward, Neighbour, Neighbourhood, Noise, Priority, Reason, RunningSum, Seek, State, StopAndWait, Switch,
-    Target, TargetSpeed, View, Wander, WeightedSum, Who, Why,
+    Allocation, Amortised, Barriers, Behaviour, Branch, Condition, ContextSteering, Dice, Dithering, Face, Flee, Hold,
+    Irregular, Limited, Neighbour, Neighbourhood, Noise, Priority, Reason, RunningSum, Seek, State, StopAndWait,
+    Switch, Target, View, Wander, WeightedSum, Who, Why,
 };
 
 /// Says what it is told to.
 #[derive(Clone, Copy, Debug)]
-struct Says(Option<Vec3>);
+pub struct Says(pub Option<Vec3>);
 
 impl Behaviour for Says {
     fn steer(&self, _: &View<'_>, _: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
@@ -22,7 +24,7 @@ impl Behaviour for Says {
 
 /// Says what time it is, until a time.
 #[derive(Clone, Copy, Debug)]
-struct Clock(f64);
+pub struct Clock(pub f64);
 
 impl Behaviour for Clock {
     /// How often it was asked.
@@ -110,43 +112,34 @@ proptest! {
         prop_assert!(View::default().wish(ask(&slow, &View::default())).distance(Vec3::X * 0.5) < 1e-5);
     }
 
-    /// It lasts as long as it should, and fades evenly.
+    /// The best of all directions by a search, danger in small steps of time.
     #[test]
-    fn what_is_held_fades(until in 0.1f64..1.0, hold in 0.1f32..1.0) {
-        let behaviour = Hold { seconds: hold, of: Clock(until).into() };
-        let mut memory = vec![0.0; behaviour.memory()];
-        let mut last = (0.0f64, 0.0f32);
-        for step in 0..200 {
-            let time = f64::from(step) * 0.01;
-            let view = View { time, seconds: 0.01, ..View::default() };
-            let said = behaviour.steer(&view, &mut memory, &mut Why::default()).map(|said| said.force.x);
-            if time < until {
-                prop_assert_eq!(said, Some(1.0 + time as f32));
-                last = (time, 1.0 + time as f32);
-            } else {
-                let expected = last.1 * (1.0 - (time - last.0) as f32 / hold).max(0.0);
-                prop_assert!((said.unwrap_or(0.0) - expected).abs() < 1e-3, "{said:?} {expected}");
-            }
-        }
+    fn the_most_interesting_less_its_danger(
+        wishes in prop::collection::vec((on_ground(1.2), 0.1f32..2.0), 1..4), others in prop::collection::vec((on_ground(3.0), on_ground(1.0)), 0..4),
+        own in on_ground(1.0),
+    ) {
+        let all: Vec<Neighbour> = others.iter().enumerate().map(|(k, &(offset, velocity))| Neighbour {
+            offset, velocity, forward: Vec3::X, radius: 0.2, number: k as u32 + 1, group: 0,
+        }).collect();
+        prop_assume!(own.length() > 0.01 && all.iter().all(|other| other.offset.length() > 0.41));
+        let view = View { neighbours: &all, motion: Motion::moving(Vec3::ZERO, own), ..View::default() };
+        let parts = wishes.iter().map(|&(wish, weight)| (weight, Says(Some(view.reach(wish).force)).into()));
+        let said = view.wish(ask(&ContextSteering::new(parts.collect()), &view));
+        let speed = wishes.iter().map(|(wish, _)| wish.length()).fold(0.0, f32::max);
+        let value = |direction: Vec3| {
+            let interest = wishes.iter().map(|(wish, weight)| weight * wish.dot(direction)).fold(0.0, f32::max);
+            let touches = |time: f32| all.iter().any(|o| (o.offset + (o.velocity - direction * speed) * time).length() < 0.4);
+            let safe = (0..2000).map(|k| k as f32 * 1e-3).find(|&time| touches(time)).map_or(1.0, |time| time / 2.0);
+            let keeps = 1.0 + 0.2 * angle(own, direction).cos().max(0.0);
+            (interest * safe * keeps, direction * speed * safe)
+        };
+        let slots = (0..16).map(|k| Quat::from_rotation_z(k as f32 * TAU / 16.0) * own.normalize_or(Vec3::X));
+        let directions = wishes.iter().filter_map(|(wish, _)| wish.try_normalize()).chain(slots);
+        let best = directions.map(value).map(|best| best.0).fold(0.0, f32::max);
+        let (found, velocity) = value(said.normalize_or(Vec3::X));
+        prop_assert!(best < 5e-3 || found > best - 5e-3 && velocity.distance(said) < 5e-3, "{found} {best} {said}");
     }
 
-    /// Within the angle and the part of the speed, and not always the same.
-    #[test]
-    fn irregular_motion_wavers_within_bounds(velocity in vector(0.9), most in 0.05f32..0.5, speed in 0.0f32..0.1) {
-        prop_assume!(velocity.truncate().length() > 0.3);
-        let steady = velocity.with_z(0.0);
-        let reach = View::default().reach(steady).force;
-        let behaviour = Irregular { angle: most, speed, noise: Noise::default(), of: Says(Some(reach)).into() };
-        let wishes: Vec<Vec3> = (0..300).map(|i| {
-            let view = View { time: f64::from(i) * 0.3, ..View::default() };
-            view.wish(ask(&behaviour, &view))
-        }).collect();
-        let aside = |wish: &Vec3| angle(*wish, steady) * steady.cross(*wish).z.signum();
-        prop_assert!(wishes.iter().all(|wish| aside(wish).abs() <= most + 1e-3));
-        prop_assert!(wishes.iter().all(|wish| (wish.length() / steady.length() - 1.0).abs() <= speed + 1e-3));
-        let mean = wishes.iter().map(aside).sum::<f32>() / 300.0;
-        prop_assert!(mean.abs() < 0.25 * most && wishes.iter().any(|wish| aside(wish).abs() > 0.2 * most), "{mean}");
-    }
 }
 
 /// Each as often as its probability says, on its own.
@@ -184,30 +177,6 @@ fn draws_hold_for_a_while() {
         before = said;
     }
     assert_eq!(changes, 0);
-}
-
-#[test]
-fn who_thinks_seldom_is_asked_seldom_and_not_all_at_once() {
-    let behaviour = Amortised { every: 0.1, of: Clock(100.0).into() };
-    let mut thinks = [0; 10];
-    for number in 0..40 {
-        let mut memory = vec![0.0; behaviour.memory()];
-        let mut thoughts = Vec::new();
-        for step in 0..500 {
-            let time = step as f64 * 0.01;
-            let view = View { time, seconds: 0.01, dice: Dice { number, step, ..Dice::default() }, ..View::default() };
-            let said = behaviour.steer(&view, &mut memory, &mut Why::default()).expect("the clock runs");
-            let thought = f64::from(said.force.x) - 1.0;
-            assert!(thought <= time + 1e-6 && time - thought < 0.1, "{thought} {time}");
-            if (thought - time).abs() < 1e-6 {
-                thoughts.push(step);
-            }
-        }
-        assert!((50..=52).contains(&thoughts.len()), "{}", thoughts.len());
-        assert!(thoughts[1..].windows(2).all(|pair| pair[1] - pair[0] == 10));
-        thinks[(thoughts[2] % 10) as usize] += 1;
-    }
-    assert!(thinks.iter().all(|&count| count < 12), "{thinks:?}");
 }
 
 #[test]
@@ -273,19 +242,24 @@ fn conditions_hold_when_they_should() {
     assert!(holds(Condition::Any(both.clone()), 1) && !holds(Condition::All(both), 1));
 }
 
+/// Between two wishes it chooses, round what is in the way, in any time step; a sum would stand still.
 #[test]
-fn who_waits_neither_collides_nor_waits_for_ever() {
-    let walker = StopAndWait::new(Seek { target: Target::Point(Vec3::X * 50.0) });
-    let porter = Actor::new(Motion::at_rest(Vec3::X * 4.0, Vec3::Y), Vehicle::default(), MoveForward { part: 0.0 });
-    let walker = Actor::new(Motion::default(), Vehicle::default(), walker);
-    let mut stage = Stage::new(0.02, vec![walker, porter]);
-    let mut nearest = f32::INFINITY;
-    let apart = |stage: &Stage| stage.actors[0].motion.position.distance(stage.actors[1].motion.position);
-    stage.run(6.0, |stage| nearest = nearest.min(apart(stage)));
-    assert!(nearest > 0.4 && stage.actors[0].motion.speed() < 0.5, "{nearest}");
-    stage.actors[1].behaviour = TargetSpeed { speed: 1.0 }.into();
-    stage.run(6.0, |stage| nearest = nearest.min(apart(stage)));
-    assert!(nearest > 0.4 && stage.actors[0].motion.position.x > 6.0, "{nearest}");
+fn who_weighs_directions_neither_hesitates_nor_touches() {
+    let pillar = Cylinder::new(Vec3::new(3.0, 0.1, -1.0), Vec3::new(3.0, 0.1, 1.0), 0.8).unwrap();
+    let seek = |x: f32| (1.0, Branch::from(Seek { target: Target::Point(Vec3::X * x) }));
+    for seconds in RATES {
+        let barriers = Barriers::default().with(pillar.clone(), SeenFrom::Outside);
+        let weighs = ContextSteering { barriers, ..ContextSteering::new(vec![seek(8.0), seek(-8.0)]) };
+        let mut stage = Stage::new(seconds, vec![Actor::new(Motion::default(), Vehicle::default(), weighs)]);
+        let mut least = f32::INFINITY;
+        let mut reached = false;
+        stage.run(12.0, |stage| {
+            let place = stage.actors[0].motion.position;
+            least = least.min(pillar.query(place).distance);
+            reached |= place.x.abs() > 7.5;
+        });
+        assert!(least > RADIUS && reached, "{seconds}: {least}, {}", stage.actors[0].motion.position);
+    }
 }
 
 /// Every behaviour is a part of any other, at any depth; each part has a memory and random numbers of its own.
@@ -303,7 +277,8 @@ fn everything_nests() {
             6 => Hold { seconds: 0.3, of }.into(),
             7 => Irregular { angle: 0.2, speed: 0.1, noise: Noise::default(), of }.into(),
             8 => StopAndWait::new(of).into(),
-            9 => Limited { max_speed: 1.0, max_force: 2.0, of }.into(),
+            9 => ContextSteering::new(vec![(1.0, of), (0.5, wander())]).into(),
+            10 => Limited { max_speed: 1.0, max_force: 2.0, of }.into(),
             _ => Switch(vec![
                 State { behaviour: wander(), exits: vec![(Condition::After(0.1), 1)] },
                 State { behaviour: of, exits: vec![(Condition::Chance(3.0), 0)] },
@@ -311,8 +286,8 @@ fn everything_nests() {
             .into(),
         }
     };
-    for first in 0..11 {
-        for second in 0..11 {
+    for first in 0..12 {
+        for second in 0..12 {
             let tree = wrap(wrap(wander(), first), second);
             assert!(tree.check().is_ok());
             let run = || {

@@ -5,6 +5,14 @@ use proptest::prelude::*;
 use throng::motion::{Basis, Locomotion, Motion, Vehicle};
 use throng::steer::{Behaviour, Branch, Dice, Event, Mark, Neighbour, Others, Steering, Told, View, Why};
 
+/// Steps of time in which all that behaviours promise holds, seconds.
+pub const RATES: [f32; 3] = [1.0 / 15.0, 1.0 / 60.0, 1.0 / 240.0];
+
+/// One of them.
+pub fn rate() -> impl Strategy<Value = f32> {
+    prop::sample::select(&RATES[..])
+}
+
 pub fn vector(range: f32) -> impl Strategy<Value = Vec3> {
     (-range..range, -range..range, -range..range).prop_map(Vec3::from)
 }

@@ -1,13 +1,13 @@
 //! Behaviours of one or two: against their definitions, and by what they lead to.
 
-use crate::harness::{Actor, Stage, angle, ask, flier, on_ground, vector};
-use glam::{USizeVec3, Vec3};
+use crate::harness::{Actor, Stage, angle, ask, flier, on_ground, rate, vector};
+use glam::Vec3;
 use proptest::prelude::*;
 use throng::motion::{Motion, Vehicle};
 use throng::steer::{
-    Arrive, Branch, Dock, Evade, Event, Explore, Face, Fear, Flee, FollowFlow, Forage, FractalWander, Interpose,
-    KeepStation, LookWhereYouGo, MoveForward, Neighbour, OffsetPursuit, Prediction, Pursue, Seek, Shadow, Target,
-    TargetSpeed, Tether, View, Wander, Who,
+    Arrive, Branch, Dock, Evade, Event, Face, Fear, Flee, FollowFlow, Interpose, KeepStation, LookWhereYouGo,
+    MatchOrientation, MoveForward, Neighbour, OffsetPursuit, Prediction, Pursue, Seek, Shadow, Target, TargetSpeed,
+    Tether, View, Who, takeoff,
 };
 
 /// Nothing at all.
@@ -15,7 +15,7 @@ fn still() -> Branch {
     MoveForward { part: 0.0 }.into()
 }
 
-fn view(velocity: Vec3) -> View<'static> {
+pub fn view(velocity: Vec3) -> View<'static> {
     View { motion: Motion::moving(Vec3::ONE, velocity), vehicle: flier(), ..View::default() }
 }
 
@@ -58,7 +58,7 @@ proptest! {
     /// Any quarry that is slower, whichever way it winds.
     #[test]
     fn pursuit_catches_who_is_slower(
-        start in on_ground(8.0), turning in -1.0f32..1.0, speed in 0.2f32..1.2, kind in 0usize..3,
+        start in on_ground(8.0), turning in -1.0f32..1.0, speed in 0.2f32..1.2, kind in 0usize..3, seconds in rate(),
     ) {
         let prediction =
             [Prediction::Constant(0.3), Prediction::Distance { per_metre: 0.3, most: 3.0 }, Prediction::default()][kind];
@@ -68,7 +68,7 @@ proptest! {
         );
         let quarry = Actor::new(Motion::at_rest(start, Vec3::X), Vehicle::default(), winding);
         let hunter = Actor::new(Motion::default(), Vehicle::default(), Pursue { prediction, ..Pursue::from(Target::Agent(0)) });
-        let mut stage = Stage::new(0.05, vec![quarry, hunter]);
+        let mut stage = Stage::new(seconds, vec![quarry, hunter]);
         let mut nearest = f32::INFINITY;
         stage.run(60.0, |stage| {
             nearest = nearest.min(stage.actors[0].motion.position.distance(stage.actors[1].motion.position));
@@ -78,12 +78,12 @@ proptest! {
 
     /// Whoever is faster than its pursuer is never caught.
     #[test]
-    fn evasion_keeps_away(start in on_ground(6.0), slower in 0.3f32..0.95) {
+    fn evasion_keeps_away(start in on_ground(6.0), slower in 0.3f32..0.95, seconds in rate()) {
         prop_assume!(start.length() > 2.0);
         let slow = Vehicle { max_speed: 1.8 * slower, ..Vehicle::default() };
         let hunter = Actor::new(Motion::default(), slow, Pursue::from(Target::Agent(1)));
         let prey = Actor::new(Motion::at_rest(start, -start), Vehicle::default(), Evade::from(Target::Agent(0)));
-        let mut stage = Stage::new(0.05, vec![hunter, prey]);
+        let mut stage = Stage::new(seconds, vec![hunter, prey]);
         let mut nearest = f32::INFINITY;
         let apart = |stage: &Stage| stage.actors[0].motion.position.distance(stage.actors[1].motion.position);
         stage.run(30.0, |stage| nearest = nearest.min(apart(stage)));
@@ -127,10 +127,10 @@ proptest! {
 
     /// A quarry that stands is passed at the distance.
     #[test]
-    fn offset_pursuit_passes_at_the_distance(start in vector(1.0), distance in 0.5f32..2.0) {
+    fn offset_pursuit_passes_at_the_distance(start in vector(1.0), distance in 0.5f32..2.0, seconds in rate()) {
         let start = start + Vec3::X * -12.0;
         let pass = OffsetPursuit { quarry: at(Vec3::ZERO), prediction: Prediction::Constant(0.0), distance };
-        let mut stage = Stage::new(0.02, vec![Actor::new(Motion::moving(start, Vec3::X), flier(), pass)]);
+        let mut stage = Stage::new(seconds, vec![Actor::new(Motion::moving(start, Vec3::X), flier(), pass)]);
         let mut nearest = f32::INFINITY;
         stage.run(9.0, |stage| nearest = nearest.min(stage.actors[0].motion.position.length()));
         prop_assert!((nearest / distance - 1.0).abs() < 0.15, "{nearest} instead of {distance}");
@@ -140,11 +140,12 @@ proptest! {
     #[test]
     fn interpose_ends_between(
         places in prop::array::uniform2(on_ground(5.0)), velocity in on_ground(0.7), ratio in 0.0f32..1.0,
+        seconds in rate(),
     ) {
         let walk = |place| Actor::new(Motion::moving(place, velocity), Vehicle::default(), still());
         let between = Interpose { between: [Target::Agent(0), Target::Agent(1)], ratio, slowing_distance: 1.0 };
         let guard = Actor::new(Motion::at_rest(Vec3::new(3.0, 9.0, 0.0), Vec3::X), Vehicle::default(), between);
-        let mut stage = Stage::new(0.05, vec![walk(places[0]), walk(places[1]), guard]);
+        let mut stage = Stage::new(seconds, vec![walk(places[0]), walk(places[1]), guard]);
         stage.run(40.0, |_| ());
         let [a, b, own] = [0, 1, 2].map(|row| stage.actors[row].motion.position);
         prop_assert!(own.distance(a + (b - a) * ratio) < 0.02, "{own} {a} {b}");
@@ -152,13 +153,15 @@ proptest! {
 
     /// The shadow ends up near, with the same velocity and facing the same way; the wingman at its place.
     #[test]
-    fn shadows_and_wingmen_move_as_their_leaders_do(start in on_ground(8.0), velocity in on_ground(0.9), offset in vector(3.0)) {
+    fn shadows_and_wingmen_move_as_their_leaders_do(
+        start in on_ground(8.0), velocity in on_ground(0.9), offset in vector(3.0), seconds in rate(),
+    ) {
         prop_assume!(velocity.length() > 0.2 && start.length() > 2.0);
         let leader = Actor::new(Motion::moving(Vec3::ZERO, velocity), Vehicle::default(), still());
         let shadow = Shadow { quarry: Target::Agent(0), distance: 1.0, slowing_distance: 1.0 };
         let wing = KeepStation { leader: Target::Agent(0), offset: offset.with_z(0.0), slowing_distance: 1.0 };
         let from = Motion::at_rest(start, -start);
-        let mut stage = Stage::new(0.05, vec![
+        let mut stage = Stage::new(seconds, vec![
             leader, Actor::new(from, Vehicle::default(), shadow), Actor::new(from, Vehicle::default(), wing),
         ]);
         stage.run(60.0, |_| ());
@@ -173,17 +176,17 @@ proptest! {
     #[test]
     fn docking_arrives_at_the_pose(
         place in on_ground(8.0), direction in on_ground(1.0), through in 0.3f32..1.0, rests: bool, timed: bool,
-        velocity in on_ground(1.0),
+        velocity in on_ground(1.0), seconds in rate(),
     ) {
         prop_assume!(direction.length() > 0.1 && place.length() > 3.0);
         let speed = if rests { 0.0 } else { through };
         let dock = Dock { place, direction, speed, time: timed.then_some(25.0) };
-        let mut stage = Stage::new(0.02, vec![Actor::new(Motion::moving(Vec3::ZERO, velocity), Vehicle::default(), dock)]);
+        let mut stage = Stage::new(seconds, vec![Actor::new(Motion::moving(Vec3::ZERO, velocity), Vehicle::default(), dock)]);
         let (mut before, mut there) = (Motion::default(), None);
         stage.run(60.0, |stage| {
             let Actor { motion, memory, .. } = &stage.actors[0];
-            if memory[0] < -0.01 && there.is_none() {
-                there = Some((stage.time() - 0.02, before));
+            if memory[0] < -0.5 * seconds && there.is_none() {
+                there = Some((stage.time() - f64::from(seconds), before));
             }
             before = *motion;
         });
@@ -195,12 +198,21 @@ proptest! {
         prop_assert!(time < 25.1, "{time}");
     }
 
+    /// The velocity of the field where it will be, as far as it can go.
+    #[test]
+    fn a_flow_is_taken_on_where_it_will_be(velocity in vector(1.5), field in vector(1.0), prediction in 0.0f32..2.0) {
+        let flow = FollowFlow::new(move |place: Vec3, time: f64| field * place.x + Vec3::Y * time as f32, prediction);
+        let view = View { time: 0.5, ..view(velocity) };
+        let expected = field * (1.0 + velocity.x * prediction) + Vec3::Y * 0.5;
+        prop_assert!(view.wish(ask(&flow, &view)).distance(expected.clamp_length_max(1.8)) < 1e-4);
+    }
+
     /// Round a whirl, and at its speed.
     #[test]
-    fn flows_are_followed(start in on_ground(3.0)) {
+    fn flows_are_followed(start in on_ground(3.0), seconds in rate()) {
         prop_assume!(start.length() > 2.0);
         let whirl = FollowFlow::new(|place: Vec3, _: f64| Vec3::Z.cross(place).normalize_or_zero(), 0.25);
-        let mut stage = Stage::new(0.02, vec![Actor::new(Motion::at_rest(start, start), Vehicle::default(), whirl)]);
+        let mut stage = Stage::new(seconds, vec![Actor::new(Motion::at_rest(start, start), Vehicle::default(), whirl)]);
         stage.run(10.0, |_| ());
         let Motion { position, velocity, .. } = stage.actors[0].motion;
         prop_assert!(angle(velocity, Vec3::Z.cross(position)) < 0.2 && (velocity.length() - 1.0).abs() < 0.1);
@@ -215,10 +227,35 @@ proptest! {
         prop_assert!(angle(face, place - Vec3::ONE) < 1e-3);
         let look = ask(&LookWhereYouGo, &view).and_then(|said| said.facing).expect("a facing");
         prop_assert!(angle(look, velocity) < 1e-3);
+        let as_other = Neighbour { offset: Vec3::Y, velocity: Vec3::ZERO, forward: velocity.normalize(), radius: 0.2, number: 1, group: 0 };
+        let seen = View { neighbours: &[as_other], ..view };
+        let matched = ask(&MatchOrientation { with: Target::Nearest(Who::Anybody) }, &seen).and_then(|said| said.facing);
+        prop_assert!(angle(matched.expect("a facing"), velocity) < 1e-3);
         let tether = ask(&Tether { to: at(place), length: 3.0 }, &view);
         prop_assert_eq!(tether, (place.distance(Vec3::ONE) > 3.0).then(|| ask(&Seek { target: at(place) }, &view)).flatten());
         let wish = view.wish(ask(&TargetSpeed { speed }, &view));
         prop_assert!(wish.distance(velocity.normalize() * speed) < 3e-3);
+    }
+
+    /// A leap flown in small steps lands where it should, coming down; what cannot be done is said.
+    #[test]
+    fn who_takes_off_lands(leap in vector(4.0), rise in 0.5f32..8.0) {
+        let highest = rise * rise / 20.0;
+        prop_assume!((leap.z - highest).abs() > 0.01);
+        let velocity = takeoff(leap, rise, 10.0, 1e3);
+        prop_assert_eq!(velocity.is_some(), leap.z < highest);
+        if let Some(start) = velocity {
+            let (mut place, mut velocity, step) = (Vec3::ZERO, start, 1e-4);
+            while velocity.z > 0.0 || place.z > leap.z {
+                velocity.z -= 0.5 * step * 10.0;
+                place += velocity * step;
+                velocity.z -= 0.5 * step * 10.0;
+            }
+            prop_assert!(place.distance(leap) < 0.05, "{place} {leap}");
+            let level = start.truncate().length();
+            prop_assert!(takeoff(leap, rise, 10.0, level * 1.01 + 1e-6).is_some());
+            prop_assert!(level < 0.01 || takeoff(leap, rise, 10.0, level * 0.99).is_none());
+        }
     }
 
     /// By angles and distances in f64.
@@ -236,89 +273,6 @@ proptest! {
         let said = ask(&Fear { range: 5.0, fades: 4.0 }, &view).map_or(Vec3::ZERO, |said| said.force);
         prop_assert!(said.as_dvec3().distance(sum.clamp_length_max(1.0) * 5.0) < 1e-4);
     }
-}
-
-/// How much a wanderer has turned away after a while, as the mean cosine over many.
-fn memory_of_direction(rate: u32, flies: bool) -> f64 {
-    let vehicle = if flies { flier() } else { Vehicle::default() };
-    let actor = Actor::new(Motion::moving(Vec3::ZERO, Vec3::X), vehicle, Wander { strength: 1.0, rate: 1.5 });
-    let mut stages: Vec<Stage> =
-        (0..1500).map(|seed| Stage { seed, ..Stage::new(1.0 / rate as f32, vec![actor.clone()]) }).collect();
-    stages.iter_mut().for_each(|stage| stage.run(0.6, |_| ()));
-    stages.iter().map(|stage| f64::from(stage.actors[0].motion.basis.forward.x)).sum::<f64>() / 1500.0
-}
-
-#[test]
-fn wandering_is_the_same_at_any_rate() {
-    for flies in [false, true] {
-        let [slow, medium, fast] = [15, 60, 240].map(|rate| memory_of_direction(rate, flies));
-        // standard deviations of these means: 0.015
-        assert!((slow - fast).abs() < 0.06 && (medium - fast).abs() < 0.06, "{slow} {medium} {fast}");
-        assert!((0.05..0.9).contains(&fast), "it turns: {fast}");
-    }
-}
-
-/// The point on the circle is a Brownian motion: its angle spreads with the square root of time.
-#[test]
-fn the_wandering_point_spreads_as_it_should() {
-    let wander = Wander { strength: 1.0, rate: 0.8 };
-    for rate in [15, 60, 240] {
-        let cosines = (0..2000).map(|number| {
-            let mut memory = [1.0, 0.0, 0.0];
-            for step in 0..rate {
-                let dice = throng::steer::Dice { number, step, ..Default::default() };
-                let view = View { dice, seconds: 1.0 / rate as f32, ..View::default() };
-                throng::steer::Behaviour::steer(&wander, &view, &mut memory, &mut Default::default());
-            }
-            f64::from(memory[0])
-        });
-        let mean = cosines.sum::<f64>() / 2000.0;
-        assert!((mean - (-0.5 * 0.64f64).exp()).abs() < 0.03, "{rate}: {mean}");
-    }
-}
-
-#[test]
-fn fractal_wandering_does_not_depend_on_the_rate_at_all() {
-    let end = |rate: u32| {
-        let actor = Actor::new(Motion::moving(Vec3::ZERO, Vec3::X), flier(), FractalWander::default());
-        let mut stage = Stage::new(1.0 / rate as f32, vec![actor]);
-        stage.run(3.0, |_| ());
-        stage.actors[0].motion.position
-    };
-    assert!(end(60).distance(end(240)) < 0.15 && end(60).distance(Vec3::X * 5.4) > 0.1);
-}
-
-#[test]
-fn explorers_see_everything() {
-    let explore = Explore { low: Vec3::ZERO, high: Vec3::new(10.0, 8.0, 0.0), cells: USizeVec3::new(5, 4, 1) };
-    let mut stage = Stage::new(0.05, vec![Actor::new(Motion::default(), Vehicle::default(), explore)]);
-    stage.run(120.0, |_| ());
-    let visits = &stage.actors[0].memory[2..];
-    assert!(visits.iter().all(|&seconds| seconds > 0.5), "{visits:?}");
-}
-
-/// A place behind a wall, say: it tries another after a while.
-#[test]
-fn explorers_give_up_on_what_they_cannot_reach() {
-    let explore = Explore { low: Vec3::ZERO, high: Vec3::new(4.0, 2.0, 0.0), cells: USizeVec3::new(2, 1, 1) };
-    let stuck = Vehicle { max_speed: 1e-3, ..Vehicle::default() };
-    let mut stage = Stage::new(1.0, vec![Actor::new(Motion::default(), stuck, explore)]);
-    let mut aims = std::collections::BTreeSet::new();
-    stage.run(60_000.0, |stage| {
-        aims.insert(stage.actors[0].memory[0] as u32);
-    });
-    assert!(aims.contains(&2));
-}
-
-#[test]
-fn foragers_find_food_by_chance_and_go_there() {
-    let food =
-        Neighbour { offset: Vec3::Y * 3.0, velocity: Vec3::ZERO, forward: Vec3::X, radius: 0.1, number: 9, group: 3 };
-    let view = View { neighbours: &[food], ..View::default() };
-    let forage = |group, range| Forage { food: Target::Nearest(Who::Group(group)), range, wander: still() };
-    let wish = |forage: Forage| view.wish(ask(&forage, &view));
-    assert!(wish(forage(3, 4.0)).distance(Vec3::Y * 1.8) < 1e-5);
-    assert_eq!((wish(forage(3, 2.0)), wish(forage(2, 4.0))), (Vec3::ZERO, Vec3::ZERO));
 }
 
 /// Nothing moves, or is in the same place: no direction is made of nothing.

@@ -5,11 +5,11 @@ use glam::{Quat, Vec3};
 use proptest::prelude::*;
 use throng::motion::{Motion, Vehicle};
 use throng::steer::{
-    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, Boids, Branch, CloseAvoidance, Cohesion, Dock, Evade,
-    Event, Face, Fear, Flee, Flocking, FollowFlow, FollowLeader, Forage, FractalWander, Hold, Interpose, Irregular,
-    KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchVelocity, MoveForward, Noise, OffsetPursuit, Pattern,
-    Prediction, Pursue, Queue, Seek, Separation, Shadow, StopAndWait, Target, TargetSpeed, Tether, UnalignedAvoidance,
-    Wander, WeightedSum, Who, Why,
+    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, Boids, Branch, CloseAvoidance, Cohesion,
+    ContextSteering, Dock, Evade, Event, Face, Fear, Flee, Flocking, FollowFlow, FollowLeader, Forage, FractalWander,
+    Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity,
+    MoveForward, Noise, OffsetPursuit, Pattern, Prediction, Pursue, Queue, Seek, Separation, Shadow, StopAndWait,
+    Target, TargetSpeed, Tether, UnalignedAvoidance, Wander, WeightedSum, Who, Why,
 };
 
 /// All of them, in a scene turned so.
@@ -36,6 +36,7 @@ fn all(by: Quat) -> Vec<Branch> {
         MoveForward { part: 0.5 }.into(),
         Face { target: point }.into(),
         LookWhereYouGo.into(),
+        MatchOrientation { with: other }.into(),
         FollowFlow::new(field, 0.5).into(),
         Fear { range: 9.0, fades: 4.0 }.into(),
         Separation::default().into(),
@@ -56,6 +57,7 @@ fn all(by: Quat) -> Vec<Branch> {
         Irregular { angle: 0.2, speed: 0.1, noise: Noise::default(), of: Seek { target: point }.into() }.into(),
         StopAndWait::new(Seek { target: point }).into(),
         Limited { max_speed: 1.0, max_force: 2.0, of: Seek { target: point }.into() }.into(),
+        ContextSteering::new(vec![(1.0, Seek { target: point }.into())]).into(),
         WeightedSum(vec![(1.0, Flocking::default().into()), (0.5, Wander::default().into())]).into(),
         Allocation { budget: 0.7, parts: vec![Separation::default().into(), Cohesion::default().into()] }.into(),
     ]

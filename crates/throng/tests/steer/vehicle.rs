@@ -1,21 +1,10 @@
 //! The vehicle against the papers' own steps in f64, closed forms of its motion, and its limits.
 
+use crate::harness::{RATES, angle, flier, vector};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use std::f32::consts::{FRAC_PI_2, PI};
 use throng::motion::{Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
-
-fn vector(range: f32) -> impl Strategy<Value = Vec3> {
-    (-range..range, -range..range, -range..range).prop_map(Vec3::from)
-}
-
-fn flier() -> Vehicle {
-    Vehicle { locomotion: Locomotion::Level, ..Vehicle::default() }
-}
-
-fn angle(a: Vec3, b: Vec3) -> f32 {
-    a.cross(b).length().atan2(a.dot(b))
-}
 
 proptest! {
     /// "Steering behaviors for autonomous characters", a simple vehicle model, with a time step.
@@ -216,5 +205,28 @@ fn at_rest_it_goes_ahead_first() {
         let mut motion = Motion::at_rest(Vec3::ZERO, forward);
         vehicle.step(&mut motion, Vec3::X * 5.0, 0.02);
         assert!(angle(motion.velocity, forward) < 1e-3 && motion.speed() > 0.05, "{heading}: {}", motion.velocity);
+    }
+}
+
+/// Who cannot stop comes round to what is behind it, be it exactly, and then circles it as tightly as it can turn.
+#[test]
+fn who_cannot_stop_comes_back() {
+    for (speed, rate) in [(0.5, f32::INFINITY), (1.5, f32::INFINITY), (1.5, 1.0)] {
+        let radius = f32::max(speed / rate, speed * speed / 5.0);
+        for seconds in RATES {
+            let vehicle = Vehicle { min_speed: speed, max_turn_rate: rate, ..Vehicle::default() };
+            let mut motion = Motion::moving(Vec3::ZERO, Vec3::X * 1.8);
+            let (mut nearest, mut farthest) = (f32::INFINITY, 0.0f32);
+            for step in 0..(60.0 / seconds) as usize {
+                let to = Vec3::X * -6.0 - motion.position;
+                let force = vehicle.force_towards(&motion, to.normalize_or_zero() * 1.8, seconds);
+                vehicle.step(&mut motion, force, seconds);
+                nearest = nearest.min(to.length());
+                if step as f32 * seconds > 30.0 {
+                    farthest = farthest.max(to.length());
+                }
+            }
+            assert!(nearest < 0.1 && farthest < 2.0 * radius, "{speed} {rate} {seconds}: {nearest} {farthest}");
+        }
     }
 }

@@ -2,8 +2,6 @@
 
 use glam::DVec2;
 use proptest::prelude::*;
-use std::sync::Arc;
-use throng::avoid::Unavoiding;
 use throng::motion::{Integrator, Locomotion, Vehicle};
 use throng::perceive::Instructions;
 use throng::steer::{Flocking, Rule, Who};
@@ -40,19 +38,7 @@ fn vehicle() -> impl Strategy<Value = Vehicle> {
 }
 
 fn group(flocking: Flocking, vehicle: Vehicle) -> Group {
-    Group {
-        model: Arc::new(Unavoiding),
-        neighbours: Group::EVERYBODY,
-        neighbour_distance: 8.0,
-        steering: Some(flocking.into()),
-        vehicle,
-        keep_right: 0.0,
-        detour: false,
-        queue: false,
-        resolve: false,
-        guard: false,
-        ..Group::default()
-    }
+    Group { neighbours: Group::EVERYBODY, neighbour_distance: 8.0, ..Group::vehicles(flocking, vehicle) }
 }
 
 fn world(groups: &[Group], all: &[One], instructions: Instructions) -> World {

@@ -3,7 +3,7 @@
 use crate::oracle::assert_free;
 use glam::{DVec2, Vec3};
 use std::sync::Arc;
-use throng::avoid::{Orca, Unavoiding};
+use throng::avoid::Orca;
 use throng::motion::{Locomotion, Motion, Vehicle};
 use throng::steer::{Arrive, Behaviour, Flocking, Pursue, Seek, Target, View, Wander, WeightedSum, Why};
 use throng::{Agent, AgentId, Asked, Goal, Group, Journey, Settings, Stop, SubSteps, World};
@@ -13,21 +13,6 @@ const STEP: f64 = 1.0 / 30.0;
 fn world() -> World {
     let settings = Settings { step: STEP, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
     World::new(settings).unwrap()
-}
-
-/// Vehicles without manners that others have no say in.
-fn vehicles(steering: impl Behaviour + 'static, vehicle: Vehicle) -> Group {
-    Group {
-        model: Arc::new(Unavoiding),
-        steering: Some(steering.into()),
-        vehicle,
-        keep_right: 0.0,
-        detour: false,
-        queue: false,
-        resolve: false,
-        guard: false,
-        ..Group::default()
-    }
 }
 
 fn agent(at: (f64, f64, f32), group: throng::GroupId, vehicle: &Vehicle) -> Agent {
@@ -55,7 +40,7 @@ fn alone_it_moves_as_its_vehicle() {
         let target = Vec3::new(-4.0, 7.0, if locomotion == Locomotion::Ground { 0.0 } else { 9.0 });
         let arrive = || Arrive::from(Target::Point(target));
         let mut world = world();
-        let group = world.add_group(vehicles(arrive(), vehicle)).unwrap();
+        let group = world.add_group(Group::vehicles(arrive(), vehicle)).unwrap();
         let height = if locomotion == Locomotion::Ground { 0.0 } else { 5.0 };
         let id = world.add_agent(agent((3.0, 1.0, height), group, &vehicle)).unwrap();
         let mut motion = Motion::at_rest(Vec3::new(3.0, 1.0, height), Vec3::X);
@@ -79,8 +64,8 @@ fn pursuers_find_their_quarry_by_its_number_wherever_it_is() {
     let mut world = world();
     let vehicle = Vehicle::default();
     let fast = Vehicle { max_speed: 3.0, ..vehicle };
-    let quarry = world.add_group(vehicles(Wander::default(), vehicle)).unwrap();
-    let pursuers = world.add_group(vehicles(Pursue::from(Target::Agent(7)), fast)).unwrap();
+    let quarry = world.add_group(Group::vehicles(Wander::default(), vehicle)).unwrap();
+    let pursuers = world.add_group(Group::vehicles(Pursue::from(Target::Agent(7)), fast)).unwrap();
     let quarry = world.add_agent(Agent { number: Some(7), ..agent((0.0, 0.0, 0.0), quarry, &vehicle) }).unwrap();
     let pursuer = world.add_agent(agent((60.0, -30.0, 0.0), pursuers, &fast)).unwrap();
     let caught = (0..3000).any(|_| {
@@ -97,7 +82,7 @@ fn flock(count: u32) -> World {
     let home = Seek { target: Target::Point(Vec3::new(0.0, 0.0, 60.0)) };
     let steering =
         WeightedSum(vec![(1.0, Flocking::default().into()), (0.3, Wander::default().into()), (0.1, home.into())]);
-    let group = Group { neighbour_distance: 9.0, neighbours: 20, ..vehicles(steering, vehicle) };
+    let group = Group { neighbour_distance: 9.0, neighbours: 20, ..Group::vehicles(steering, vehicle) };
     let group = world.add_group(group).unwrap();
     for k in 0..count {
         let (x, y, z) = (f64::from(k % 7) * 2.0, f64::from(k / 7 % 5) * 2.0, 40.0 + (k / 35) as f32 * 2.0);
@@ -131,7 +116,7 @@ fn who_seeks_the_same_place_on_foot_does_not_overlap_others() {
     let mut world = world();
     let vehicle = Vehicle::default();
     let seek = Arrive::from(Target::Point(Vec3::ZERO));
-    let group = Group { model: Arc::new(Orca::default()), guard: true, ..vehicles(seek, vehicle) };
+    let group = Group { model: Arc::new(Orca::default()), guard: true, ..Group::vehicles(seek, vehicle) };
     let group = world.add_group(group).unwrap();
     for k in 0..40 {
         let at = DVec2::from_angle(f64::from(k) * 0.4) * (2.0 + 0.15 * f64::from(k));
@@ -178,7 +163,7 @@ fn those_who_are_asked_tell_what_explain_says_and_go_where_they_would() {
 fn who_has_arrived_stays_at_its_goal() {
     let mut world = world();
     let vehicle = Vehicle::default();
-    let group = world.add_group(vehicles(Arrive::from(Target::Goal), vehicle)).unwrap();
+    let group = world.add_group(Group::vehicles(Arrive::from(Target::Goal), vehicle)).unwrap();
     let goal = world.add_goal(Goal::Point { at: DVec2::new(6.0, 2.0), tolerance: 0.5 }).unwrap();
     let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false }).unwrap();
     let id = world.add_agent(Agent { journey, ..agent((0.0, 0.0, 0.0), group, &vehicle) }).unwrap();

@@ -85,7 +85,8 @@ pub struct Vehicle {
     pub forces: Forces,
     /// The speed it never exceeds, m/s. Limit: > 0.
     pub max_speed: f32,
-    /// The speed it never falls below, as of an aircraft, m/s. Limit: 0 to `max_speed`.
+    /// The speed it never falls below, as of an aircraft, m/s. It circles what lies within its tightest turn, and where
+    /// it would rest. Limit: 0 to `max_speed`.
     pub min_speed: f32,
     /// How fast it turns at most, rad/s; infinite for no limit. Limit: > 0.
     pub max_turn_rate: f32,

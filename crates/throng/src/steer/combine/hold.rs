@@ -5,11 +5,14 @@
 
 use crate::Error;
 use crate::motion::Steering;
+use crate::steer::approach::time_to_touch;
 use crate::steer::{Behaviour, Branch, Reason, View, Why};
 use glam::Vec3;
 
 /// Keeps the force of a part for a while after the part has nothing more to correct, fading. A weaker force does not end
-/// what it keeps, a stronger one renews it.
+/// what it keeps, a stronger one renews it; it is forgotten where it would lead into somebody who is not in the way as it is.
+///
+/// It knows nothing of walls: [`AvoidObstacles`](crate::steer::AvoidObstacles) keeps to its side of them by itself.
 ///
 /// ```
 /// use throng::steer::{AvoidNeighbours, Hold};
@@ -44,7 +47,10 @@ impl Behaviour for Hold {
                 force.copy_from_slice(&said.force.to_array());
                 Some(said)
             }
-            None if kept == Vec3::ZERO => None,
+            _ if kept == Vec3::ZERO || causes_a_hit(view, kept, *left) => {
+                *left = 0.0;
+                said
+            }
             _ => {
                 why.note(|| Reason::Keeps(kept));
                 Some(Steering { force: kept, facing: said.and_then(|said| said.facing) })
@@ -56,4 +62,16 @@ impl Behaviour for Hold {
         Error::unless_positive("time that a force is held", self.seconds)?;
         self.of.check()
     }
+}
+
+/// Whether somebody is touched within so many seconds at the velocity that a force leads to, but not at the present one.
+fn causes_a_hit(view: &View<'_>, force: Vec3, seconds: f32) -> bool {
+    let (wish, velocity) = (view.wish(Some(force.into())), view.velocity());
+    view.neighbours.iter().any(|other| {
+        let touches = |own: Vec3| {
+            let time = time_to_touch(other.offset, other.velocity - own, view.radius + other.radius);
+            time > 0.0 && time < seconds
+        };
+        touches(wish) && !touches(velocity)
+    })
 }

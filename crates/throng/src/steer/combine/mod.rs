@@ -3,6 +3,7 @@
 mod allocation;
 mod amortised;
 mod condition;
+mod context;
 mod dithering;
 mod hold;
 mod irregular;
@@ -17,6 +18,7 @@ pub use allocation::Allocation;
 pub(super) use allocation::Budget;
 pub use amortised::Amortised;
 pub use condition::Condition;
+pub use context::ContextSteering;
 pub use dithering::Dithering;
 pub use hold::Hold;
 pub use irregular::Irregular;

@@ -58,7 +58,7 @@ impl AvoidNeighbours {
             return None;
         };
         // on neither side: to the right
-        view.urge(if on >= 0.0 { -side } else { side }, 0.0)
+        view.veer(if on >= 0.0 { -side } else { side })
     }
 }
 

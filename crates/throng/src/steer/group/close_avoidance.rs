@@ -27,7 +27,7 @@ impl Behaviour for CloseAvoidance {
         let away = view.passable(-view.motion.basis.lateral(close.offset));
         // right ahead or behind there is no side
         let away = if away.length() > 1e-3 * view.radius { away } else { aside(view, close) };
-        view.urge(away, 0.0)
+        view.veer(away)
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -7,7 +7,8 @@ use crate::steer::single::keep;
 use crate::steer::{Behaviour, Mark, Neighbour, Reason, Target, View, Who, Why};
 use glam::Vec3;
 
-/// Goes behind a leader, out of the way of whoever leads, apart from other followers; in a bunch, or in single file.
+/// Goes behind a leader, out of the way of whoever leads, apart from other followers and the leader; in a bunch, or in single
+/// file.
 ///
 /// ```
 /// use throng::steer::{FollowLeader, Target};
@@ -38,6 +39,9 @@ impl From<Target> for FollowLeader {
     }
 }
 
+/// How many others at the spacing push with all of the force.
+const FULL: f32 = 2.0;
+
 impl Behaviour for FollowLeader {
     fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
         let leader = self.leader.find(view)?;
@@ -48,8 +52,14 @@ impl Behaviour for FollowLeader {
         let next = if self.single_file { next_in_file(view).unwrap_or(leader) } else { leader };
         let follow = keep(view, &next, Vec3::NEG_X * self.gap, self.slowing_distance, why);
         let near = Neighbourhood { distance: self.spacing, who: Who::OwnGroup, ..Neighbourhood::default() };
-        let apart = Separation { near, full: 2.0 / self.spacing, ..Separation::default() }.steer(view, memory, why);
-        Some((follow.force + apart.map_or(Vec3::ZERO, |apart| apart.force)).into())
+        let full = FULL / self.spacing;
+        let apart = Separation { near, full, ..Separation::default() }.steer(view, memory, why);
+        // others push into the leader whoever is next to it, whatever group that is of
+        let offset = view.to(leader.position);
+        let distance = offset.length();
+        let off = if distance < self.spacing { view.urge(-offset / (distance * distance), full) } else { None };
+        let force = |said: Option<Steering>| said.map_or(Vec3::ZERO, |said| said.force);
+        Some((follow.force + force(apart) + force(off)).into())
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -5,7 +5,11 @@ use crate::motion::Steering;
 use crate::steer::single::settling_time;
 use crate::steer::{Behaviour, Branch, Neighbour, Reason, View, Who, Why};
 
-/// Lets a part go no faster than those right ahead who go the same way, or stand: nobody pushes.
+/// Lets a part go no faster than those right ahead who go the same way, or stand, allow: nobody pushes.
+///
+/// They allow half of their speed, and more in proportion to the room between. With the whole of their speed it would come
+/// nearer than the gap when they brake, since it follows with delay; with half of it never, however suddenly they stop, and
+/// it goes behind them by half the headway in time.
 ///
 /// ```
 /// use throng::steer::{Queue, Seek, Target};
@@ -21,7 +25,8 @@ pub struct Queue {
     pub width: f32,
     /// How far bodies should be apart at rest, metres. Limit: >= 0.
     pub gap: f32,
-    /// Seconds in which it closes all but a third of a greater gap; more, if the vehicle follows too slowly. Limit: > 0.
+    /// Seconds in which it closes all but a third of a greater gap, and twice those by which it goes behind others; more, if
+    /// the vehicle follows too slowly. Limit: > 0.
     pub headway: f32,
     /// What it would do.
     pub of: Branch,
@@ -62,6 +67,10 @@ impl Behaviour for Queue {
     }
 }
 
+/// Part of their speed that others allow. Gap and velocity are a linear system, whose gap is positive for all that others
+/// may do up to a half: then its zero is no farther out than its slower pole.
+const THEIRS: f32 = 0.5;
+
 impl Queue {
     /// How fast another lets it go ahead.
     fn allowed(&self, view: &View<'_>, other: &Neighbour) -> f32 {
@@ -72,6 +81,6 @@ impl Queue {
         if ahead <= 0.0 || ahead > self.distance || beside > radii + self.width || theirs < 0.0 {
             return f32::INFINITY;
         }
-        theirs + (ahead - radii - self.gap).max(0.0) / settling_time(view, self.headway)
+        THEIRS * theirs + (ahead - radii - self.gap).max(0.0) / settling_time(view, self.headway)
     }
 }

@@ -70,16 +70,38 @@ impl Behaviour for AvoidObstacles {
     }
 
     fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let wish = self.towards.find(view).map(|mark| view.to(mark.position));
+        self.avoid(wish, view, memory, why)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("horizon", self.seconds)?;
+        Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")?;
+        Error::unless(self.keeps >= 0.0, "time that a side is kept", self.keeps, "0 or more")
+    }
+}
+
+impl AvoidObstacles {
+    /// Goes round what is in the way on the way that it would like to go, straight ahead if there is none.
+    pub(super) fn avoid(
+        &self,
+        wish: Option<Vec3>,
+        view: &View<'_>,
+        memory: &mut [f32],
+        why: &mut Why<'_>,
+    ) -> Option<Steering> {
         let [which, left, side @ ..] = memory else { return None };
         *left = (*left - view.seconds).max(0.0);
-        let wish = self.towards.find(view).map(|mark| view.to(mark.position));
         let course = self.course(view, wish);
         let wish = wish.and_then(Vec3::try_normalize).unwrap_or(course.basis.forward);
         let kept = |index| {
             let side = course.basis.to_world(Vec3::new(0.0, side[0], side[1]));
             (*left > 0.0 && *which == (index + 1) as f32).then_some(side)
         };
+        // within the gap of one obstacle the way ahead touches that, whatever comes after it: its middle does not
+        let beyond = self.barriers.ahead(view.position(), course.basis.forward, 0.0, course.reach);
         let here = self.barriers.nearest(view.position()).map(|here| (here.point, here.free()));
+        let near = beyond.map(|(_, hit)| (hit.point, hit.free())).into_iter().chain(here);
         let Some((index, hit)) = self.ahead(view, &course, course.basis.forward) else {
             // who turned back to its goal at once would meet the same obstacle again
             let (index, hit) = self.ahead(view, &course, wish)?;
@@ -87,7 +109,7 @@ impl Behaviour for AvoidObstacles {
             *left = self.keeps;
             why.note(|| Reason::Aim(view.position() + direction * course.reach));
             let force = view.reach(direction * view.vehicle.max_speed).force;
-            return Some(course.held_off(force, here.into_iter().chain([(hit.point, hit.free())])));
+            return Some(course.held_off(force, near.chain([(hit.point, hit.free())])));
         };
         why.note(|| Reason::Expects(hit.point));
         if self.barriers.0[index].forbids(hit.vehicle_outside) {
@@ -101,17 +123,9 @@ impl Behaviour for AvoidObstacles {
         let urgency = 1.0 - hit.distance / course.reach.max(f32::MIN_POSITIVE);
         let speed = view.motion.speed().max(SLOW * view.vehicle.max_speed);
         let force = view.reach(direction * speed).force * urgency;
-        Some(course.held_off(force, here.into_iter().chain([(hit.point, hit.free())])))
+        Some(course.held_off(force, near.chain([(hit.point, hit.free())])))
     }
 
-    fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("horizon", self.seconds)?;
-        Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")?;
-        Error::unless(self.keeps >= 0.0, "time that a side is kept", self.keeps, "0 or more")
-    }
-}
-
-impl AvoidObstacles {
     /// The way ahead, no farther than the goal, if it can stop there.
     fn course<'a>(&self, view: &'a View<'a>, wish: Option<Vec3>) -> Course<'a> {
         let mut course = Course::new(view, self.gap, self.seconds);

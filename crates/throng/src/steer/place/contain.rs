@@ -2,9 +2,10 @@
 
 use super::course::Course;
 use crate::Error;
-use crate::motion::{Steering, turned};
-use crate::space::surface::{Barrier, SeenFrom, Surface};
+use crate::motion::{Basis, Steering, turned};
+use crate::space::surface::{Barrier, PathIntersection, SeenFrom, Surface};
 use crate::steer::{Behaviour, Reason, View, Why};
+use glam::Vec3;
 use std::f32::consts::PI;
 use std::sync::Arc;
 
@@ -58,29 +59,52 @@ impl Contain {
 impl Behaviour for Contain {
     fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
         let course = Course::new(view, self.gap, self.seconds);
-        let basis = course.basis;
-        let probe = |axis, angle, part: f32| {
-            let reach = course.reach * part;
-            let hit = self.barrier.ahead(view.position(), turned(basis.forward, axis, angle), course.radius, reach)?;
-            Some((hit, 1.0 - hit.distance / reach.max(f32::MIN_POSITIVE)))
-        };
-        let axes = if view.is_on_ground() { &[basis.up][..] } else { &[basis.up, basis.side] };
-        let beside = axes.iter().flat_map(|&axis| [self.angle, -self.angle].map(|angle| probe(axis, angle, 0.5)));
-        let hits: Vec<_> = beside.chain([probe(basis.side, 0.0, 1.0)]).flatten().collect();
-        let &(hit, urgency) = hits.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let Basis { forward, side, up } = course.basis;
+        let angle = self.angle;
+        let probes = [(side, angle, 0.5), (side, -angle, 0.5), (up, angle, 0.5), (up, -angle, 0.5), (up, 0.0, 1.0)];
+        let probes = if view.is_on_ground() { &probes[2..] } else { &probes };
+        let mut touches = [None; 5];
+        for (touch, &(axis, angle, part)) in touches.iter_mut().zip(probes) {
+            let (direction, reach) = (turned(forward, axis, angle), course.reach * part);
+            why.note(|| Reason::Feels(view.position() + direction * reach));
+            *touch = self.feel(&course, view, direction, reach);
+        }
+        let touches = touches.iter().flatten();
+        let Touch { hit, urgency, .. } = touches.clone().max_by(|a, b| a.urgency.total_cmp(&b.urgency))?;
         why.note(|| Reason::Expects(hit.point));
         if self.barrier.forbids(hit.vehicle_outside) {
             return view.go(view.passable(hit.steer_hint));
         }
         let force = course.aside(hit.free()) * (view.vehicle.max_force * urgency);
         let here = self.barrier.surface.query(view.position());
-        let surfaces = hits.iter().map(|(hit, _)| (hit.point, hit.free()));
-        Some(course.held_off(force, surfaces.chain([(here.point, here.free())])))
+        let ahead = touches.flat_map(|touch| [touch.hit, touch.beyond]).map(|hit| (hit.point, hit.free()));
+        Some(course.held_off(force, ahead.chain([(here.point, here.free())])))
     }
 
     fn check(&self) -> Result<(), Error> {
         Error::unless_positive("horizon", self.seconds)?;
         Error::unless((0.0..=PI).contains(&self.angle), "angle of the probes", self.angle, "from 0 to pi")?;
         Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")
+    }
+}
+
+/// What a probe touches.
+#[derive(Clone, Copy)]
+struct Touch {
+    hit: PathIntersection,
+    /// The same, or what its middle touches after that.
+    beyond: PathIntersection,
+    /// The more the nearer, 0 to 1.
+    urgency: f32,
+}
+
+impl Contain {
+    /// What a probe touches in a direction.
+    fn feel(&self, course: &Course<'_>, view: &View<'_>, direction: Vec3, reach: f32) -> Option<Touch> {
+        let touch = |radius| self.barrier.ahead(view.position(), direction, radius, reach);
+        let hit = touch(course.radius)?;
+        // within the gap of one wall of a corner it touches that, wherever it points, and not the other
+        let beyond = touch(0.0).unwrap_or(hit);
+        Some(Touch { hit, beyond, urgency: 1.0 - hit.distance / reach.max(f32::MIN_POSITIVE) })
     }
 }

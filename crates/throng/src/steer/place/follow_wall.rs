@@ -86,6 +86,9 @@ impl Behaviour for FollowWall {
 /// Who goes along a wall by more than this part of its way, and less than this part of that level, climbs or dives.
 const STEEP: f32 = 0.5;
 
+/// Cosine of the angle to a wall's level within rounding of a right angle: then it turns left, and has the wall on its right.
+const STRAIGHT: f32 = 1e-4;
+
 /// The direction along a wall of this normal that keeps it on the same hand, at the same height; who goes up or down along
 /// it, or along a floor, goes on so.
 fn along(basis: &Basis, free: Vec3, hand: &mut f32) -> Vec3 {
@@ -96,7 +99,7 @@ fn along(basis: &Basis, free: Vec3, hand: &mut f32) -> Vec3 {
     }
     // level leads on with the wall on the right
     if *hand == 0.0 {
-        *hand = if level.dot(basis.forward) > 0.0 { -1.0 } else { 1.0 };
+        *hand = if level.dot(basis.forward) > -STRAIGHT { -1.0 } else { 1.0 };
     }
     level * -*hand
 }

@@ -1,6 +1,6 @@
 //! Hiding: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
 
-use super::Barriers;
+use super::{AvoidObstacles, Barriers};
 use crate::Error;
 use crate::motion::Steering;
 use crate::steer::{Arrive, Behaviour, Mark, Reason, Target, View, Why};
@@ -9,8 +9,7 @@ use glam::Vec3;
 /// Hides from somebody behind the nearest obstacle, and goes on hiding there until another is nearer by a fifth. Nothing
 /// to correct if nobody is there to hide from, or nothing to hide behind, or once it is there.
 ///
-/// Obstacles without end, as planes, hide nobody. The way there may lead through the obstacle: put
-/// [`AvoidObstacles`](super::AvoidObstacles) before it.
+/// It goes there round the obstacles. Those without end, as planes, hide nobody.
 ///
 /// ```
 /// use glam::Vec3;
@@ -20,7 +19,7 @@ use glam::Vec3;
 /// let tree = Sphere::new(Vec3::X * 3.0, 1.0)?;
 /// let hide = Hide { gap: 0.3, ..Hide::new(Target::Point(Vec3::X * 9.0), Barriers::default().with(tree, SeenFrom::Outside)) };
 /// let mut told = Vec::new();
-/// hide.steer(&View::default(), &mut [0.0], &mut Why::asked(&mut told)).expect("it is elsewhere");
+/// hide.steer(&View::default(), &mut [0.0; 5], &mut Why::asked(&mut told)).expect("it is elsewhere");
 /// let Reason::Aim(place) = told[0].reason else { panic!("it says where") };
 /// assert!(place.distance(Vec3::X * 1.5) < 1e-4);
 /// # Ok::<(), throng::Error>(())
@@ -29,9 +28,9 @@ use glam::Vec3;
 pub struct Hide {
     /// From whom.
     pub from: Target,
-    /// Behind what.
-    pub barriers: Barriers,
-    /// How far its body stays from the obstacle, metres. Limit: >= 0.
+    /// Behind what, and how it goes round that; where to does not matter.
+    pub avoid: AvoidObstacles,
+    /// How far its body stays from the obstacle that it hides behind, metres. Limit: >= 0, more than in passing.
     pub gap: f32,
     /// Who is farther away than this is nobody to hide from, metres. Limit: > 0.
     pub range: f32,
@@ -42,12 +41,13 @@ pub struct Hide {
 impl Hide {
     /// From somebody, at any distance.
     pub fn new(from: Target, barriers: Barriers) -> Self {
-        Self { from, barriers, gap: 0.2, range: f32::INFINITY, slowing_distance: 1.0 }
+        let avoid = AvoidObstacles { gap: 0.1, ..AvoidObstacles::from(barriers) };
+        Self { from, avoid, gap: 0.2, range: f32::INFINITY, slowing_distance: 1.0 }
     }
 
     /// The place behind an obstacle that its middle hides, on the line from the eyes of the other.
     fn behind(&self, index: usize, from: &Mark, view: &View<'_>) -> Option<Vec3> {
-        let surface = &self.barriers.0[index].surface;
+        let surface = &self.avoid.barriers.0[index].surface;
         let bounds = surface.bounds();
         if !bounds.is_finite() {
             return None;
@@ -65,16 +65,16 @@ impl Hide {
 const KEPT: f32 = 0.8;
 
 impl Behaviour for Hide {
-    /// Behind which obstacle it hides, counted from 1; 0 for none.
+    /// Behind which obstacle it hides, counted from 1; 0 for none. What it must remember of what it goes round.
     fn memory(&self) -> usize {
-        1
+        1 + self.avoid.memory()
     }
 
     fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
-        let [which] = memory else { return None };
+        let [which, memory @ ..] = memory else { return None };
         let from = self.from.find(view).filter(|from| view.to(from.position).length() <= self.range);
         let places = from.iter().flat_map(|from| {
-            (0..self.barriers.0.len()).filter_map(|index| Some((index, self.behind(index, from, view)?)))
+            (0..self.avoid.barriers.0.len()).filter_map(|index| Some((index, self.behind(index, from, view)?)))
         });
         let far = places.map(|(index, place)| {
             let part = if *which == (index + 1) as f32 { KEPT } else { 1.0 };
@@ -86,7 +86,8 @@ impl Behaviour for Hide {
         };
         *which = (index + 1) as f32;
         let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::from(Target::Point(place)) };
-        let said = arrive.steer(view, &mut [], why);
+        let round = self.avoid.avoid(Some(view.to(place)), view, memory, why);
+        let said = round.or_else(|| arrive.steer(view, &mut [], why));
         from.iter().for_each(|from| why.note(|| Reason::Expects(from.position)));
         said
     }
@@ -94,6 +95,7 @@ impl Behaviour for Hide {
     fn check(&self) -> Result<(), Error> {
         Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")?;
         Error::unless(self.range > 0.0, "range", self.range, "greater than 0")?;
-        Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")
+        Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")?;
+        self.avoid.check()
     }
 }

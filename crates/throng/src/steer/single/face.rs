@@ -43,6 +43,25 @@ impl Behaviour for LookWhereYouGo {
     }
 }
 
+/// Faces as somebody else does, wherever that is: gdx-ai's ReachOrientation.
+///
+/// ```
+/// use throng::steer::{Behaviour, MatchOrientation, Target, View, Why};
+/// let drill = MatchOrientation { with: Target::Agent(0) };
+/// assert_eq!(drill.steer(&View::default(), &mut [], &mut Why::default()), None, "nobody is there");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MatchOrientation {
+    /// As whom.
+    pub with: Target,
+}
+
+impl Behaviour for MatchOrientation {
+    fn steer(&self, view: &View<'_>, _: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
+        facing(view.passable(self.with.find(view)?.basis.forward))
+    }
+}
+
 fn facing(direction: Vec3) -> Option<Steering> {
     (direction != Vec3::ZERO).then_some(Steering { force: Vec3::ZERO, facing: Some(direction) })
 }
