@@ -90,7 +90,7 @@ proptest! {
         let touches = rays.iter().filter_map(|&(beside, angle, length)| {
             let direction = Quat::from_axis_angle(basis.up, angle) * basis.forward;
             let start = place + basis.side * beside;
-            (0..3000).map(|k| k as f32 * length / 3000.0).find(|&s| (start + direction * s).length() < 1.5).map(|s| (s, start + direction * s))
+            (0..=3000).map(|k| k as f32 * length / 3000.0).find(|&s| (start + direction * s).length() < 1.5).map(|s| (s, start + direction * s))
         });
         let expected = touches.min_by(|a, b| a.0.total_cmp(&b.0));
         let whiskers = rays.map(|(beside, angle, length)| Whisker { beside, angle, length });
