@@ -309,9 +309,9 @@ fn a_program_adds_behaviours_of_its_own() {
     let error = scene.plan().unwrap_err();
     assert_eq!(error.kind, Kind::UnknownKey);
     assert!(error.to_string().contains("there is no behaviour `hunt`"), "{error}");
-    scene.behaviours.add("hunt", |origin| {
-        let at = (DVec2::new(103.0, 54.0) - origin).as_vec2().extend(0.0);
-        steer::Seek { target: Target::Point(at) }.into()
+    scene.behaviours.add("hunt", |cast| {
+        assert!(cast.group("nobody").is_err() && cast.agent("nobody", 0).is_err() && cast.path("nowhere").is_none());
+        Ok(steer::Seek { target: Target::Point(cast.place(103.0, 54.0)) }.into())
     });
     let parts = vec![steer::Seek { target: Target::Point(PLACE) }.into()];
     let expected = Branch::from(steer::Priority { epsilon: 0.0, parts });

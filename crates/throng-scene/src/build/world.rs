@@ -90,6 +90,7 @@ impl Scene {
         }
         self.check_long_bodies(&world, &built)?;
         world.face_ways(&unturned);
+        super::rules::begin(self, &mut world).map_err(|problem| self.explain(problem))?;
         Ok((world, built))
     }
 

@@ -1,6 +1,7 @@
 //! Behaviours of one agent, or of one towards another.
 
 mod arrive;
+mod constant_force;
 mod dock;
 mod evade;
 mod evade_all;
@@ -26,6 +27,7 @@ mod wander;
 
 pub use arrive::Arrive;
 pub(super) use arrive::{approach, settling_time};
+pub use constant_force::ConstantForce;
 pub use dock::Dock;
 pub use evade::Evade;
 pub use evade_all::EvadeAll;
