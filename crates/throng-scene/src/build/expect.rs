@@ -3,7 +3,7 @@
 use super::limits::{Limit, check, check_some};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
-use crate::scene::{DistanceExpect, FigureExpect, Group, GroupExpect, Mover, Scene, To};
+use crate::scene::{DistanceExpect, Group, GroupExpect, Mover, Scene, To};
 
 /// Checks what is expected of groups: their names, and the bounds.
 pub(super) fn check_groups(scene: &Scene) -> Result<(), Problem> {
@@ -37,23 +37,5 @@ pub(super) fn check_groups(scene: &Scene) -> Result<(), Problem> {
     for (key, list) in [("speed", &scene.expect.speed), ("order", &scene.expect.order)] {
         list.iter().enumerate().try_for_each(|(i, said)| bounds(&path.key(key).index(i), said))?;
     }
-    let figures = scene.expect.figure.iter().enumerate();
-    figures.map(|(i, said)| (path.key("figure").index(i), said)).try_for_each(|(path, said)| figure(scene, &path, said))
-}
-
-/// Checks what is expected of a figure of the rules.
-fn figure(scene: &Scene, path: &Path, said: &FigureExpect) -> Result<(), Problem> {
-    check_some(&path.key("at_least"), said.at_least, Limit::Finite)?;
-    check_some(&path.key("at_most"), said.at_most, Limit::Finite)?;
-    check(&path.key("after"), said.after, Limit::NotNegative)?;
-    let known = super::rules::find(scene)?.map(|rules| rules.figures()).unwrap_or_default();
-    if known.contains(&said.of) {
-        return Ok(());
-    }
-    let problem = Problem::new(&path.key("of"), Kind::UnknownKey, format!("there is no figure `{}`", said.of));
-    Err(match (&scene.rules, known.is_empty()) {
-        (None, _) => problem.hint("figures are kept by rules: say which, rules = \"NAME\""),
-        (Some(rules), true) => problem.hint(format!("the rules `{rules}` keep none")),
-        (Some(rules), false) => problem.hint(format!("the rules `{rules}` keep: {}", known.join(", "))),
-    })
+    Ok(())
 }

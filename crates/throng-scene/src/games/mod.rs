@@ -3,6 +3,7 @@
 //! (`docs/rules.md`).
 
 mod capture;
+mod map_drive;
 mod multiple_pursuit;
 mod soccer;
 
@@ -12,9 +13,10 @@ use throng::{AgentId, World};
 
 /// Adds the rules of all games to a book.
 pub fn rules(book: &mut Rulebook) {
-    book.add("multiple-pursuit", multiple_pursuit::MultiplePursuit::default());
-    book.add("soccer", soccer::Soccer::default());
-    book.add("capture-the-flag", capture::CaptureTheFlag::default());
+    book.add("multiple-pursuit", |_| Ok(multiple_pursuit::MultiplePursuit::default()));
+    book.add("soccer", |_| Ok(soccer::Soccer::default()));
+    book.add("capture-the-flag", |_| Ok(capture::CaptureTheFlag::default()));
+    book.add("map-drive", map_drive::rules);
 }
 
 /// The players that scene files can name.
@@ -23,6 +25,7 @@ pub fn behaviours() -> Behaviours {
     behaviours.add("soccer-player", soccer::player);
     behaviours.add("capture-seeker", capture::seeker);
     behaviours.add("capture-defender", capture::defender);
+    behaviours.add("map-driver", map_drive::driver);
     behaviours
 }
 

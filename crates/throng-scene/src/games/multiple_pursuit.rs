@@ -16,6 +16,9 @@ impl Default for MultiplePursuit {
     }
 }
 
+/// How much nearer than touching is near enough to catch, a part of the radii: the guard keeps bodies from touching.
+const REACH: f64 = 0.05;
+
 impl Rules for MultiplePursuit {
     fn figures(&self) -> Vec<String> {
         vec!["catches".into()]
@@ -29,7 +32,7 @@ impl Rules for MultiplePursuit {
         let pack = world.members(world.group_named("pack")?);
         for quarry in world.members(world.group_named("wanderer")?) {
             for (hunter, k) in pack.iter().copied().zip(0..) {
-                if !touch(world, hunter, quarry, 0.0) {
+                if !touch(world, hunter, quarry, REACH) {
                     continue;
                 }
                 let (Some(agent), Some(center)) = (world.agent(hunter), world.position(quarry)) else { continue };

@@ -66,17 +66,17 @@ impl Rules for Soccer {
 }
 
 impl Soccer {
-    /// The velocity that those who touch the ball give it, if any do: away from all of them.
+    /// The velocity that one who touches the ball gives it, away from itself; of several, one by chance.
     fn kicked(&self, world: &World, ball: AgentId) -> Result<Option<Vec3>, Error> {
         let Some(at) = world.position(ball) else { return Ok(None) };
-        let mut away = DVec2::ZERO;
+        let mut kickers = Vec::new();
         for team in ["red", "blue"] {
             let players = world.members(world.group_named(team)?).into_iter();
-            let kickers = players.filter(|&player| touch(world, player, ball, REACH));
-            let from: DVec2 = kickers.filter_map(|player| Some(at - world.position(player)?)).sum();
-            away += from;
+            kickers.extend(players.filter(|&player| touch(world, player, ball, REACH)));
         }
-        let direction = away.as_vec2().try_normalize();
+        let kicker = kickers.get((world.draw(0) * kickers.len() as f32) as usize);
+        let from = kicker.and_then(|&kicker| world.position(kicker));
+        let direction = from.and_then(|from| (at - from).as_vec2().try_normalize());
         Ok(direction.map(|direction| (direction * self.kick).extend(0.0)))
     }
 

@@ -1,9 +1,10 @@
 //! Rules that scene files name.
 
+use super::Cast;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
-use throng::Rules;
+use throng::{Error, Rules};
 
 /// Rules by name, for `rules = "name"`: those of the gallery's games, and what a program adds.
 ///
@@ -34,14 +35,17 @@ use throng::Rules;
 ///     figure = [{ of = "ticks", at_least = 10 }]
 /// "#
 /// .parse()?;
-/// scene.rulebook.add("clock", Clock);
+/// scene.rulebook.add("clock", |_| Ok(Clock));
 /// let (mut world, _) = scene.build()?;
 /// (0..10).for_each(|_| world.step());
 /// assert_eq!(world.figure("ticks"), Some(10.0));
 /// # Ok::<(), throng_scene::Error>(())
 /// ```
 #[derive(Clone)]
-pub struct Rulebook(BTreeMap<String, Arc<dyn Rules>>);
+pub struct Rulebook(BTreeMap<String, Make>);
+
+/// Makes rules for a scene.
+type Make = Arc<dyn Fn(&Cast<'_>) -> Result<Arc<dyn Rules>, Error> + Send + Sync>;
 
 impl Default for Rulebook {
     /// The rules of the gallery's games.
@@ -53,9 +57,14 @@ impl Default for Rulebook {
 }
 
 impl Rulebook {
-    /// Adds rules, or takes the place of those of this name.
-    pub fn add(&mut self, name: impl Into<String>, rules: impl Rules + 'static) {
-        self.0.insert(name.into(), Arc::new(rules));
+    /// Adds rules, or takes the place of those of this name. `make` is told who and what is in the scene; what it misses
+    /// there it says.
+    pub fn add<R: Rules + 'static>(
+        &mut self,
+        name: impl Into<String>,
+        make: impl Fn(&Cast<'_>) -> Result<R, Error> + Send + Sync + 'static,
+    ) {
+        self.0.insert(name.into(), Arc::new(move |cast| Ok(Arc::new(make(cast)?))));
     }
 
     /// The names of all.
@@ -63,9 +72,9 @@ impl Rulebook {
         self.0.keys().map(String::as_str)
     }
 
-    /// The rules of this name.
-    pub fn get(&self, name: &str) -> Option<&Arc<dyn Rules>> {
-        self.0.get(name)
+    /// The rules of this name, made for a scene.
+    pub(crate) fn make(&self, name: &str, cast: &Cast<'_>) -> Option<Result<Arc<dyn Rules>, Error>> {
+        self.0.get(name).map(|make| make(cast))
     }
 }
 

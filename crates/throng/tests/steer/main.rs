@@ -3,7 +3,9 @@
 mod combine;
 mod group;
 mod harness;
+mod map;
 mod place;
 mod single;
+mod slip;
 mod turned;
 mod vehicle;

@@ -1,0 +1,154 @@
+//! One drives round a route among rocks and fences, by a map of them (OpenSteer's "driving through map based obstacles").
+
+use crate::scene::Cast;
+use glam::{DVec2, Vec3};
+use std::sync::Arc;
+use throng::motion::{Motion, Steering};
+use throng::space::{Pathway, Raster, Way};
+use throng::steer::{AvoidMap, Behaviour, Branch, FollowPath, View, Why};
+use throng::{Agent, Error, Rules, World};
+
+/// Counts laps of the path `route` by the group `car`, and takes those back to it who are stuck.
+#[derive(Clone, Debug)]
+pub struct MapDrive {
+    route: Arc<Pathway>,
+    origin: DVec2,
+    /// Below this speed, m/s, for so many seconds, it is stuck.
+    still: (f32, f64),
+}
+
+/// The route of a scene.
+fn route(cast: &Cast<'_>) -> Result<Arc<Pathway>, Error> {
+    let missing =
+        || Error::Shape { what: "path `route`".into(), why: "there is none, and it is where the car drives".into() };
+    cast.path("route").ok_or_else(missing)
+}
+
+/// Makes the rules for a scene with a route.
+pub fn rules(cast: &Cast<'_>) -> Result<MapDrive, Error> {
+    Ok(MapDrive { route: route(cast)?, origin: cast.origin, still: (0.5, 3.0) })
+}
+
+/// The places of the figures.
+const LAPS: usize = 0;
+const METRES: usize = 1;
+const BUMPS: usize = 2;
+const STUCK: usize = 3;
+const BUMPING: usize = 4;
+const STILL: usize = 5;
+
+impl Rules for MapDrive {
+    fn figures(&self) -> Vec<String> {
+        ["laps", "metres", "bumps", "stuck", "bumping", "still"].map(String::from).into()
+    }
+
+    fn begin(&self, world: &mut World, _: &mut [f64]) -> Result<(), Error> {
+        world.group_named("car").map(drop)
+    }
+
+    fn act(&self, world: &mut World, figures: &mut [f64]) -> Result<(), Error> {
+        let step = world.settings().step;
+        for car in world.members(world.group_named("car")?) {
+            let Some(agent) = world.agent(car) else { continue };
+            // how far it is along the route; it cannot be far from where it was
+            let (length, along) = (f64::from(self.route.length()), figures[METRES]);
+            let reach = (f64::from(agent.max_speed) * step).max(1.0) * 4.0;
+            let here = (agent.position - self.origin).as_vec2().extend(0.0);
+            let near = self.route.nearest_near(here, along.rem_euclid(length) as f32, reach as f32);
+            let ahead = (f64::from(near.along) - along + 0.5 * length).rem_euclid(length) - 0.5 * length;
+            figures[METRES] = along + ahead;
+            figures[LAPS] = (figures[METRES] / length).floor().max(figures[LAPS]);
+
+            let bumps = if world.no_room(agent.position, agent.radius).is_some() { 1.0 } else { 0.0 };
+            figures[BUMPS] += f64::from(bumps > figures[BUMPING]);
+            figures[BUMPING] = bumps;
+
+            let still = agent.velocity.length() < self.still.0;
+            figures[STILL] = if still { figures[STILL] + step } else { 0.0 };
+            if figures[STILL] >= self.still.1 {
+                let position = self.route.at(near.along).truncate().as_dvec2() + self.origin;
+                let tangent = self.route.tangent_at(near.along, Way::Forward);
+                let heading = Some(libm::atan2f(tangent.y, tangent.x));
+                world.replace(car, Agent { position, heading, velocity: Default::default(), ..agent })?;
+                (figures[STUCK], figures[STILL]) = (figures[STUCK] + 1.0, 0.0);
+            }
+        }
+        Ok(())
+    }
+
+    fn standing(&self, _: &World, figures: &[f64]) -> String {
+        let on_lap = (figures[METRES] / f64::from(self.route.length())).fract().max(0.0) * 100.0;
+        format!("{} laps and {on_lap:.0} % · {} bumps", figures[LAPS], figures[BUMPS])
+    }
+}
+
+/// Width of the cells of the map, metres.
+const CELL: f32 = 1.0;
+/// How far the map reaches beyond what is solid, metres.
+const RIM: f64 = 20.0;
+
+/// Makes the driver for a scene with a route: what is solid becomes its map.
+pub fn driver(cast: &Cast<'_>) -> Result<Branch, Error> {
+    let route = route(cast)?;
+    let ends = route.segments().iter().map(|segment| segment.end.truncate().as_dvec2() + cast.origin);
+    let ends: Vec<DVec2> = ends.collect();
+    let low = ends.iter().copied().fold(DVec2::INFINITY, DVec2::min) - RIM;
+    let high = ends.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max) + RIM;
+    let local = |at: DVec2| (at - cast.origin).as_vec2();
+    let solid = |at: glam::Vec2| cast.obstacles.iter().any(|obstacle| obstacle.covers(at.as_dvec2() + cast.origin));
+    let map = Raster::of(local(low), local(high), CELL, solid)?;
+    let follow = FollowPath { seconds: AHEAD, ..FollowPath::from(Pathway::clone(&route)) };
+    Ok(AvoidMap::new(Arc::new(map), Drive { follow }).into())
+}
+
+/// How far ahead it looks along the route, seconds.
+const AHEAD: f32 = 1.5;
+/// Part of its force that it counts on in bends.
+const GRIP: f32 = 0.7;
+/// Metres along the route from one place to the next that it slows down for.
+const EVERY: f32 = 4.0;
+
+/// Follows a path, as fast as its bends let it.
+#[derive(Clone, Debug)]
+struct Drive {
+    follow: FollowPath,
+}
+
+impl Behaviour for Drive {
+    fn memory(&self) -> usize {
+        self.follow.memory()
+    }
+
+    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let side = view.motion.basis.side;
+        let turn = self.follow.steer(view, memory, why).map_or(0.0, |said| said.force.dot(side));
+        let most = self.speed(&view.motion, memory.get(1).copied().unwrap_or(0.0), view);
+        let along = view.reach(view.velocity() + view.forward() * (most - view.motion.speed())).force;
+        Some((along + side * turn).into())
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        self.follow.check()
+    }
+}
+
+impl Drive {
+    /// The speed from which it can still brake for every bend that it sees.
+    fn speed(&self, motion: &Motion, along: f32, view: &View<'_>) -> f32 {
+        let path = &self.follow.path;
+        let grip = GRIP * view.vehicle.max_force / view.vehicle.mass;
+        let stopping = motion.speed() * motion.speed() / (2.0 * grip);
+        let count = ((stopping + 4.0 * EVERY) / EVERY).ceil() as u32;
+        let bend = |k: u32| {
+            let at = k as f32 * EVERY;
+            let direction = |ahead: f32| -> Vec3 { path.tangent_at(along + ahead, Way::Forward) };
+            let radius = path.radius_at(along + at, Way::Forward).max(1.0);
+            let cosine = direction(at).dot(direction(at + EVERY)).clamp(-1.0, 1.0);
+            // the widest arc within a tube that turns so: from its outer side over its inner side
+            let half = 0.5 * libm::acosf(cosine);
+            let widest = radius * (1.0 + libm::cosf(half)) / (1.0 - libm::cosf(half)).max(1e-3);
+            (grip * widest + 2.0 * grip * at).sqrt()
+        };
+        (0..count).map(bend).fold(view.vehicle.max_speed, f32::min)
+    }
+}
