@@ -122,6 +122,23 @@ fn what_is_said_is_so() {
         steer::OffsetPursuit { quarry: goal, prediction: steer::Prediction::Cases { most: 5.0 }, distance: 2.0 },
     );
     assert_steers(
+        "head_for = { heading = 90, pitch = 90, full = 0.5 }",
+        steer::HeadFor { direction: Vec3::new(-0.0, -4.371139e-8, 1.0), full: 0.5 },
+    );
+    assert_steers("constant_force = [1, -2]", steer::ConstantForce(Vec3::new(1.0, -2.0, 0.0)));
+    let all = steer::EvadeAll { who: Who::OtherGroups, ahead: 0.25, near: 3.0, behind: 0.125 };
+    assert_steers("evade_all = { ahead = 0.25, near = 3, behind = 0.125 }", all);
+    assert_steers(
+        "slip_through = { target = \"goal\", evade = { who = \"own\" }, ahead = 0.5, width = 4, turn = 90 }",
+        steer::SlipThrough {
+            evade: steer::EvadeAll { who: Who::OwnGroup, ..steer::EvadeAll::default() },
+            ahead: 0.5,
+            width: 4.0,
+            turn: std::f32::consts::FRAC_PI_2,
+            ..goal.into()
+        },
+    );
+    assert_steers(
         "shadow = { quarry = \"goal\", distance = 2 }",
         steer::Shadow { quarry: goal, distance: 2.0, slowing_distance: 1.0 },
     );

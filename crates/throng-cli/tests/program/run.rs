@@ -22,6 +22,7 @@ const KEYS: [&str; 24] = [
     "course_change_deg_per_s",
     "steps",
     "agent_steps_per_second",
+    "figures",
     "expect",
     "sub_steps",
     "least_wall_separation",

@@ -1,7 +1,7 @@
 //! One drives round a route among rocks and fences, by a map of them (OpenSteer's "driving through map based obstacles").
 
 use crate::scene::Cast;
-use glam::{DVec2, Vec3};
+use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
 use throng::motion::{Motion, Steering};
 use throng::space::{Pathway, Raster, Way};
@@ -37,6 +37,9 @@ const STUCK: usize = 3;
 const BUMPING: usize = 4;
 const STILL: usize = 5;
 
+/// How far along the route it is looked for from where it was, metres: it cuts corners.
+const REACH: f32 = 30.0;
+
 impl Rules for MapDrive {
     fn figures(&self) -> Vec<String> {
         ["laps", "metres", "bumps", "stuck", "bumping", "still"].map(String::from).into()
@@ -52,9 +55,8 @@ impl Rules for MapDrive {
             let Some(agent) = world.agent(car) else { continue };
             // how far it is along the route; it cannot be far from where it was
             let (length, along) = (f64::from(self.route.length()), figures[METRES]);
-            let reach = (f64::from(agent.max_speed) * step).max(1.0) * 4.0;
             let here = (agent.position - self.origin).as_vec2().extend(0.0);
-            let near = self.route.nearest_near(here, along.rem_euclid(length) as f32, reach as f32);
+            let near = self.route.nearest_near(here, along.rem_euclid(length) as f32, REACH);
             let ahead = (f64::from(near.along) - along + 0.5 * length).rem_euclid(length) - 0.5 * length;
             figures[METRES] = along + ahead;
             figures[LAPS] = (figures[METRES] / length).floor().max(figures[LAPS]);
@@ -94,10 +96,14 @@ pub fn driver(cast: &Cast<'_>) -> Result<Branch, Error> {
     let ends: Vec<DVec2> = ends.collect();
     let low = ends.iter().copied().fold(DVec2::INFINITY, DVec2::min) - RIM;
     let high = ends.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max) + RIM;
-    let local = |at: DVec2| (at - cast.origin).as_vec2();
-    let solid = |at: glam::Vec2| cast.obstacles.iter().any(|obstacle| obstacle.covers(at.as_dvec2() + cast.origin));
+    let (local, barriers) = (|at: DVec2| (at - cast.origin).as_vec2(), cast.barriers()?);
+    // walls are thin: a cell is solid where one runs through it
+    let solid = |at: Vec2| barriers.0.iter().any(|barrier| barrier.surface.query(at.extend(0.0)).distance < 0.5 * CELL);
     let map = Raster::of(local(low), local(high), CELL, solid)?;
-    let follow = FollowPath { seconds: AHEAD, ..FollowPath::from(Pathway::clone(&route)) };
+    let follow = FollowPath {
+        seconds: std::env::var("AHEAD").map_or(AHEAD, |x| x.parse().unwrap()),
+        ..FollowPath::from(Pathway::clone(&route))
+    };
     Ok(AvoidMap::new(Arc::new(map), Drive { follow }).into())
 }
 
@@ -124,7 +130,9 @@ impl Behaviour for Drive {
         let turn = self.follow.steer(view, memory, why).map_or(0.0, |said| said.force.dot(side));
         let most = self.speed(&view.motion, memory.get(1).copied().unwrap_or(0.0), view);
         let along = view.reach(view.velocity() + view.forward() * (most - view.motion.speed())).force;
-        Some((along + side * turn).into())
+        // neither may drown the other
+        let most = GRIP * view.vehicle.max_force;
+        Some((along.clamp_length_max(most) + side * turn.clamp(-most, most)).into())
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -136,7 +144,8 @@ impl Drive {
     /// The speed from which it can still brake for every bend that it sees.
     fn speed(&self, motion: &Motion, along: f32, view: &View<'_>) -> f32 {
         let path = &self.follow.path;
-        let grip = GRIP * view.vehicle.max_force / view.vehicle.mass;
+        let grip =
+            std::env::var("GRIP").map_or(0.5, |x| x.parse().unwrap()) * view.vehicle.max_force / view.vehicle.mass;
         let stopping = motion.speed() * motion.speed() / (2.0 * grip);
         let count = ((stopping + 4.0 * EVERY) / EVERY).ceil() as u32;
         let bend = |k: u32| {
@@ -144,9 +153,8 @@ impl Drive {
             let direction = |ahead: f32| -> Vec3 { path.tangent_at(along + ahead, Way::Forward) };
             let radius = path.radius_at(along + at, Way::Forward).max(1.0);
             let cosine = direction(at).dot(direction(at + EVERY)).clamp(-1.0, 1.0);
-            // the widest arc within a tube that turns so: from its outer side over its inner side
-            let half = 0.5 * libm::acosf(cosine);
-            let widest = radius * (1.0 + libm::cosf(half)) / (1.0 - libm::cosf(half)).max(1e-3);
+            // the arc that begins and ends where the tube's radius is left to the corner
+            let widest = radius / libm::tanf(0.5 * libm::acosf(cosine)).max(1e-3);
             (grip * widest + 2.0 * grip * at).sqrt()
         };
         (0..count).map(bend).fold(view.vehicle.max_speed, f32::min)

@@ -1,6 +1,5 @@
 //! Two teams, a ball and two goals (OpenSteer's "Michael's Simple Soccer").
 
-use super::touch;
 use crate::scene::Cast;
 use glam::{DVec2, Vec2, Vec3};
 use throng::motion::Steering;
@@ -28,14 +27,15 @@ impl Default for Soccer {
 /// The places of the figures.
 const RED: usize = 0;
 const BLUE: usize = 1;
-const KICKS: usize = 2;
+const GOALS: usize = 2;
+const KICKS: usize = 3;
 
 /// How much nearer than touching is near enough to kick, a part of the radii: the guard keeps bodies from touching.
 const REACH: f64 = 0.05;
 
 impl Rules for Soccer {
     fn figures(&self) -> Vec<String> {
-        ["red", "blue", "kicks"].map(String::from).into()
+        ["red", "blue", "goals", "kicks"].map(String::from).into()
     }
 
     fn begin(&self, world: &mut World, _: &mut [f64]) -> Result<(), Error> {
@@ -51,6 +51,7 @@ impl Rules for Soccer {
             let Some(agent) = world.agent(ball) else { continue };
             if agent.position.x.abs() > self.field.x + f64::from(agent.radius) {
                 figures[if agent.position.x < 0.0 { RED } else { BLUE }] += 1.0;
+                figures[GOALS] += 1.0;
                 world.replace(ball, Agent { position: DVec2::ZERO, velocity: Vec2::ZERO, ..agent })?;
             } else {
                 let velocity = self.bounced(&agent, world.settings().step);
@@ -66,18 +67,32 @@ impl Rules for Soccer {
 }
 
 impl Soccer {
-    /// The velocity that one who touches the ball gives it, away from itself; of several, one by chance.
+    /// The velocity that one who touches the ball gives it: away from itself, and towards the goal if that lies there. Of
+    /// several, one by chance.
     fn kicked(&self, world: &World, ball: AgentId) -> Result<Option<Vec3>, Error> {
-        let Some(at) = world.position(ball) else { return Ok(None) };
+        let Some(ball) = world.agent(ball) else { return Ok(None) };
         let mut kickers = Vec::new();
-        for team in ["red", "blue"] {
-            let players = world.members(world.group_named(team)?).into_iter();
-            kickers.extend(players.filter(|&player| touch(world, player, ball, REACH)));
+        for (team, goal) in [("red", -self.field.x), ("blue", self.field.x)] {
+            let players = world.members(world.group_named(team)?);
+            let near = |player: &Agent| {
+                let reach = f64::from(player.radius + ball.radius) * (1.0 + REACH);
+                player.position.distance(ball.position) <= reach
+            };
+            kickers
+                .extend(players.into_iter().filter_map(|id| world.agent(id)).filter(near).map(|player| (player, goal)));
         }
-        let kicker = kickers.get((world.draw(0) * kickers.len() as f32) as usize);
-        let from = kicker.and_then(|&kicker| world.position(kicker));
-        let direction = from.and_then(|from| (at - from).as_vec2().try_normalize());
-        Ok(direction.map(|direction| (direction * self.kick).extend(0.0)))
+        let Some((kicker, goal)) = kickers.get((world.draw(0) * kickers.len() as f32) as usize) else {
+            return Ok(None);
+        };
+        let away = (ball.position - kicker.position).normalize_or_zero();
+        // to the nearest point of the goal
+        let room = self.goal - f64::from(2.0 * ball.radius);
+        let to_goal = (DVec2::new(*goal, ball.position.y.clamp(-room, room)) - ball.position).normalize_or_zero();
+        let direction = if away.dot(to_goal) > 0.0 { away + to_goal } else { away };
+        let Some(direction) = direction.as_vec2().try_normalize() else { return Ok(None) };
+        // what it has kicked already leaves it
+        let leaves = ball.velocity.dot(direction) > 0.5 * self.kick;
+        Ok((!leaves).then(|| (direction * self.kick).extend(0.0)))
     }
 
     /// The velocity of a ball that would be beyond a line after the next step, but not in a goal.

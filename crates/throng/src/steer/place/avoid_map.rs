@@ -22,7 +22,7 @@ use std::sync::Arc;
 /// use throng::space::Raster;
 /// use throng::steer::{AvoidMap, Behaviour, Seek, Target, View, Why};
 ///
-/// let rock = |at: Vec2| at.distance(Vec2::new(8.0, 0.5)) < 2.0;
+/// let rock = |at: Vec2| at.distance(Vec2::new(3.5, 0.5)) < 2.0;
 /// let map = Raster::of(Vec2::splat(-30.0), Vec2::splat(30.0), 0.5, rock)?;
 /// let drive = AvoidMap::new(Arc::new(map), Seek { target: Target::Point(Vec3::X * 20.0) });
 /// let view = View { motion: Motion::moving(Vec3::ZERO, Vec3::X), ..View::default() };
@@ -36,7 +36,8 @@ pub struct AvoidMap {
     pub map: Arc<Raster>,
     /// What it would do.
     pub of: Branch,
-    /// How far ahead it looks at the top speed, seconds; less when it is slow, but at least 3 m. Limit: > 0.
+    /// How far ahead it looks at the top speed, seconds; little more than half of that when it is slow, but at least 3 m.
+    /// Limit: > 0.
     pub seconds: f32,
     /// How much farther than its body the corridor reaches to either side at the top speed, metres. Limit: >= 0.
     pub margin: f32,
@@ -53,13 +54,15 @@ impl AvoidMap {
 
 /// How far it sees at least, metres.
 const LEAST_REACH: f32 = 3.0;
+/// Part of the seconds that it looks ahead when it is slow.
+const SHORT: f32 = 4.0 / 7.0;
 /// The most that an arc turns, radians.
 const MOST_TURN: f32 = PI / 3.0;
 /// How many rays a wing has.
 const RAYS: u8 = 4;
 /// By how much the rays of a wing spread: metres aside for every metre ahead, at rest and at the top speed.
 const SPREAD: (f32, f32) = (0.3, 0.06);
-/// Part of what it sees from which on there is time.
+/// Part of what it sees from which on there is time: it does what its part would, but no faster than it can stop.
 const FAR: f32 = 0.6;
 /// Part of the tightest turn that is one.
 const TIGHT: f32 = 0.9;
@@ -71,8 +74,9 @@ const RAYS_ALIKE: f32 = 0.5;
 const KEEPS: f32 = 0.7;
 /// Part of the top speed at which it feels its way on where nothing is free.
 const SLOW: f32 = 0.12;
-/// Part of its brakes that it counts on.
+/// Parts of its force that it brakes by, and turns by: both together are all of it.
 const BRAKES: f32 = 0.6;
+const GRIP: f32 = 0.8;
 
 /// What is in the way. Of the two sides the left is the first.
 #[derive(Clone, Copy, Debug)]
@@ -107,10 +111,16 @@ impl Behaviour for AvoidMap {
             *left = 0.0;
             return if narrow { Some(self.at_speed(view, 0.0, 0.5 * view.vehicle.max_speed)) } else { wish };
         }
-        let side = view.motion.basis.side;
+        let (side, forward) = (view.motion.basis.side, view.forward());
         let hint = wish.map_or(0.0, |wish| wish.force.dot(side));
+        if nearest > FAR * scan.reach {
+            let along = self.at_speed(view, 0.0, stops).force.dot(forward);
+            // what it cannot do anyway must not drown the brakes
+            let force = wish.map_or(Vec3::ZERO, |wish| wish.force.clamp_length_max(view.vehicle.max_force));
+            return Some((force + forward * (along - force.dot(forward)).min(0.0)).into());
+        }
         if *left <= 0.0 {
-            *kept = self.choose(&scan, hint, self.bend(view));
+            *kept = self.choose(&scan, hint, bend(view));
             *left = KEEPS;
         }
         // as much to the side as it is near
@@ -126,20 +136,13 @@ impl Behaviour for AvoidMap {
 }
 
 impl AvoidMap {
-    /// Part of the tightest turn that it is in; to the left positive.
-    fn bend(&self, view: &View<'_>) -> f32 {
-        let speed = view.motion.speed();
-        let across = view.motion.curvature.dot(view.motion.basis.side) * speed * speed;
-        across * view.vehicle.mass / view.vehicle.max_force
-    }
-
     /// What is in the way on the arc that it is on.
     fn scan(&self, view: &View<'_>, why: &mut Why<'_>) -> Scan {
         let (motion, cell) = (&view.motion, self.map.cell());
         let part = (motion.speed() / view.vehicle.max_speed).min(1.0);
         let mix = |(rest, top): (f32, f32)| rest + (top - rest) * part;
         let curvature = if self.curved { motion.curvature.dot(motion.basis.side) } else { 0.0 };
-        let reach = (motion.speed() * self.seconds).max(LEAST_REACH) + view.radius;
+        let reach = (motion.speed() * self.seconds * mix((SHORT, 1.0))).max(LEAST_REACH) + view.radius;
         let reach = reach.min(MOST_TURN / curvature.abs().max(f32::MIN_POSITIVE));
         let width = view.radius + self.margin * part;
         let solid = |along: f32, beside: f32| self.map.is_solid(place(view, curvature, along, beside).truncate());
@@ -165,11 +168,10 @@ impl AvoidMap {
     /// The side to turn to: 1 left, -1 right. `hint` is positive for who would go left anyway, `bend` is the part of its
     /// tightest turn that it is in.
     fn choose(&self, scan: &Scan, hint: f32, bend: f32) -> f32 {
-        let Scan { reach, free: [left, right], room } = *scan;
+        let Scan { free: [left, right], room, .. } = *scan;
         let hinted = (hint != 0.0).then_some(hint.signum());
         let better = |left: f32, right: f32| if left >= right { 1.0 } else { -1.0 };
         match hinted {
-            Some(hint) if left.min(right) > FAR * reach => hint,
             // as tightly as it can, and still in the way: the other way
             _ if bend.abs() > TIGHT => -bend.signum(),
             _ if left.is_infinite() || right.is_infinite() => better(left, right),
@@ -188,9 +190,17 @@ impl AvoidMap {
         let least = SLOW * view.vehicle.max_speed;
         let to = speed.min(most).max(least);
         let along = view.reach(view.velocity() + view.forward() * (to - speed)).force;
-        let across = view.motion.basis.side * (side * view.vehicle.max_force);
+        let along = along.clamp_length_max(BRAKES * view.vehicle.max_force);
+        let across = view.motion.basis.side * (side * GRIP * view.vehicle.max_force);
         (along + across).into()
     }
+}
+
+/// Part of the tightest turn that it is in; to the left positive.
+fn bend(view: &View<'_>) -> f32 {
+    let speed = view.motion.speed();
+    let across = view.motion.curvature.dot(view.motion.basis.side) * speed * speed;
+    across * view.vehicle.mass / view.vehicle.max_force
 }
 
 /// A place on an arc, and so far to its left.
