@@ -90,7 +90,8 @@ impl Layout {
         // in a game it counts how it stands
         let counts = match (frame.standing.is_empty(), frame.total) {
             (false, _) => frame.standing.clone(),
-            (true, 0) => String::new(),
+            // who has nowhere to go does not arrive
+            (true, _) if frame.arrived == 0 && frame.bodies.iter().all(|body| body.goal.is_none()) => String::new(),
             (true, total) => format!("{} of {total} arrived", frame.arrived),
         };
         if !counts.is_empty() {

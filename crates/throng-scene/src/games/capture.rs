@@ -7,8 +7,8 @@ use throng::motion::Steering;
 use throng::steer::{AvoidObstacles, Behaviour, Branch, Prediction, Pursue, SlipThrough, Target, View, Why};
 use throng::{Agent, Error, Rules, World};
 
-/// The only one of the group `seeker` runs for the base at the origin; who of `defenders` touches it has tagged it. Some
-/// seconds after either all begin anew, on a ring round the base.
+/// The only one of the group `seeker` runs for the base at the origin; who of `defenders` touches it has tagged it, and
+/// beyond the field it is out. Some seconds after any of these all begin anew, on a ring round the base.
 #[derive(Clone, Copy, Debug)]
 pub struct CaptureTheFlag {
     /// Radius of the base, metres.
@@ -17,6 +17,8 @@ pub struct CaptureTheFlag {
     pub ring: (f64, f64),
     /// How fast all are at first, m/s.
     pub start_speed: f32,
+    /// Radius of the field, metres: beyond it the seeker is out.
+    pub field: f64,
     /// How far off obstacles they begin, radii.
     pub clearance: f32,
     /// How many seconds pass from the end of a run to the beginning of the next.
@@ -25,7 +27,7 @@ pub struct CaptureTheFlag {
 
 impl Default for CaptureTheFlag {
     fn default() -> Self {
-        Self { base: 1.5, ring: (30.0, 40.0), start_speed: 3.0, clearance: 5.0, pause: 4.0 }
+        Self { base: 1.5, ring: (30.0, 40.0), start_speed: 3.0, field: 60.0, clearance: 5.0, pause: 4.0 }
     }
 }
 
@@ -35,18 +37,20 @@ const ENDED: usize = 1;
 const RUNS: usize = 2;
 const TAGS: usize = 3;
 const CAPTURES: usize = 4;
+const OUTS: usize = 5;
 
 /// What [`STATE`] can be.
 const RUNNING: f64 = 0.0;
 const TAGGED: f64 = 1.0;
 const AT_GOAL: f64 = 2.0;
+const OUT: f64 = 3.0;
 
 /// How much nearer than touching is near enough to tag, a part of the radii: the guard keeps bodies from touching.
 const REACH: f64 = 0.05;
 
 impl Rules for CaptureTheFlag {
     fn figures(&self) -> Vec<String> {
-        ["state", "ended", "runs", "tags", "captures"].map(String::from).into()
+        ["state", "ended", "runs", "tags", "captures", "outs"].map(String::from).into()
     }
 
     fn begin(&self, world: &mut World, figures: &mut [f64]) -> Result<(), Error> {
@@ -65,6 +69,8 @@ impl Rules for CaptureTheFlag {
                 (TAGGED, TAGS)
             } else if agent.position.length() <= self.base + f64::from(agent.radius) {
                 (AT_GOAL, CAPTURES)
+            } else if agent.position.length() > self.field {
+                (OUT, OUTS)
             } else {
                 continue;
             };
@@ -78,6 +84,7 @@ impl Rules for CaptureTheFlag {
         let state = match figures[STATE] {
             TAGGED => "tagged",
             AT_GOAL => "at the goal",
+            OUT => "out of the field",
             _ => "running",
         };
         format!("{state} · {} captured, {} tagged", figures[CAPTURES], figures[TAGS])

@@ -3,7 +3,7 @@
 use crate::scene::Cast;
 use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
-use throng::motion::{Motion, Steering};
+use throng::motion::Steering;
 use throng::space::{Pathway, Raster, Way};
 use throng::steer::{AvoidMap, Behaviour, Branch, FollowPath, View, Why};
 use throng::{Agent, Error, Rules, World};
@@ -100,17 +100,19 @@ pub fn driver(cast: &Cast<'_>) -> Result<Branch, Error> {
     // walls are thin: a cell is solid where one runs through it
     let solid = |at: Vec2| barriers.0.iter().any(|barrier| barrier.surface.query(at.extend(0.0)).distance < 0.5 * CELL);
     let map = Raster::of(local(low), local(high), CELL, solid)?;
-    let follow = FollowPath {
-        seconds: std::env::var("AHEAD").map_or(AHEAD, |x| x.parse().unwrap()),
-        ..FollowPath::from(Pathway::clone(&route))
-    };
+    let follow = FollowPath { seconds: AHEAD, ..FollowPath::from(Pathway::clone(&route)) };
     Ok(AvoidMap::new(Arc::new(map), Drive { follow }).into())
 }
 
 /// How far ahead it looks along the route, seconds.
-const AHEAD: f32 = 1.5;
-/// Part of its force that it counts on in bends.
+const AHEAD: f32 = 1.2;
+/// Parts of its force: what it turns and brakes by at most, and what it counts on in bends.
 const GRIP: f32 = 0.7;
+const CORNERS: f32 = 0.4;
+/// How far along the route the place is that it comes back to, metres, at least.
+const NEAREST: f32 = 15.0;
+/// How fast it is at least on its way back to the route, m/s.
+const SLOW: f32 = 3.0;
 /// Metres along the route from one place to the next that it slows down for.
 const EVERY: f32 = 4.0;
 
@@ -126,13 +128,14 @@ impl Behaviour for Drive {
     }
 
     fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
-        let side = view.motion.basis.side;
-        let turn = self.follow.steer(view, memory, why).map_or(0.0, |said| said.force.dot(side));
-        let most = self.speed(&view.motion, memory.get(1).copied().unwrap_or(0.0), view);
-        let along = view.reach(view.velocity() + view.forward() * (most - view.motion.speed())).force;
+        let (side, most) = (view.motion.basis.side, GRIP * view.vehicle.max_force);
+        let turn = self.follow.steer(view, memory, why).map(|said| said.force.dot(side).clamp(-most, most));
+        let along = memory.get(1).copied().unwrap_or(0.0);
+        let back = if turn.is_some() { self.speed_back(along, view) } else { f32::INFINITY };
+        let speed = self.speed_in_bends(along, view).min(back);
+        let push = view.reach(view.velocity() + view.forward() * (speed - view.motion.speed())).force;
         // neither may drown the other
-        let most = GRIP * view.vehicle.max_force;
-        Some((along.clamp_length_max(most) + side * turn.clamp(-most, most)).into())
+        Some((push.clamp_length_max(most) + side * turn.unwrap_or(0.0)).into())
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -140,13 +143,16 @@ impl Behaviour for Drive {
     }
 }
 
+/// The sideways acceleration that it counts on in bends, m/s².
+fn grip(view: &View<'_>) -> f32 {
+    CORNERS * view.vehicle.max_force / view.vehicle.mass
+}
+
 impl Drive {
-    /// The speed from which it can still brake for every bend that it sees.
-    fn speed(&self, motion: &Motion, along: f32, view: &View<'_>) -> f32 {
-        let path = &self.follow.path;
-        let grip =
-            std::env::var("GRIP").map_or(0.5, |x| x.parse().unwrap()) * view.vehicle.max_force / view.vehicle.mass;
-        let stopping = motion.speed() * motion.speed() / (2.0 * grip);
+    /// The speed from which it can still brake for every bend of the route that it sees.
+    fn speed_in_bends(&self, along: f32, view: &View<'_>) -> f32 {
+        let (path, grip) = (&self.follow.path, grip(view));
+        let stopping = view.motion.speed() * view.motion.speed() / (2.0 * grip);
         let count = ((stopping + 4.0 * EVERY) / EVERY).ceil() as u32;
         let bend = |k: u32| {
             let at = k as f32 * EVERY;
@@ -158,5 +164,14 @@ impl Drive {
             (grip * widest + 2.0 * grip * at).sqrt()
         };
         (0..count).map(bend).fold(view.vehicle.max_speed, f32::min)
+    }
+
+    /// The speed at which it comes back to the route on one arc.
+    fn speed_back(&self, along: f32, view: &View<'_>) -> f32 {
+        let offset = view.to(self.follow.path.at(along + (view.motion.speed() * AHEAD).max(NEAREST)));
+        let aside = offset.reject_from_normalized(view.forward()).length();
+        let behind = offset.dot(view.forward()) < 0.0;
+        let radius = if behind { 0.5 * offset.length() } else { offset.length_squared() / (2.0 * aside).max(1e-3) };
+        (grip(view) * radius).sqrt().max(SLOW)
     }
 }

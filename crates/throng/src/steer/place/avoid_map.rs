@@ -39,7 +39,8 @@ pub struct AvoidMap {
     /// How far ahead it looks at the top speed, seconds; little more than half of that when it is slow, but at least 3 m.
     /// Limit: > 0.
     pub seconds: f32,
-    /// How much farther than its body the corridor reaches to either side at the top speed, metres. Limit: >= 0.
+    /// How much farther than its body the corridor reaches to either side at the top speed, metres; less than half of that
+    /// when it is slow. Limit: >= 0.
     pub margin: f32,
     /// Whether it expects to go on along the arc that it is on; else straight ahead.
     pub curved: bool,
@@ -56,14 +57,18 @@ impl AvoidMap {
 const LEAST_REACH: f32 = 3.0;
 /// Part of the seconds that it looks ahead when it is slow.
 const SHORT: f32 = 4.0 / 7.0;
+/// Part of the margin that is left when it is slow.
+const NARROW: f32 = 0.4;
 /// The most that an arc turns, radians.
 const MOST_TURN: f32 = PI / 3.0;
 /// How many rays a wing has.
 const RAYS: u8 = 4;
 /// By how much the rays of a wing spread: metres aside for every metre ahead, at rest and at the top speed.
 const SPREAD: (f32, f32) = (0.3, 0.06);
+/// Part of its brakes that it counts on: it may turn out that it needs more.
+const RESERVE: f32 = 0.7;
 /// Part of what it sees from which on there is time: it does what its part would, but no faster than it can stop.
-const FAR: f32 = 0.6;
+const FAR: f32 = 0.85;
 /// Part of the tightest turn that is one.
 const TIGHT: f32 = 0.9;
 /// How much farther one side is free than the other, cells, when they are not alike.
@@ -103,7 +108,7 @@ impl Behaviour for AvoidMap {
         let scan = self.scan(view, why);
         let nearest = scan.free[0].min(scan.free[1]);
         let speed = view.motion.speed();
-        let brakes = BRAKES * view.vehicle.max_braking();
+        let brakes = RESERVE * BRAKES * view.vehicle.max_braking();
         let stops = (2.0 * brakes * (nearest - view.radius).max(0.0)).sqrt().max(SLOW * view.vehicle.max_speed);
         if nearest.is_infinite() {
             // between two walls it does not race
@@ -144,7 +149,7 @@ impl AvoidMap {
         let curvature = if self.curved { motion.curvature.dot(motion.basis.side) } else { 0.0 };
         let reach = (motion.speed() * self.seconds * mix((SHORT, 1.0))).max(LEAST_REACH) + view.radius;
         let reach = reach.min(MOST_TURN / curvature.abs().max(f32::MIN_POSITIVE));
-        let width = view.radius + self.margin * part;
+        let width = view.radius + self.margin * mix((NARROW, 1.0));
         let solid = |along: f32, beside: f32| self.map.is_solid(place(view, curvature, along, beside).truncate());
         let mut scan = Scan { reach, free: [f32::INFINITY; 2], room: [0.0; 2] };
         let steps = (reach / cell).ceil() as u32;
@@ -172,8 +177,8 @@ impl AvoidMap {
         let hinted = (hint != 0.0).then_some(hint.signum());
         let better = |left: f32, right: f32| if left >= right { 1.0 } else { -1.0 };
         match hinted {
-            // as tightly as it can, and still in the way: the other way
-            _ if bend.abs() > TIGHT => -bend.signum(),
+            // as tightly as it can, and what is in the way is on the inner side: out of the turn
+            _ if bend > TIGHT && left < right || bend < -TIGHT && right < left => -bend.signum(),
             _ if left.is_infinite() || right.is_infinite() => better(left, right),
             Some(hint) if room[0].min(room[1]) >= f32::from(RAYS) && (left - right).abs() < ALIKE * self.map.cell() => {
                 hint
