@@ -121,10 +121,7 @@ fn what_is_said_is_so() {
         "offset_pursuit = { quarry = \"goal\", prediction.cases = { most = 5 }, distance = 2 }",
         steer::OffsetPursuit { quarry: goal, prediction: steer::Prediction::Cases { most: 5.0 }, distance: 2.0 },
     );
-    assert_steers(
-        "head_for = { heading = 90, pitch = 90, full = 0.5 }",
-        steer::HeadFor { direction: Vec3::new(-0.0, -4.371139e-8, 1.0), full: 0.5 },
-    );
+    assert_steers("head_for = { heading = 0, full = 0.5 }", steer::HeadFor { direction: Vec3::X, full: 0.5 });
     assert_steers("constant_force = [1, -2]", steer::ConstantForce(Vec3::new(1.0, -2.0, 0.0)));
     let all = steer::EvadeAll { who: Who::OtherGroups, ahead: 0.25, near: 3.0, behind: 0.125 };
     assert_steers("evade_all = { ahead = 0.25, near = 3, behind = 0.125 }", all);
