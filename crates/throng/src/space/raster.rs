@@ -32,7 +32,7 @@ impl Raster {
     pub fn new(low: Vec2, cell: f32, columns: usize, solid: Vec<bool>) -> Result<Self, Error> {
         Error::unless_positive("width of a cell of the map", cell)?;
         Error::unless_finite("corner of the map", f64::from(low.element_sum()))?;
-        if columns == 0 || solid.len() % columns != 0 || solid.len() > MOST {
+        if columns == 0 || !solid.len().is_multiple_of(columns) || solid.len() > MOST {
             let why = format!("{} cells are not whole rows of {columns}, or are more than {MOST}", solid.len());
             return Err(Error::Shape { what: "the map".into(), why });
         }
