@@ -107,6 +107,7 @@ Keys of --json (one object on standard output):
   steps, sub_steps          steps made, and the parts they were divided into
   agent_steps_per_second    moves of one agent by one sub-step, a second of computing the steps
   expect                    { passed, checks: [{ name, expected, found, passed }] }: the scene's [expect]
+  figures                   what the rules of a game count, by name; empty without rules
   least_wall_separation     least distance of a centre to a wall over the radius
   wall_seconds              seconds the whole run took, files included
   step_seconds              those of them for the steps alone

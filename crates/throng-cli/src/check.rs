@@ -22,6 +22,7 @@ pub fn check(args: &SceneArgs, out: &mut Out) -> Result<(), Failure> {
     out.line(format_args!("{name}{title}"))?;
     people(&built, out)?;
     place(&built, out)?;
+    game(scene, &world, out)?;
     let overlapping = world.overlapping();
     // The first step plans everybody's way.
     world.step();
@@ -32,6 +33,13 @@ pub fn check(args: &SceneArgs, out: &mut Out) -> Result<(), Failure> {
     }
     let found = overlaps(&overlapping, out)? | unreachable(&world, &built, out)?;
     out.line(format_args!("{}", if found { "it can be run, with the warnings above" } else { "it is right" }))
+}
+
+/// Whose rules it is played by, and what they count.
+fn game(scene: &Scene, world: &World, out: &mut Out) -> Result<(), Failure> {
+    let Some(rules) = &scene.rules else { return Ok(()) };
+    let figures: Vec<&str> = world.figures().map(|(name, _)| name).collect();
+    out.line(format_args!("  rules      {rules}, which count {}", figures.join(", ")))
 }
 
 fn people(built: &Built, out: &mut Out) -> Result<(), Failure> {
@@ -103,6 +111,7 @@ fn expectations(scene: &Scene, out: &mut Out) -> Result<(), Failure> {
         (!e.distance.is_empty(), "distance"),
         (!e.speed.is_empty(), "speed"),
         (!e.order.is_empty(), "order"),
+        (!e.figure.is_empty(), "figure"),
     ];
     let keys: Vec<&str> = keys.iter().filter(|(there, _)| *there).map(|(_, key)| *key).collect();
     let keys = if keys.is_empty() { "nothing".to_owned() } else { keys.join(", ") };

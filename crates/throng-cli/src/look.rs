@@ -107,6 +107,7 @@ impl LookArgs {
             },
             groups: scene.groups.iter().map(|group| group.colour.map(color)).collect(),
             headings: !self.no_headings,
+            lines: view.lines.iter().map(|line| line.iter().copied().map(DVec2::from).collect()).collect(),
             goals: view.goals.unwrap_or(default.goals),
             theme,
             ..default

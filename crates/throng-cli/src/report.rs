@@ -15,6 +15,10 @@ pub struct Report {
     pub scene: String,
     /// The world's figures.
     pub summary: Summary,
+    /// What the rules of the game counted, by name.
+    pub figures: Vec<(String, f64)>,
+    /// What the world last refused them.
+    pub refused: Option<String>,
     /// The agents whose goals cannot be reached, by number, and why.
     pub stranded: Vec<(u32, String)>,
     /// What came of `[expect]`.
@@ -41,7 +45,9 @@ impl Report {
         let s = &self.summary;
         let mut all = Map::from_iter([("scene".to_owned(), json!(self.scene))]);
         all.extend(figures(s, self.stepping));
+        let counted = self.figures.iter().map(|(name, value)| (name.clone(), number(*value)));
         let rest = json!({
+            "figures": Map::from_iter(counted),
             "expect": self.verdict,
             "sub_steps": s.sub_steps,
             "least_wall_separation": number(s.least_wall_separation),
@@ -70,6 +76,13 @@ impl Report {
         if s.arrived > 0 && s.time_ratio > 0.0 {
             let (time, path) = (s.time_ratio, s.path_ratio);
             out.line(format_args!("  ways       {time:.3} times the shortest time, {path:.3} times the shortest way"))?;
+        }
+        if !self.figures.is_empty() {
+            let figures: Vec<String> = self.figures.iter().map(|(name, value)| format!("{name} {value}")).collect();
+            out.line(format_args!("  rules      {}", figures.join(", ")))?;
+        }
+        if let Some(refused) = &self.refused {
+            out.line(format_args!("  rules      could not do all that they say: {refused}"))?;
         }
         for (number, why) in self.stranded.iter().take(3) {
             out.line(format_args!("  stuck      agent {number} cannot reach its goal: {why}"))?;

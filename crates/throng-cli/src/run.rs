@@ -93,6 +93,8 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         scene: name.clone(),
         verdict: watch.verdict(&world),
         summary: world.summary(),
+        figures: world.figures().map(|(name, value)| (name.to_owned(), value)).collect(),
+        refused: world.refused().map(ToString::to_string),
         stranded: world.stranded().iter().map(|(number, why)| (*number, why.to_string())).collect(),
         wall: begin.elapsed(),
         stepping,

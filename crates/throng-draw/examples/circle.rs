@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 status: Status::Walking,
             }
         });
-        film.push(&Frame { time, bodies: bodies.collect(), accounts: Vec::new(), arrived: 0, total: count as usize })?;
+        film.push(&Frame { time, bodies: bodies.collect(), total: count as usize, ..Frame::default() })?;
     }
     film.finish()?;
     Ok(())

@@ -31,7 +31,7 @@ fn moment(agents: u32, k: u32) -> Frame {
             }
         })
         .collect();
-    Frame { time, bodies, accounts: Vec::new(), arrived: 0, total: agents as usize }
+    Frame { time, bodies, total: agents as usize, ..Frame::default() }
 }
 
 /// Seconds this thread has worked, where the system says (Linux); on a busy machine they tell more than the clock.

@@ -87,8 +87,14 @@ impl Layout {
         // The counts keep their place whatever the time is.
         let column = typeface.width("0000.0 s", self.size).max(typeface.width(&time, self.size) + self.size);
         let mut marks = vec![self.text(time, at, Anchor::End, self.size, style.theme.text)];
-        if frame.total > 0 {
-            let counts = format!("{} of {} arrived", frame.arrived, frame.total);
+        // in a game it counts how it stands
+        let counts = match (frame.standing.is_empty(), frame.total) {
+            (false, _) => frame.standing.clone(),
+            // who has nowhere to go does not arrive
+            (true, _) if frame.arrived == 0 && frame.bodies.iter().all(|body| body.goal.is_none()) => String::new(),
+            (true, total) => format!("{} of {total} arrived", frame.arrived),
+        };
+        if !counts.is_empty() {
             let at = at - Vec2::new(column, 0.0);
             marks.push(self.text(counts, at, Anchor::End, self.size, style.theme.quiet));
         }

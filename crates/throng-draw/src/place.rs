@@ -15,10 +15,15 @@ const SMALL_BODY: f32 = 2.0;
 /// a station is a speck.
 const SMALL_AREA: f32 = 12.0;
 
+/// Width of the lines on the ground, in units of the layout.
+pub(crate) const LINE: f32 = 1.2;
+
 /// Everything that does not change, from the ground up. `first` is the first moment.
 pub(crate) fn marks(setting: &Setting, style: &Style, camera: &Camera, unit: f32, first: &Frame) -> Vec<Mark> {
     let mut marks = Vec::new();
     ground(setting, style, camera, unit, &mut marks);
+    let stroke = Stroke::plain(LINE * unit, style.theme.edge);
+    marks.extend(style.lines.iter().map(|line| Mark::Line { points: pixels(camera, line), closed: false, stroke }));
     if style.goals {
         goal_areas(setting, style, camera, unit, &mut marks);
     }

@@ -1,6 +1,7 @@
 //! How a picture should look.
 
 use crate::{Annotations, Color, Viewpoint, WorldBox};
+use glam::DVec2;
 
 /// How a picture should look. The default is a calm light picture of 640 by 480 pixels.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +31,8 @@ pub struct Style {
     pub goals: bool,
     /// Whether title, time, counts, the key of the colours and a scale bar are drawn.
     pub legend: bool,
+    /// Lines on the ground: the markings of a field, lanes. World coordinates.
+    pub lines: Vec<Vec<DVec2>>,
     /// The colours of everything but the agents.
     pub theme: Theme,
 }
@@ -49,6 +52,7 @@ impl Default for Style {
             headings: true,
             goals: true,
             legend: true,
+            lines: Vec::new(),
             theme: Theme::light(),
         }
     }

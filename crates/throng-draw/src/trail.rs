@@ -250,7 +250,7 @@ mod tests {
             preferred_speed: 1.0,
             status: throng::Status::Walking,
         };
-        Frame { time, bodies: at.map(body).into_iter().collect(), accounts: Vec::new(), arrived: 0, total: 1 }
+        Frame { time, bodies: at.map(body).into_iter().collect(), total: 1, ..Frame::default() }
     }
 
     #[test]

@@ -43,6 +43,7 @@ impl Frame {
         self.time = world.time();
         self.arrived = counts.arrived;
         self.total = counts.agents;
+        self.standing = world.standing();
         self.accounts.clear();
         self.accounts.extend_from_slice(world.accounts());
         self.bodies.clear();

@@ -38,6 +38,8 @@ pub struct Frame {
     pub arrived: usize,
     /// How many there are in all: here, gone, and yet to come.
     pub total: usize,
+    /// How the game stands ([`World::standing`](throng::World::standing)); empty without rules.
+    pub standing: String,
 }
 
 /// One agent at one moment.

@@ -256,7 +256,7 @@ mod tests {
             bodies[n - 2].heading = f32::from(k) * 0.4;
             bodies[n - 1].status = Status::Arrived;
             bodies[n - 1].heading = f32::from(k);
-            series.push(&Frame { time: f64::from(k) * 0.1, bodies, accounts: Vec::new(), arrived: 1, total: 3 });
+            series.push(&Frame { time: f64::from(k) * 0.1, bodies, arrived: 1, total: 3, ..Frame::default() });
         }
         let points = series.points();
         assert!(

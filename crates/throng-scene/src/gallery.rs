@@ -22,6 +22,7 @@ const GROUPS: &[(&str, Scenes)] = groups! {
     "walls": "corridor", "bottleneck", "doorway", "doorway-0.8", "doorway-0.6", "doorway-two-way", "narrow-corridor", "maze", "office";
     "steering": "seek-flee", "pursue-evade", "offset-pursuit", "arrival", "wander", "unaligned-avoidance", "queueing", "leader-following",
         "flocking", "boids", "interpose", "shadow", "docking", "explore", "formation", "noise", "multiple-pursuit", "low-speed-turn",
+        "one-turning", "capture-the-flag", "soccer", "map-drive",
         "flock-pedestrians";
 };
 

@@ -42,7 +42,8 @@
 //! | change one value, as the program's `--set` does | [`Scene::set`] |
 //! | try another local model | [`Model`], [`Scene::with_model`] |
 //! | make the world | [`Scene::build`] |
-//! | say what agents steer by; bring behaviours of your own | [`steer`], [`Behaviours`] |
+//! | say what agents steer by; bring behaviours of your own | [`steer`], [`Behaviours`], [`Cast`] |
+//! | play a game; bring rules of your own | [`Scene::rules`], [`Rulebook`] |
 //! | look at what would be built | [`Scene::plan`] |
 //! | check what the scene expects | [`Watch`], [`Verdict`] |
 //! | the scenes that come with the project | [`gallery`] |
@@ -53,6 +54,7 @@ mod build;
 mod error;
 mod file;
 pub mod gallery;
+mod games;
 mod geometry;
 pub mod import;
 mod random;

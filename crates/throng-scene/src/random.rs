@@ -24,6 +24,7 @@ pub enum Purpose {
     Length = 12,
     Width = 13,
     Altitude = 14,
+    StartSpeed = 15,
 }
 
 /// The random numbers of one agent for one purpose.

@@ -51,9 +51,9 @@ pub struct Verdict {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Check {
     /// The key of `[expect]`: `arrived`, `within`, `least_separation`, `least_wall_separation`, `heading_change`,
-    /// `mean_speed`, `final_speed`, `flow.0.at_least`, `distance.0.at_most` and the like.
+    /// `mean_speed`, `final_speed`, `flow.0.at_least`, `distance.0.at_most`, `figure.0.at_least` and the like.
     pub name: String,
-    /// The bound: a count, seconds, a ratio, degrees a second, m/s, agents a second, metres.
+    /// The bound: a count, seconds, a ratio, degrees a second, m/s, agents a second, metres, whatever the rules count.
     pub expected: Figure,
     /// What the run showed, in the same unit; `None` where there was nothing to measure.
     pub found: Option<Figure>,
@@ -141,7 +141,8 @@ impl Watch {
             }
             let now = agents.position[row].as_dvec2() + origin;
             let before = std::mem::replace(&mut self.positions[number], now);
-            if !before.is_finite() {
+            // nobody walked there who begins anew, or enters
+            if !before.is_finite() || agents.entered[row] >= world.time() {
                 continue;
             }
             for flow in &mut self.flows {

@@ -65,10 +65,14 @@ fn every_scene_says_what_the_project_promises() {
             continue;
         }
         let expect = scene.expect;
-        assert_eq!(expect.arrived, Some(Arrived::All), "{name}");
         for least in [expect.least_separation, expect.least_wall_separation] {
             assert!(least >= Some(0.9999), "{name}");
         }
+        // in a game nobody has anywhere to arrive
+        if scene.rules.is_some() {
+            continue;
+        }
+        assert_eq!(expect.arrived, Some(Arrived::All), "{name}");
         assert!(expect.heading_change.is_some_and(|most| most <= 30.0), "{name}");
         assert!(expect.within.is_some(), "{name}");
     }

@@ -121,6 +121,20 @@ fn what_is_said_is_so() {
         "offset_pursuit = { quarry = \"goal\", prediction.cases = { most = 5 }, distance = 2 }",
         steer::OffsetPursuit { quarry: goal, prediction: steer::Prediction::Cases { most: 5.0 }, distance: 2.0 },
     );
+    assert_steers("head_for = { heading = 0, full = 0.5 }", steer::HeadFor { direction: Vec3::X, full: 0.5 });
+    assert_steers("constant_force = [1, -2]", steer::ConstantForce(Vec3::new(1.0, -2.0, 0.0)));
+    let all = steer::EvadeAll { who: Who::OtherGroups, ahead: 0.25, near: 3.0, behind: 0.125 };
+    assert_steers("evade_all = { ahead = 0.25, near = 3, behind = 0.125 }", all);
+    assert_steers(
+        "slip_through = { target = \"goal\", evade = { who = \"own\" }, ahead = 0.5, width = 4, turn = 90 }",
+        steer::SlipThrough {
+            evade: steer::EvadeAll { who: Who::OwnGroup, ..steer::EvadeAll::default() },
+            ahead: 0.5,
+            width: 4.0,
+            turn: std::f32::consts::FRAC_PI_2,
+            ..goal.into()
+        },
+    );
     assert_steers(
         "shadow = { quarry = \"goal\", distance = 2 }",
         steer::Shadow { quarry: goal, distance: 2.0, slowing_distance: 1.0 },
@@ -309,9 +323,9 @@ fn a_program_adds_behaviours_of_its_own() {
     let error = scene.plan().unwrap_err();
     assert_eq!(error.kind, Kind::UnknownKey);
     assert!(error.to_string().contains("there is no behaviour `hunt`"), "{error}");
-    scene.behaviours.add("hunt", |origin| {
-        let at = (DVec2::new(103.0, 54.0) - origin).as_vec2().extend(0.0);
-        steer::Seek { target: Target::Point(at) }.into()
+    scene.behaviours.add("hunt", |cast| {
+        assert!(cast.group("nobody").is_err() && cast.agent("nobody", 0).is_err() && cast.path("nowhere").is_none());
+        Ok(steer::Seek { target: Target::Point(cast.place(103.0, 54.0)) }.into())
     });
     let parts = vec![steer::Seek { target: Target::Point(PLACE) }.into()];
     let expected = Branch::from(steer::Priority { epsilon: 0.0, parts });

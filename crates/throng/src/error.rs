@@ -24,6 +24,15 @@ pub enum Error {
         /// Its index.
         index: usize,
     },
+    /// There is no group of a name.
+    #[error("there is no group `{name}`")]
+    NoGroup {
+        /// The name.
+        name: String,
+    },
+    /// An agent has been removed, by an exit or by the program.
+    #[error("the agent has been removed: ids of agents that leave name nobody any more")]
+    Gone,
     /// Two agents with the same number.
     #[error("the number {number} is taken: numbers name agents and must differ")]
     NumberTaken {

@@ -14,6 +14,7 @@ pub(crate) enum Purpose {
     CandidateAlong,
     Behaviour,
     Noise,
+    Rules,
 }
 
 fn mix(mut z: u64) -> u64 {

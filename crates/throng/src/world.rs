@@ -18,7 +18,9 @@ mod order;
 mod perceive;
 mod plan;
 mod plan_lanes;
+mod play;
 mod queue;
+mod replace;
 mod rest;
 mod schedule;
 mod snapshot;
@@ -41,6 +43,7 @@ use crate::space::{Place, Walls};
 use crate::steer::{Event, Neighbour};
 use crate::summary::{Counts, Ended, Summary, Tally};
 use glam::DVec2;
+use play::Game;
 use schedule::Schedule;
 use serde::{Deserialize, Serialize};
 use standoff::Standoff;
@@ -99,6 +102,7 @@ pub struct World {
     standoffs: Vec<Standoff>,
     /// What happened lately, for those who steer.
     events: Vec<Event>,
+    game: Game,
     /// Box of the ground that ways are planned on where no walkable area bounds it. Not made anew when needed:
     /// meshes of the same ground at another time would differ.
     extent: Option<(DVec2, DVec2)>,
@@ -165,7 +169,7 @@ struct StepMemory {
 }
 
 impl World {
-    /// Moves everybody on by one time step.
+    /// Moves everybody on by one time step; then it is the [rules'](crate::Rules) turn, if there are any.
     pub fn step(&mut self) {
         self.step_in_stages(|_| ());
     }
@@ -183,6 +187,7 @@ impl World {
             ended(Stage::Move);
         }
         self.steps += 1;
+        self.play();
     }
 
     /// Seconds of each of the parts that a step is divided into.
@@ -373,7 +378,7 @@ impl World {
         self.tally.summarise(trips.collect(), summary)
     }
 
-    /// A hash of the state of all agents: the same for the same bits, whatever the order of rows. FNV-1a, 64 bits.
+    /// A hash of the state of all agents and of the rules' figures: the same for the same bits, whatever the order of rows. FNV-1a, 64 bits.
     pub fn state_hash(&self) -> u64 {
         let agents = &self.agents;
         let mut rows: Vec<usize> = (0..agents.len()).collect();
@@ -398,8 +403,10 @@ impl World {
             let air = [agents.altitude[row], agents.climb[row]].into_iter().filter(|&z| z != 0.0);
             words.into_iter().chain(air.map(f32::to_bits))
         });
+        let figures = self.game.figures.iter().flat_map(|figure| figure.to_le_bytes());
         words
             .flat_map(u32::to_le_bytes)
+            .chain(figures)
             .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
     }
 }

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::moment;
 use crate::progress::{Progress, share};
-use crate::report::figures;
+use crate::report::{figures, number};
 use crate::source::Loaded;
 use crate::threads::Workers;
 use serde_json::{Map, Value, json};
@@ -93,6 +93,7 @@ impl Run {
         let mut figures = figures(&self.world.summary(), self.stepping);
         let rate = figures["agent_steps_per_second"].as_f64();
         figures.insert("us_per_agent_step".into(), json!(rate.map(|rate| 1e6 / rate)));
+        figures.extend(self.world.figures().map(|(name, value)| (format!("figures.{name}"), number(value))));
         figures.insert("interrupted".into(), json!(!self.over()));
         Outcome { model: self.model, seed: self.seed, figures, series: self.series }
     }

@@ -96,6 +96,28 @@ const CASES: &[Case] = &[
         code: 2,
     },
     Case {
+        what: "Rules that nobody knows",
+        files: &[("scene.toml", "rules = \"socer\"\n[[group]]\nplace.point = [0, 0]\n")],
+        command: "throng check scene.toml",
+        code: 2,
+    },
+    Case {
+        what: "Rules that do not fit the scene",
+        files: &[("scene.toml", "rules = \"soccer\"\n[[group]]\nplace.point = [0, 0]\n")],
+        command: "throng check scene.toml",
+        code: 2,
+    },
+    Case {
+        what: "A figure that the rules do not keep",
+        files: &[(
+            "scene.toml",
+            "rules = \"multiple-pursuit\"\n[[group]]\nname = \"wanderer\"\nplace.point = [0, 0]\n[[group]]\nname = \"pack\"\n\
+             place.point = [9, 0]\n[expect]\nfigure = [{ of = \"goals\", at_least = 1 }]\n",
+        )],
+        command: "throng check scene.toml",
+        code: 2,
+    },
+    Case {
         what: "A behaviour about somebody who is not there",
         files: &[(
             "scene.toml",

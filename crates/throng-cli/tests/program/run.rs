@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::path::Path;
 
 /// The keys of `--json` in their order: they are documented and stay.
-const KEYS: [&str; 24] = [
+const KEYS: [&str; 25] = [
     "scene",
     "agents",
     "arrived",
@@ -22,6 +22,7 @@ const KEYS: [&str; 24] = [
     "course_change_deg_per_s",
     "steps",
     "agent_steps_per_second",
+    "figures",
     "expect",
     "sub_steps",
     "least_wall_separation",

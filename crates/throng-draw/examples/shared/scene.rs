@@ -82,5 +82,5 @@ pub fn moment(k: usize) -> Frame {
             status: if there { Status::Arrived } else { Status::Walking },
         });
     }
-    Frame { time, bodies, accounts: Vec::new(), arrived: 6, total: 63 }
+    Frame { time, bodies, arrived: 6, total: 63, ..Frame::default() }
 }

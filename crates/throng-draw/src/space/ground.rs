@@ -5,7 +5,7 @@ use super::viewpoint::Extent;
 use crate::Style;
 use crate::legend::round_length;
 use crate::mark::{Mark, Stroke};
-use crate::place::spots_to_go;
+use crate::place::{LINE, spots_to_go};
 use crate::style::Theme;
 use crate::trail::{End, Trail};
 use glam::{DVec2, DVec3};
@@ -28,6 +28,8 @@ const ROUND: usize = 28;
 #[derive(Clone, Debug)]
 pub(super) struct Ground {
     walkable: Vec<Walkable>,
+    /// Markings.
+    lines: Vec<Vec<DVec2>>,
     /// Areas to go to, and how strongly they are filled.
     areas: Vec<(Vec<DVec2>, f32)>,
     /// Points to go to, and how near.
@@ -51,6 +53,7 @@ impl Ground {
         let spots = spots_to_go(setting, first).filter(|(at, near)| style.goals && at.is_finite() && near.is_finite());
         Self {
             walkable: setting.walkable.clone(),
+            lines: style.lines.clone(),
             areas: goals.iter().filter_map(shown).collect(),
             spots: spots.collect(),
             theme: style.theme.clone(),
@@ -71,6 +74,13 @@ impl Ground {
             marks.extend([Mark::Area { rings, fill: theme.ground }, edge]);
         }
         marks.push(Mark::Trails(self.grid(lens, unit)));
+        for line in &self.lines {
+            let stroke = Stroke::plain(LINE * unit, theme.edge);
+            let ends = line
+                .windows(2)
+                .filter_map(|ends| Some((lens.pixel(ends[0].extend(0.0))?, lens.pixel(ends[1].extend(0.0))?)));
+            marks.extend(ends.map(|(a, b)| Mark::Line { points: vec![a, b], closed: false, stroke }));
+        }
         for (corners, tint) in &self.areas {
             let points = flat(corners);
             marks.push(Mark::Area { rings: vec![points.clone()], fill: theme.goal.alpha(*tint) });

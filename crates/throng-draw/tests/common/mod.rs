@@ -42,7 +42,7 @@ pub fn moment(k: usize) -> Frame {
     };
     let bodies =
         vec![body(0, 0, DVec2::new(-5.0 + time, 1.0), Vec2::X), body(1, 1, DVec2::new(5.0 - time, -1.0), Vec2::NEG_X)];
-    Frame { time, bodies, accounts: Vec::new(), arrived: 0, total: 2 }
+    Frame { time, bodies, total: 2, ..Frame::default() }
 }
 
 /// The bytes of a picture, three a pixel.

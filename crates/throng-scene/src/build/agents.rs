@@ -4,6 +4,7 @@ use super::size::Size;
 use super::steer::vehicle;
 use crate::random::{Purpose, Random};
 use crate::scene::{self, Avoid, Group, Neighbours, Number, Scene};
+use glam::Vec2;
 use std::sync::Arc;
 use throng::Agent;
 use throng::avoid::{Avo, BuiltFrom, ClearPath, Hrvo, LocalModel, Orca, Orca3d, Rvo, RvoLab, Search, Unavoiding, Vo};
@@ -60,9 +61,16 @@ impl Draw<'_> {
         // the vehicles of those who steer have limits of their own
         let max_acceleration = if steers { f32::INFINITY } else { standard.max_acceleration };
         let optional = |purpose, number: &Option<Number>| number.map(|number| self.number(k, purpose, &number) as f32);
+        let heading = optional(Purpose::Heading, &group.heading).map(f32::to_radians);
+        let start_speed = optional(Purpose::StartSpeed, &group.start_speed).unwrap_or(0.0);
+        let ahead = heading.map_or(Vec2::ZERO, |heading| {
+            let (sin, cos) = libm::sincosf(heading);
+            Vec2::new(cos, sin)
+        });
         let bits = |layers: &[u8]| layers.iter().fold(0u32, |bits, layer| bits | 1 << u32::from(*layer).min(31));
         Agent {
-            heading: optional(Purpose::Heading, &group.heading).map(f32::to_radians),
+            heading,
+            velocity: ahead * start_speed,
             preferred_speed: preferred.min(max),
             max_speed: max,
             max_acceleration: optional(Purpose::Acceleration, &group.acceleration).unwrap_or(max_acceleration),

@@ -378,6 +378,14 @@ fn check_view(view: &View) -> Checked {
     for (i, pixels) in view.size.iter().flatten().enumerate() {
         check(&path.key("size").index(i), f64::from(*pixels), Limit::Between(16.0, 16384.0))?;
     }
+    for (i, line) in view.lines.iter().enumerate() {
+        let path = path.key("lines").index(i);
+        check_points(&path, line)?;
+        if line.len() < 2 {
+            let message = format!("a line with {} point", line.len());
+            return Err(Problem::new(&path, Kind::Geometry, message).hint("a line has at least two points"));
+        }
+    }
     if let Some(camera) = &view.camera {
         check_camera(&path.key("camera"), camera)?;
     }

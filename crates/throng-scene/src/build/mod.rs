@@ -10,6 +10,7 @@ mod limits;
 mod movers;
 mod place;
 mod plan;
+mod rules;
 mod size;
 mod steer;
 mod surface;

@@ -69,8 +69,8 @@ impl Scene {
         let built = self.built(&plan, &groups, &goals);
         let mut unturned = vec![];
         world.reserve(plan.agents.len());
-        for planned in plan.agents {
-            let mut agent = planned.agent;
+        for planned in &plan.agents {
+            let mut agent = planned.agent.clone();
             agent.group = groups[planned.group];
             agent.script = planned.script.map(|script| scripts[script]);
             agent.journey = planned.journey.map_or(JourneyId::STAY, |journey| journeys[journey]);
@@ -90,6 +90,7 @@ impl Scene {
         }
         self.check_long_bodies(&world, &built)?;
         world.face_ways(&unturned);
+        super::rules::begin(self, &plan, &built, &mut world).map_err(|problem| self.explain(problem))?;
         Ok((world, built))
     }
 

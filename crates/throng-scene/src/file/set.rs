@@ -44,6 +44,7 @@ impl Scene {
         let mut changed: Self = document.read()?;
         changed.origin.folder.clone_from(&self.origin.folder);
         changed.behaviours.clone_from(&self.behaviours);
+        changed.rulebook.clone_from(&self.rulebook);
         changed.origin.document = Some(Arc::new(document));
         *self = changed;
         Ok(())

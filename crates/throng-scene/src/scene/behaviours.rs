@@ -1,9 +1,10 @@
 //! Behaviours that a program adds to those of scene files.
 
-use glam::DVec2;
+use super::Cast;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
+use throng::Error;
 use throng::steer::Branch;
 
 /// Behaviours by name, for `steer.custom = "name"`: how a scene uses a behaviour that a program brings along.
@@ -33,7 +34,7 @@ use throng::steer::Branch;
 ///     steer.priority = [{ custom = "climb" }, { wander = {} }]
 /// "#
 /// .parse()?;
-/// scene.behaviours.add("climb", |_| Climb { height: 3.0 }.into());
+/// scene.behaviours.add("climb", |_| Ok(Climb { height: 3.0 }.into()));
 /// let (mut world, _) = scene.build()?;
 /// (0..100).for_each(|_| world.step());
 /// assert!(world.agents().altitude[0] > 2.9);
@@ -42,13 +43,17 @@ use throng::steer::Branch;
 #[derive(Clone, Default)]
 pub struct Behaviours(BTreeMap<String, Make>);
 
-/// Makes a behaviour in a world of this origin.
-type Make = Arc<dyn Fn(DVec2) -> Branch + Send + Sync>;
+/// Makes a behaviour for a scene.
+type Make = Arc<dyn Fn(&Cast<'_>) -> Result<Branch, Error> + Send + Sync>;
 
 impl Behaviours {
-    /// Adds a behaviour, or takes the place of the one of this name. `make` is told the world's origin, metres: what
-    /// behaviours see is relative to it ([`throng::Settings::origin`]).
-    pub fn add(&mut self, name: impl Into<String>, make: impl Fn(DVec2) -> Branch + Send + Sync + 'static) {
+    /// Adds a behaviour, or takes the place of the one of this name. `make` is told who and what is in the
+    /// scene; what it misses there it says.
+    pub fn add(
+        &mut self,
+        name: impl Into<String>,
+        make: impl Fn(&Cast<'_>) -> Result<Branch, Error> + Send + Sync + 'static,
+    ) {
         self.0.insert(name.into(), Arc::new(make));
     }
 
@@ -57,9 +62,9 @@ impl Behaviours {
         self.0.keys().map(String::as_str)
     }
 
-    /// The behaviour of this name in a world of this origin.
-    pub(crate) fn make(&self, name: &str, origin: DVec2) -> Option<Branch> {
-        self.0.get(name).map(|make| make(origin))
+    /// The behaviour of this name, made for a scene.
+    pub(crate) fn make(&self, name: &str, cast: &Cast<'_>) -> Option<Result<Branch, Error>> {
+        self.0.get(name).map(|make| make(cast))
     }
 }
 

@@ -46,6 +46,9 @@ pub struct Expect {
     /// How much groups go one way, or face it at rest: the length of the mean direction, 0 (any way) to 1 (all the same).
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub order: Vec<GroupExpect>,
+    /// What the rules of the game count.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub figure: Vec<FigureExpect>,
 }
 
 impl Expect {
@@ -112,6 +115,26 @@ pub struct GroupExpect {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_least: Option<f64>,
     /// At most so much. Limit: >= 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_most: Option<f64>,
+    /// When.
+    #[serde(default, skip_serializing_if = "When::is_end")]
+    pub when: When,
+    /// From when on, seconds. Limit: >= 0.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub after: f64,
+}
+
+/// A figure of the rules.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FigureExpect {
+    /// Its name.
+    pub of: String,
+    /// At least so much. Limit: finite.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_least: Option<f64>,
+    /// At most so much. Limit: finite.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_most: Option<f64>,
     /// When.

@@ -62,6 +62,10 @@ pub struct Group {
     /// What they steer by, instead of walking along their ways.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steer: Option<Steer>,
+    /// How fast those who steer are at the start, along their `heading`, m/s. Without it, they stand. Limit: >= 0, at most
+    /// 1000.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start_speed: Option<Number>,
     /// What the bodies of those who steer can do; speed, acceleration and turning follow from it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vehicle: Option<Vehicle>,
@@ -110,6 +114,7 @@ impl Default for Group {
             layers: first_layer(),
             avoids: None,
             steer: None,
+            start_speed: None,
             vehicle: None,
             keep_right: None,
             detour: None,

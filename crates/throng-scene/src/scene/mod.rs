@@ -4,6 +4,7 @@ mod annotate;
 mod avoid;
 mod behaviours;
 mod body;
+mod cast;
 mod expect;
 mod goal;
 mod ground;
@@ -14,6 +15,7 @@ mod neighbours;
 mod number;
 mod obstacle;
 mod place;
+mod rulebook;
 mod schema;
 mod source;
 pub mod steer;
@@ -26,7 +28,8 @@ pub use annotate::{Annotate, Annotation};
 pub use avoid::{Avo, Avoid, BuiltFrom, Clearpath, Hrvo, Orca, Orca3d, Rvo, RvoLab, Unavoiding, Vo};
 pub use behaviours::Behaviours;
 pub use body::{Body, Sides};
-pub use expect::{Arrived, DistanceExpect, Expect, FlowExpect, GroupExpect, To, When};
+pub use cast::Cast;
+pub use expect::{Arrived, DistanceExpect, Expect, FigureExpect, FlowExpect, GroupExpect, To, When};
 pub use goal::{AirGoal, Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
 pub use ground::{Area, Rectangle, Region, Walkable};
 pub use group::{Group, Speed};
@@ -36,6 +39,7 @@ pub use neighbours::Neighbours;
 pub use number::{Normal, Number};
 pub use obstacle::{As, Circle, Obstacle, Shape};
 pub use place::{DiscPlace, Grid, Line, Place, PolygonPlace, RectanglePlace, Ring, Sphere, WalkablePlace};
+pub use rulebook::Rulebook;
 pub use schema::schema;
 pub use source::Source;
 pub use steer::Steer;
@@ -90,6 +94,9 @@ pub struct Scene {
     /// What moves by itself.
     #[serde(default, rename = "mover", skip_serializing_if = "Vec::is_empty")]
     pub movers: Vec<Mover>,
+    /// The name of the rules of its game. Without it, agents do what they do by themselves.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rules: Option<String>,
     /// How pictures of it look.
     #[serde(default, skip_serializing_if = "View::is_default")]
     pub view: View,
@@ -100,6 +107,10 @@ pub struct Scene {
     #[serde(skip)]
     #[schemars(skip)]
     pub behaviours: Behaviours,
+    /// The rules that it can name: the gallery's, and what a program brings along. Not part of what the scene says either.
+    #[serde(skip)]
+    #[schemars(skip)]
+    pub rulebook: Rulebook,
     /// Where it was read from: what relative file names and the places of errors refer to. Not part of what the
     /// scene says: scenes that differ only in this are equal.
     #[serde(skip)]
@@ -124,9 +135,11 @@ impl Default for Scene {
             paths: vec![],
             groups: vec![],
             movers: vec![],
+            rules: None,
             view: View::default(),
             expect: Expect::default(),
             behaviours: Behaviours::default(),
+            rulebook: Rulebook::default(),
             origin: Origin::default(),
         }
     }

@@ -43,6 +43,9 @@ pub struct View {
     /// Length of the trails, seconds. Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub trails: Option<f64>,
+    /// Lines on the ground, each a list of at least 2 points: the markings of a field, lanes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub lines: Vec<Vec<Point>>,
     /// Whether goals are drawn.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub goals: Option<bool>,

@@ -1,7 +1,7 @@
-//! What a group shows as time goes by: distances, speeds, order.
+//! What a group shows as time goes by: distances, speeds, order; and the figures of a game.
 
 use super::{Check, Figure, at_least, at_most, nanometres};
-use crate::scene::{DistanceExpect, Expect, GroupExpect, To, When};
+use crate::scene::{DistanceExpect, Expect, FigureExpect, GroupExpect, To, When};
 use glam::DVec3;
 use throng::World;
 
@@ -27,6 +27,8 @@ enum What {
     DistanceFrom(usize),
     Speed,
     Order,
+    /// Of the rules, by name.
+    Figure(String),
 }
 
 impl Gauge {
@@ -52,7 +54,11 @@ impl Gauge {
         });
         let speeds = expect.speed.iter().enumerate().map(|(i, said)| gauge("speed", i, What::Speed, said));
         let orders = expect.order.iter().enumerate().map(|(i, said)| gauge("order", i, What::Order, said));
-        distances.chain(speeds).chain(orders).collect()
+        let figures = expect.figure.iter().enumerate().map(|(i, said)| {
+            let FigureExpect { of, at_least, at_most, when, after } = said.clone();
+            gauge("figure", i, What::Figure(of), &GroupExpect { of: None, at_least, at_most, when, after })
+        });
+        distances.chain(speeds).chain(orders).chain(figures).collect()
     }
 
     /// Takes in the world after a step.
@@ -76,7 +82,8 @@ impl Gauge {
         }
     }
 
-    /// What the agents of the group show now, by their numbers; of order, the group under the number 0.
+    /// What the agents of the group show now, by their numbers; of order the group, and of figures the game, under the
+    /// number 0.
     fn now(&self, world: &World) -> Vec<(usize, f64)> {
         let agents = world.agents();
         let rows = |group: Option<usize>| {
@@ -90,13 +97,14 @@ impl Gauge {
             let all = rows(self.of).map(|row| (agents.number[row] as usize, value(row)));
             all.filter(|(_, value)| value.is_finite()).collect()
         };
-        match self.what {
-            What::DistanceTo(to) => each(&|row| place(row).distance(to)),
+        match &self.what {
+            What::DistanceTo(to) => each(&|row| place(row).distance(*to)),
             What::DistanceFrom(group) => each(&|row| {
-                let others = rows(Some(group)).filter(|&other| other != row);
+                let others = rows(Some(*group)).filter(|&other| other != row);
                 others.map(|other| place(row).distance(place(other))).fold(f64::INFINITY, f64::min)
             }),
             What::Speed => each(&|row| f64::from(agents.speed(row))),
+            What::Figure(name) => world.figure(name).map(|value| (0, value)).into_iter().collect(),
             What::Order => {
                 // in whole numbers, whose sums do not depend on the order of rows
                 let (mut sum, mut count) = ([0_i128; 3], 0_i128);

@@ -12,7 +12,7 @@ fn a_wrong_behaviour_is_named_with_its_place() {
             "a.toml:6:7: `sek` is not one of the choices here\n  6 | steer.sek = {{ target = \"goal\" }}\n    |       ^^^\n  \
              hint: did you mean `seek`? the choices here are: {}",
             "seek, flee, arrive, pursue, evade, offset_pursuit, shadow, interpose, keep_station, dock, wander, fractal_wander, \
-             explore, forage, face, look_where_you_go, fear, follow_flow, move_forward, target_speed, tether, separation, \
+             explore, forage, face, look_where_you_go, fear, head_for, constant_force, evade_all, slip_through, follow_flow, move_forward, target_speed, tether, separation, \
              alignment, cohesion, match_velocity, flocking, boids, avoid_neighbours, close_avoidance, unaligned_avoidance, \
              queue, follow_leader, keep_formation, weighted_sum, running_sum, priority, dithering, allocation, switch, \
              amortised, hold, irregular, limited, stop_and_wait, custom"

@@ -3,6 +3,7 @@
 mod cells;
 mod pathway;
 mod place;
+mod raster;
 mod rounded;
 mod shape;
 pub mod surface;
@@ -11,6 +12,7 @@ mod walls;
 pub(crate) use cells::Cells;
 pub use pathway::{OnPath, Pathway, Segment, Way};
 pub use place::{Place, check_polygon, is_inside};
+pub use raster::Raster;
 pub use rounded::{Core, Separation};
 pub use shape::{Obstacle, Walkable};
 pub use walls::{Disc, Edge, NearWalls, Walls, nearest_on_segment};

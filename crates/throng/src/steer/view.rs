@@ -80,6 +80,8 @@ pub struct View<'a> {
     pub others: &'a dyn Others,
     /// What happened lately.
     pub events: &'a [Event],
+    /// The figures of the world's [rules](crate::Rules), in their order.
+    pub figures: &'a [f64],
     /// Seconds since the start.
     pub time: f64,
     /// Seconds of the step, > 0.
@@ -100,6 +102,7 @@ impl Default for View<'_> {
             neighbours: &[],
             others: &(),
             events: &[],
+            figures: &[],
             time: 0.0,
             seconds: 0.02,
             dice: Dice::default(),

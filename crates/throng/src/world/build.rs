@@ -40,6 +40,7 @@ impl World {
             stranded: Vec::new(),
             standoffs: Vec::new(),
             events: Vec::new(),
+            game: super::play::Game::default(),
             extent: None,
             walls: Walls::default(),
             meshes: Meshes::default(),
@@ -306,7 +307,7 @@ impl World {
         stops.iter().position(|stop| !self.goals[stop.goal.index()].holds(place)).map(|leg| leg as u32)
     }
 
-    fn check(&self, agent: &Agent) -> Result<(), Error> {
+    pub(super) fn check(&self, agent: &Agent) -> Result<(), Error> {
         self.check_position("position", agent.position)?;
         check_altitude("altitude", agent.altitude.into())?;
         Error::unless_finite("velocity", f64::from(agent.velocity.x + agent.velocity.y))?;

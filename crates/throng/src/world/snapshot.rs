@@ -11,7 +11,7 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// Begins every saved state: what it is, and the version of its layout.
-const MAGIC: &[u8] = b"throng state 6\n";
+const MAGIC: &[u8] = b"throng state 7\n";
 
 /// Everything that changes while a world runs.
 #[derive(Serialize, Deserialize)]
@@ -30,12 +30,13 @@ struct State {
     stranded: Vec<(u32, Unreachable)>,
     standoffs: Vec<Standoff>,
     events: Vec<Event>,
+    figures: Vec<(String, f64)>,
     extent: Option<(DVec2, DVec2)>,
 }
 
 impl World {
     /// The whole state as bytes. A world that [loads](Self::load) them continues with the same bits. Groups are
-    /// kept by name only, since their models are code.
+    /// kept by name only, since their models are code; of [rules](crate::Rules), the figures.
     pub fn save(&self) -> Vec<u8> {
         let state = State {
             settings: self.settings,
@@ -52,17 +53,18 @@ impl World {
             stranded: self.stranded.clone(),
             standoffs: self.standoffs.clone(),
             events: self.events.clone(),
+            figures: self.game.saved(),
             extent: self.extent,
         };
         // writing to memory cannot fail, and all types are serialisable
         postcard::to_extend(&state, MAGIC.to_vec()).unwrap_or_default()
     }
 
-    /// Puts the world into a [saved](Self::save) state. The world must have the same groups, by name: one built
-    /// from the same scene has.
+    /// Puts the world into a [saved](Self::save) state. The world must have the same groups, by name, and
+    /// rules with the same figures: one built from the same scene has.
     ///
     /// # Errors
-    /// [`Error::Snapshot`] if the bytes are not a saved state or the groups differ; the world is as it was.
+    /// [`Error::Snapshot`] if the bytes are not a saved state or groups or rules differ; the world is as it was.
     pub fn load(&mut self, bytes: &[u8]) -> Result<(), Error> {
         let fail = |why: String| Error::Snapshot { why };
         let body = bytes.strip_prefix(MAGIC).ok_or_else(|| fail("it begins with something else".into()))?;
@@ -70,6 +72,11 @@ impl World {
         let names: Vec<&String> = self.groups.iter().map(|group| &group.name).collect();
         if !names.iter().copied().eq(&state.groups) {
             return Err(fail(format!("its groups are {:?}, this world's {names:?}", state.groups)));
+        }
+        if !self.game.has(state.figures.iter().map(|(name, _)| name)) {
+            let names = |all: &[(String, f64)]| all.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+            let (saved, own) = (names(&state.figures), names(&self.game.saved()));
+            return Err(fail(format!("its rules have the figures {saved:?}, this world's {own:?}")));
         }
         if !state.agents.is_whole() {
             return Err(fail("its columns differ in length".into()));
@@ -92,6 +99,7 @@ impl World {
         self.stranded = state.stranded;
         self.standoffs = state.standoffs;
         self.events = state.events;
+        self.game.figures = state.figures.into_iter().map(|(_, value)| value).collect();
         self.extent = state.extent;
         self.prepare_all_meshes();
         Ok(())

@@ -208,6 +208,7 @@ impl World {
             neighbours,
             others: self,
             events: &self.events,
+            figures: &self.game.figures,
             time: now - f64::from(seconds),
             seconds,
             dice: self.dice(row),

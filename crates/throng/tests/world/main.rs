@@ -25,6 +25,7 @@ mod order;
 mod overlap;
 #[path = "../shared/polygons.rs"]
 mod polygons;
+mod rules;
 mod saved;
 mod scenes;
 mod space;

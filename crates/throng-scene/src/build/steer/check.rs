@@ -1,6 +1,6 @@
 //! What is wrong with what a group says of steering, before anything is made of it.
 
-use super::super::limits::{Limit, check};
+use super::super::limits::{Limit, check, check_number};
 use super::{refused, vehicle};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
@@ -11,10 +11,16 @@ use toml::Value;
 /// they can be, and that numbers are finite.
 pub fn check_steering(path: &Path, group: &Group) -> Result<(), Problem> {
     let Some(steer) = &group.steer else {
-        return match group.vehicle {
-            None => Ok(()),
-            Some(_) => Err(Problem::new(&path.key("vehicle"), Kind::Conflict, "only those who steer have a vehicle")
-                .hint("say what they steer by: steer.wander = {}")),
+        return match (&group.vehicle, &group.start_speed) {
+            (None, None) => Ok(()),
+            (None, Some(_)) => {
+                Err(Problem::new(&path.key("start_speed"), Kind::Conflict, "only those who steer have a start_speed")
+                    .hint("say what they steer by: steer.wander = {}"))
+            }
+            (Some(_), _) => {
+                Err(Problem::new(&path.key("vehicle"), Kind::Conflict, "only those who steer have a vehicle")
+                    .hint("say what they steer by: steer.wander = {}"))
+            }
         };
     };
     let mends = [
@@ -27,6 +33,14 @@ pub fn check_steering(path: &Path, group: &Group) -> Result<(), Problem> {
         if said {
             let message = format!("{key} is for those who walk; those who steer move as their vehicles can");
             return Err(Problem::new(&path.key(key), Kind::Conflict, message).hint(mend));
+        }
+    }
+    if let Some(speed) = &group.start_speed {
+        let path = path.key("start_speed");
+        check_number(&path, speed, Limit::Between(0.0, 1000.0))?;
+        if group.heading.is_none() {
+            let message = "start_speed without a heading";
+            return Err(Problem::new(&path, Kind::Conflict, message).hint("say where they face: heading = 90"));
         }
     }
     if let Ok(tree) = Value::try_from(steer) {

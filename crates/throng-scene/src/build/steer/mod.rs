@@ -6,17 +6,20 @@ mod check;
 mod combine;
 mod group;
 mod single;
+mod slip;
 mod target;
 mod vehicle;
 
 pub(super) use check::check_steering;
 pub(super) use vehicle::vehicle;
 
+use super::{ground, surface};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
+use crate::games;
 use crate::geometry::DVec2;
 use crate::scene::steer::{Custom, Steer};
-use crate::scene::{Group, Scene};
+use crate::scene::{Cast, Group, Scene};
 use std::ops::Range;
 use throng::steer::Branch;
 
@@ -75,6 +78,10 @@ impl Making<'_> {
             Steer::Face(of) => ("face", of),
             Steer::LookWhereYouGo(of) => ("look_where_you_go", of),
             Steer::Fear(of) => ("fear", of),
+            Steer::HeadFor(of) => ("head_for", of),
+            Steer::ConstantForce(of) => ("constant_force", of),
+            Steer::EvadeAll(of) => ("evade_all", of),
+            Steer::SlipThrough(of) => ("slip_through", of),
             Steer::FollowFlow(of) => ("follow_flow", of),
             Steer::MoveForward(of) => ("move_forward", of),
             Steer::TargetSpeed(of) => ("target_speed", of),
@@ -114,13 +121,23 @@ impl Making<'_> {
 impl Make for Custom {
     fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
         let behaviours = &making.scene.behaviours;
-        behaviours.make(&self.0, making.origin).ok_or_else(|| {
+        let named: Vec<_> = making.named.iter().map(|named| (named.name.as_str(), named.numbers.clone())).collect();
+        let paths = surface::paths(making.scene, making.origin)?;
+        let paths: Vec<_> = making.scene.paths.iter().map(|path| path.name.as_str()).zip(paths).collect();
+        let obstacles = ground::obstacles(making.scene)?;
+        let cast = Cast { origin: making.origin, obstacles: &obstacles, named: &named, paths: &paths };
+        let made = behaviours.make(&self.0, &cast).or_else(|| games::behaviours().make(&self.0, &cast));
+        let made = made.map(|made| {
+            let refused = |error| Problem::new(at, Kind::World, format!("behaviour `{}`: {error}", self.0));
+            made.map_err(refused)
+        });
+        made.unwrap_or_else(|| {
             let known: Vec<&str> = behaviours.names().collect();
             let hint = match known[..] {
                 [] => "programs add behaviours to a scene by `Scene::behaviours`; this one has added none".to_owned(),
                 _ => format!("this program has added: {}", known.join(", ")),
             };
-            Problem::new(at, Kind::UnknownKey, format!("there is no behaviour `{}`", self.0)).hint(hint)
+            Err(Problem::new(at, Kind::UnknownKey, format!("there is no behaviour `{}`", self.0)).hint(hint))
         })
     }
 }

@@ -17,12 +17,14 @@ mod combine;
 mod group;
 mod position;
 mod single;
+mod slip;
 mod target;
 
 pub use combine::*;
 pub use group::*;
 pub use position::Position;
 pub use single::*;
+pub use slip::*;
 pub use target::{Member, Target, Who};
 
 use schemars::JsonSchema;
@@ -79,6 +81,14 @@ pub enum Steer {
     LookWhereYouGo(LookWhereYouGo),
     /// Away from what happened, until it is forgotten.
     Fear(Fear),
+    /// Turns to a direction.
+    HeadFor(HeadFor),
+    /// Presses with a force that is always the same.
+    ConstantForce(ConstantForce),
+    /// Away from where all of them will be.
+    EvadeAll(EvadeAll),
+    /// Past those who defend a target.
+    SlipThrough(SlipThrough),
     /// With a flow (Reynolds 1999).
     FollowFlow(FollowFlow),
     /// Presses ahead.

@@ -139,6 +139,16 @@ parameters! {
     /// Turns to where it goes: nothing to say.
     #[derive(Default)]
     LookWhereYouGo {}
+    /// Turns to a direction, and leaves it to others how fast it goes.
+    HeadFor {
+        /// The direction, degrees counter-clockwise from +x.
+        heading: f64,
+        /// How far upwards, degrees. Without it, level. Limit: -90 to 90.
+        pitch: Option<f64>,
+        /// How great the difference of the two directions is, 0 to 2, from which it has all of the force. Without it, 0.2.
+        /// Limit: >= 0.
+        full: Option<f64>,
+    }
     /// Goes away from events (`World::notify`) near it; the less the longer ago and the farther off they are.
     Fear {
         /// How far off events frighten, metres. Limit: > 0.
@@ -203,6 +213,10 @@ parameters! {
         speed: f64,
     }
 }
+
+/// Presses with a force that is always the same, newtons.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ConstantForce(pub Position);
 
 /// How many seconds ahead somebody's place is predicted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -1,5 +1,6 @@
 //! Behaviours that ask the world's geometry: obstacles, containers, walls, paths.
 
+mod avoid_map;
 mod avoid_obstacles;
 mod barriers;
 mod contain;
@@ -11,6 +12,7 @@ mod hide;
 mod stay_on_path;
 mod whiskers;
 
+pub use avoid_map::AvoidMap;
 pub use avoid_obstacles::AvoidObstacles;
 pub use barriers::Barriers;
 pub use contain::Contain;
