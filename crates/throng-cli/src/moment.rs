@@ -1,13 +1,25 @@
 //! The world as files show it.
 
+use glam::DVec2;
 use throng::World;
-use throng_record::{Frame, Setting};
+use throng::space::surface::Bounds;
+use throng_record::{Frame, Setting, Shell};
+use throng_scene::Built;
 
 /// The place and the names. The group every world has from the start is left out: no scene puts anybody into it.
-pub fn setting(world: &World, title: &str) -> Setting {
+pub fn setting(world: &World, built: &Built, title: &str) -> Setting {
     let mut setting = Setting::of(world, title);
     setting.groups.remove(0);
+    setting.shells = built.surfaces.iter().map(|surface| Shell::of(surface, &room(built, setting.origin))).collect();
+    setting.paths.clone_from(&built.paths);
     setting
+}
+
+/// In which part of space surfaces without end are shown: round everything else, as high as that is wide.
+fn room(built: &Built, origin: DVec2) -> Bounds {
+    let [low, high] = built.bounds.map(|corner| (corner - origin).as_vec2());
+    let side = (high - low).max_element().max(10.0);
+    Bounds { low: low.extend(-side), high: high.extend(side) }
 }
 
 /// Makes `frame` show the world as it is now; groups are counted as in [`setting`].

@@ -62,7 +62,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     }
     let style = Style { annotations, ..args.film.look.style(scene, built.bounds)? };
     let plan = Plan {
-        setting: &moment::setting(&world, loaded.title()),
+        setting: &moment::setting(&world, &built, loaded.title()),
         style: &style,
         rate: args.film.rate(scene),
         speed_up: args.film.speed_up,

@@ -128,6 +128,10 @@ impl Surface for Mesh {
         Some(hit.of_solid(if hit.distance > 0.0 { towards } else { !there.is_inside() }))
     }
 
+    fn facets(&self, _: &Bounds) -> Vec<Vec<Vec3>> {
+        self.triangles.iter().map(|corners| corners.map(|i| self.points[i as usize]).to_vec()).collect()
+    }
+
     fn bounds(&self) -> Bounds {
         self.bvh.bounds()
     }

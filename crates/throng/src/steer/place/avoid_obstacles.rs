@@ -79,6 +79,7 @@ impl Behaviour for AvoidObstacles {
             let side = course.basis.to_world(Vec3::new(0.0, side[0], side[1]));
             (*left > 0.0 && *which == (index + 1) as f32).then_some(side)
         };
+        why.note(|| Reason::Feels(view.position() + course.basis.forward * course.reach));
         let here = self.barriers.nearest(view.position()).map(|here| (here.point, here.free()));
         let Some((index, hit)) = self.ahead(view, &course, course.basis.forward) else {
             // who turned back to its goal at once would meet the same obstacle again

@@ -59,14 +59,16 @@ impl Behaviour for Contain {
     fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
         let course = Course::new(view, self.gap, self.seconds);
         let basis = course.basis;
-        let probe = |axis, angle, part: f32| {
-            let reach = course.reach * part;
-            let hit = self.barrier.ahead(view.position(), turned(basis.forward, axis, angle), course.radius, reach)?;
+        let mut probe = |axis, angle, part: f32| {
+            let (reach, direction) = (course.reach * part, turned(basis.forward, axis, angle));
+            why.note(|| Reason::Feels(view.position() + direction * reach));
+            let hit = self.barrier.ahead(view.position(), direction, course.radius, reach)?;
             Some((hit, 1.0 - hit.distance / reach.max(f32::MIN_POSITIVE)))
         };
         let axes = if view.is_on_ground() { &[basis.up][..] } else { &[basis.up, basis.side] };
-        let beside = axes.iter().flat_map(|&axis| [self.angle, -self.angle].map(|angle| probe(axis, angle, 0.5)));
-        let hits: Vec<_> = beside.chain([probe(basis.side, 0.0, 1.0)]).flatten().collect();
+        let beside = axes.iter().flat_map(|&axis| [self.angle, -self.angle].map(|angle| (axis, angle, 0.5)));
+        let probes = beside.chain([(basis.side, 0.0, 1.0)]);
+        let hits: Vec<_> = probes.filter_map(|(axis, angle, part)| probe(axis, angle, part)).collect();
         let &(hit, urgency) = hits.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
         why.note(|| Reason::Expects(hit.point));
         if self.barrier.forbids(hit.vehicle_outside) {
