@@ -10,8 +10,9 @@ use throng_scene::Built;
 pub fn setting(world: &World, built: &Built, title: &str) -> Setting {
     let mut setting = Setting::of(world, title);
     setting.groups.remove(0);
-    setting.shells = built.surfaces.iter().map(|surface| Shell::of(surface, &room(built, setting.origin))).collect();
-    setting.paths.clone_from(&built.paths);
+    let room = room(built, setting.origin);
+    setting.shells = built.surfaces.iter().map(|(_, surface)| Shell::of(surface, &room)).collect();
+    setting.paths = built.paths.iter().map(|(_, path)| path.clone()).collect();
     setting
 }
 

@@ -72,7 +72,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let paths = files.paths().to_vec();
 
     let step = scene.time.step;
-    let mut watch = Watch::new(&scene.expect, &world);
+    let mut watch = Watch::new(&scene.expect, &world, &built);
     let progress = Progress::new(args.quiet);
     let mut stepping = Duration::ZERO;
     files.push(0.0, step, |frame| moment::capture(&world, frame))?;

@@ -5,8 +5,8 @@ use throng_scene::{Arrived, As, Scene, Shape, Verdict, Watch, gallery};
 
 /// Runs a scene to its end.
 fn run(scene: &Scene) -> Verdict {
-    let (mut world, _) = scene.build().unwrap_or_else(|error| panic!("{error}"));
-    let mut watch = Watch::new(&scene.expect, &world);
+    let (mut world, built) = scene.build().unwrap_or_else(|error| panic!("{error}"));
+    let mut watch = Watch::new(&scene.expect, &world, &built);
     while !scene.time.over(&world) {
         world.step();
         watch.step(&world);

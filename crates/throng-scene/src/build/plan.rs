@@ -154,7 +154,7 @@ impl Scene {
         let named: Vec<Named> = named.collect();
         let one = |(i, group): (usize, &Group)| {
             let making = Making { scene: self, origin, named: &named, around, group: i };
-            Ok(shared(group, named[i].name.clone(), making.steering()?))
+            Ok(shared(group, named[i].name.clone(), making.steering()?, origin))
         };
         let groups: Vec<throng::Group> = self.groups.iter().enumerate().map(one).collect::<Result<_, Problem>>()?;
         Ok(groups.into_iter().chain(movers::groups(self)).collect())

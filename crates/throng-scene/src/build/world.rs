@@ -26,10 +26,10 @@ pub struct Built {
     pub walkable: Vec<throng::Walkable>,
     /// The obstacles, in the scene's order.
     pub obstacles: Vec<throng::Obstacle>,
-    /// Surfaces that behaviours steer by, in the scene's order, relative to the world's origin.
-    pub surfaces: Vec<Barrier<Arc<dyn Surface>>>,
-    /// Paths that behaviours steer by, in the scene's order, relative to the world's origin.
-    pub paths: Vec<Arc<Pathway>>,
+    /// Surfaces that behaviours steer by and their names, in the scene's order, relative to the world's origin.
+    pub surfaces: Vec<(String, Barrier<Arc<dyn Surface>>)>,
+    /// Paths that behaviours steer by and their names, in the scene's order, relative to the world's origin.
+    pub paths: Vec<(String, Arc<Pathway>)>,
     /// Lower left and upper right corner of all of it but surfaces and paths, metres.
     pub bounds: [DVec2; 2],
 }
@@ -118,8 +118,8 @@ impl Scene {
             goals: goals.iter().copied().zip(plan.goals.iter().cloned()).collect(),
             walkable: plan.walkable.clone(),
             obstacles: plan.obstacles.clone(),
-            surfaces: plan.surfaces.clone(),
-            paths: plan.paths.clone(),
+            surfaces: self.surfaces.iter().map(|said| said.name.clone()).zip(plan.surfaces.iter().cloned()).collect(),
+            paths: self.paths.iter().map(|said| said.name.clone()).zip(plan.paths.iter().cloned()).collect(),
             bounds: plan.bounds,
         }
     }

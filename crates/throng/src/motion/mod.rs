@@ -6,6 +6,7 @@ mod drive;
 mod heading;
 mod limits;
 mod vehicle;
+mod wrap_around;
 
 pub(crate) use angle::{angle, angles};
 pub(crate) use drive::{follow, followable};
@@ -14,4 +15,5 @@ pub(crate) use heading::wrap;
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};
 pub use vehicle::{Attitude, Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
+pub use wrap_around::WrapAround;
 pub(crate) use vehicle::{angle_between, part_in, turned, turned_towards};

@@ -132,6 +132,10 @@ impl World {
                 agents.velocity[row] = moved.velocity.truncate();
                 agents.climb.set(row, moved.velocity.z);
                 agents.attitude.set(row, moved.into());
+                if let Some(place) = group.wrap_around.and_then(|ball| ball.back(target.place())) {
+                    agents.position[row] = place.truncate();
+                    agents.altitude.set(row, place.z);
+                }
                 moved.basis.heading()
             } else if agents.is_disc(row) {
                 let facing = faces(agents.velocity[row], step.preferred.ground[row], agents.max_turn_rate[row]);

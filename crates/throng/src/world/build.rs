@@ -62,6 +62,13 @@ impl World {
         if let Some(steering) = &group.steering {
             steering.check()?;
             group.vehicle.check()?;
+            if let Some(wrap_around) = &group.wrap_around {
+                wrap_around.check()?;
+                if group.guard {
+                    let why = "it wraps around, where nobody can be certain: leave it without the guard".into();
+                    return Err(Error::Shape { what: "the group".into(), why });
+                }
+            }
             self.agents.memory.widen(steering.words());
         }
         self.groups.push(group);

@@ -13,7 +13,7 @@ mod vehicle;
 
 pub(super) use around::Around;
 pub(super) use check::check_steering;
-pub(super) use vehicle::vehicle;
+pub(super) use vehicle::{vehicle, wrap_around};
 
 use crate::error::Kind;
 use crate::file::{Path, Problem};
