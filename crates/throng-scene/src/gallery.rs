@@ -22,7 +22,11 @@ const GROUPS: &[(&str, Scenes)] = groups! {
     "walls": "corridor", "bottleneck", "doorway", "doorway-0.8", "doorway-0.6", "doorway-two-way", "narrow-corridor", "maze", "office";
     "steering": "seek-flee", "pursue-evade", "offset-pursuit", "arrival", "wander", "unaligned-avoidance", "queueing", "leader-following",
         "flocking", "boids", "interpose", "shadow", "docking", "explore", "formation", "noise", "multiple-pursuit", "low-speed-turn",
-        "flock-pedestrians";
+        "flock-pedestrians", "obstacle-avoidance", "path-following", "wall-following", "containment", "flow-field", "crowd-path", "hide",
+        "pedestrians", "walking-an-eight";
+    // the flocks of OpenSteer's demo, each with its own constraints
+    "flocks": "boids-open", "boids-in-sphere", "boids-between-spheres", "boids-in-sphere-spheres", "boids-spheres",
+        "boids-in-sphere-rectangle", "boids-rectangle", "boids-outside-box", "boids-in-box";
 };
 
 /// The groups of scenes: the name of each, and the names of its scenes.
