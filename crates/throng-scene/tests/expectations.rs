@@ -65,10 +65,13 @@ fn every_scene_says_what_the_project_promises() {
             continue;
         }
         let expect = scene.expect;
-        assert_eq!(expect.arrived, Some(Arrived::All), "{name}");
-        for least in [expect.least_separation, expect.least_wall_separation] {
-            assert!(least >= Some(0.9999), "{name}");
+        assert!(expect.least_separation >= Some(0.9999), "{name}");
+        assert!(!scene.surfaces.is_empty() || expect.least_wall_separation >= Some(0.9999), "{name}");
+        // those who steer along paths or in flocks arrive nowhere
+        if scene.groups.iter().all(|group| group.steer.is_some() && group.goal.is_none()) {
+            continue;
         }
+        assert_eq!(expect.arrived, Some(Arrived::All), "{name}");
         assert!(expect.heading_change.is_some_and(|most| most <= 30.0), "{name}");
         assert!(expect.within.is_some(), "{name}");
     }

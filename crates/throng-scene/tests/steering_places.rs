@@ -68,7 +68,8 @@ fn assert_steers(said: &str, expected: impl Into<Branch>) {
 }
 
 fn beat() -> Pathway {
-    Pathway::new(&[Vec3::new(-5.0, -5.0, 0.0), Vec3::new(5.0, 0.0, 0.0), Vec3::new(-5.0, 0.0, 0.0)], 1.0, false).unwrap()
+    Pathway::new(&[Vec3::new(-5.0, -5.0, 0.0), Vec3::new(5.0, 0.0, 0.0), Vec3::new(-5.0, 0.0, 0.0)], 1.0, false)
+        .unwrap()
 }
 
 #[test]
@@ -146,8 +147,18 @@ fn what_is_said_is_so() {
 #[test]
 fn mistakes_are_named() {
     for (said, kind, message, hint) in [
-        ("avoid_obstacles = { what = \"dom\" }", Kind::UnknownKey, "there is no surface or obstacle `dom`", "there is: dome, pillar"),
-        ("hide = { from = \"goal\", what = [\"pillar\", \"oak\"] }", Kind::UnknownKey, "no surface or obstacle `oak`", "dome, pillar"),
+        (
+            "avoid_obstacles = { what = \"dom\" }",
+            Kind::UnknownKey,
+            "there is no surface or obstacle `dom`",
+            "there is: dome, pillar",
+        ),
+        (
+            "hide = { from = \"goal\", what = [\"pillar\", \"oak\"] }",
+            Kind::UnknownKey,
+            "no surface or obstacle `oak`",
+            "dome, pillar",
+        ),
         ("follow_wall = { what = [] }", Kind::MissingKey, "this list of names is empty", "leave `what` away"),
         ("contain = { surface = \"pillar\" }", Kind::UnknownKey, "there is no surface `pillar`", "there is: dome"),
         ("follow_path = { path = \"round\" }", Kind::UnknownKey, "there is no path `round`", "there is: beat"),
@@ -162,9 +173,19 @@ fn mistakes_are_named() {
         ("stay_on_path = { path = \"beat\", horizon = -1 }", Kind::OutOfRange, "horizon is -1", ""),
         ("follow_wall = { offset = 0 }", Kind::OutOfRange, "offset is 0", ""),
         ("hide = { from = \"goal\", range = 0 }", Kind::OutOfRange, "range is 0", ""),
-        ("wander = {}\nwrap_around = { radius = 9 }\nguard = true", Kind::Conflict, "who wraps around cannot be guarded", "leave out `guard`"),
+        (
+            "wander = {}\nwrap_around = { radius = 9 }\nguard = true",
+            Kind::Conflict,
+            "who wraps around cannot be guarded",
+            "leave out `guard`",
+        ),
         ("wander = {}\nwrap_around = { radius = 0 }", Kind::OutOfRange, "radius is 0", ""),
-        ("wander = {}\nvehicle.kind = \"level\"\nwrap_around = { center = [0, 0, 5], radius = 9 }", Kind::OutOfRange, "must be from 9 to 20000", ""),
+        (
+            "wander = {}\nvehicle.kind = \"level\"\nwrap_around = { center = [0, 0, 5], radius = 9 }",
+            Kind::OutOfRange,
+            "must be from 9 to 20000",
+            "",
+        ),
     ] {
         let error = scene(said).plan().expect_err(said);
         let text = error.to_string();

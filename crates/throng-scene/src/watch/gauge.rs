@@ -117,7 +117,9 @@ impl Gauge {
                     SeenFrom::Both => distance.abs(),
                 })
             }),
-            What::DistanceToPath(ref path) => each(&|row| f64::from(path.nearest(local(row)).point.distance(local(row)))),
+            What::DistanceToPath(ref path) => {
+                each(&|row| f64::from(path.nearest(local(row)).point.distance(local(row))))
+            }
             What::DistanceFrom(group) => each(&|row| {
                 let others = rows(Some(group)).filter(|&other| other != row);
                 others.map(|other| place(row).distance(place(other))).fold(f64::INFINITY, f64::min)

@@ -15,5 +15,5 @@ pub(crate) use heading::wrap;
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};
 pub use vehicle::{Attitude, Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
-pub use wrap_around::WrapAround;
 pub(crate) use vehicle::{angle_between, part_in, turned, turned_towards};
+pub use wrap_around::WrapAround;

@@ -4,6 +4,7 @@ mod combine;
 mod group;
 mod harness;
 mod place;
+mod reasons;
 mod single;
 mod turned;
 mod vehicle;

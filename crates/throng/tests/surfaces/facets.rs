@@ -46,7 +46,14 @@ fn facets_enclose_the_solid() {
     let volume = 2.25 * PI * 3.0 + 1.125 * 4.0 * PI;
     near("capsule", check("capsule", &Capsule::new(rod.0, rod.1, 1.5).unwrap()), volume, 0.05);
     near("ball", check("ball", &Capsule::new(rod.0, rod.0, 1.5).unwrap()), 1.125 * 4.0 * PI, 0.05);
-    let angle = [Vec2::ZERO, Vec2::new(4.0, 0.0), Vec2::new(4.0, 1.0), Vec2::new(1.0, 1.0), Vec2::new(1.0, 3.0), Vec2::new(0.0, 3.0)];
+    let angle = [
+        Vec2::ZERO,
+        Vec2::new(4.0, 0.0),
+        Vec2::new(4.0, 1.0),
+        Vec2::new(1.0, 1.0),
+        Vec2::new(1.0, 3.0),
+        Vec2::new(0.0, 3.0),
+    ];
     let prism = Prism::new(&angle, -1.0, 2.0).unwrap();
     let turned = Pose::new(Vec3::new(3.0, 1.0, 0.0), Quat::from_rotation_x(0.7)).unwrap();
     let sum = |surface: &dyn Surface| surface.facets(&WITHIN).iter().map(|f| f[0].dot(normal(f)) / 6.0).sum::<f32>();

@@ -19,8 +19,10 @@ pub fn check_steering(path: &Path, group: &Group) -> Result<(), Problem> {
         ];
         return match says.into_iter().find(|(_, said, _)| *said) {
             None => Ok(()),
-            Some((key, _, message)) => Err(Problem::new(&path.key(key), Kind::Conflict, message)
-                .hint("say what they steer by: steer.wander = {}")),
+            Some((key, _, message)) => {
+                Err(Problem::new(&path.key(key), Kind::Conflict, message)
+                    .hint("say what they steer by: steer.wander = {}"))
+            }
         };
     };
     check_wrap_around(&path.key("wrap_around"), group)?;

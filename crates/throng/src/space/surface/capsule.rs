@@ -84,7 +84,9 @@ impl Surface for Capsule {
         let at = |k: usize| {
             let (sin, cos) = libm::sincosf((k % (quarter + 1)) as f32 * (std::f32::consts::TAU / ROUND as f32));
             match k {
-                _ if k > quarter => (half + sin * self.radius, if k == 2 * quarter + 1 { 0.0 } else { cos * self.radius }),
+                _ if k > quarter => {
+                    (half + sin * self.radius, if k == 2 * quarter + 1 { 0.0 } else { cos * self.radius })
+                }
                 0 => (-half - self.radius, 0.0),
                 _ => (-half - cos * self.radius, sin * self.radius),
             }

@@ -87,7 +87,9 @@ mod tests {
 
     #[test]
     fn walls_stand_where_their_points_are() {
-        for (k, to) in [(2.0, 0.0), (0.0, 2.0), (-2.0, 0.0), (0.0, -2.0), (1.5, 1.0), (-3.0, 0.5), (-1.0, -2.0)].iter().enumerate() {
+        for (k, to) in
+            [(2.0, 0.0), (0.0, 2.0), (-2.0, 0.0), (0.0, -2.0), (1.5, 1.0), (-3.0, 0.5), (-1.0, -2.0)].iter().enumerate()
+        {
             let (from, to) = (DVec2::new(1.0, -2.0), DVec2::new(1.0 + to.0, -2.0 + to.1));
             let made = Barrier::of_obstacle(&Obstacle::Wall { points: vec![from, to] }, DVec2::ZERO).unwrap();
             for i in 0..40 {
@@ -117,7 +119,8 @@ mod tests {
         barriers.extend(obstacles.iter().map(|obstacle| Barrier::of_obstacle(obstacle, origin).unwrap()));
         for i in 0..300 {
             let p = DVec2::from_angle(f64::from(i)) * (0.025 * f64::from(i));
-            let near = |barrier: &Barrier<Arc<dyn Surface>>| barrier.surface.query(p.as_vec2().extend(0.0)).distance.abs();
+            let near =
+                |barrier: &Barrier<Arc<dyn Surface>>| barrier.surface.query(p.as_vec2().extend(0.0)).distance.abs();
             let distance = f64::from(barriers.iter().map(near).fold(f32::INFINITY, f32::min));
             let expected = walls.distance(p, 20.0, &mut NearWalls::default());
             if expected > 0.0 {
