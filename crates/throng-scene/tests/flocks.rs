@@ -92,7 +92,8 @@ fn check(name: &str) {
     assert!(clearance > 0.0, "{name}: somebody touched something: {clearance} m");
     // by chance it is below 0.4: neighbours are ten on average
     assert!(local_order > 0.5, "{name}: neighbours go one way: {local_order}");
-    assert!((0.9..6.0).contains(&nearest), "{name}: they keep together, but not too near: {nearest} m");
+    // by chance, in the ball that most of them are in, it is 8.4 m
+    assert!((0.9..7.6).contains(&nearest), "{name}: they keep together, but not too near: {nearest} m");
     if gallery::scene(name).unwrap().groups[0].is_guarded() {
         assert!(separation > 0.9999, "{name}: nobody overlaps: {separation}");
     }
