@@ -78,6 +78,9 @@ fn place(built: &Built, out: &mut Out) -> Result<(), Failure> {
         let solid = built.obstacles.len() - walls;
         out.line(format_args!("  obstacles  solid: {solid}, walls: {walls}"))?;
     }
+    if !built.surfaces.is_empty() || !built.paths.is_empty() {
+        out.line(format_args!("  steer by   surfaces: {}, paths: {}", built.surfaces.len(), built.paths.len()))?;
+    }
     Ok(())
 }
 

@@ -1,13 +1,26 @@
 //! The world as files show it.
 
+use glam::DVec2;
 use throng::World;
-use throng_record::{Frame, Setting};
+use throng::space::surface::Bounds;
+use throng_record::{Frame, Setting, Shell};
+use throng_scene::Built;
 
 /// The place and the names. The group every world has from the start is left out: no scene puts anybody into it.
-pub fn setting(world: &World, title: &str) -> Setting {
+pub fn setting(world: &World, built: &Built, title: &str) -> Setting {
     let mut setting = Setting::of(world, title);
     setting.groups.remove(0);
+    let room = room(built, setting.origin);
+    setting.shells = built.surfaces.iter().map(|(_, surface)| Shell::of(surface, &room)).collect();
+    setting.paths = built.paths.iter().map(|(_, path)| path.clone()).collect();
     setting
+}
+
+/// In which part of space surfaces without end are shown: round everything else, as high as that is wide.
+fn room(built: &Built, origin: DVec2) -> Bounds {
+    let [low, high] = built.bounds.map(|corner| (corner - origin).as_vec2());
+    let side = (high - low).max_element().max(10.0);
+    Bounds { low: low.extend(-side), high: high.extend(side) }
 }
 
 /// Makes `frame` show the world as it is now; groups are counted as in [`setting`].

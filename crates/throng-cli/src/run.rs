@@ -62,7 +62,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     }
     let style = Style { annotations, ..args.film.look.style(scene, built.bounds)? };
     let plan = Plan {
-        setting: &moment::setting(&world, loaded.title()),
+        setting: &moment::setting(&world, &built, loaded.title()),
         style: &style,
         rate: args.film.rate(scene),
         speed_up: args.film.speed_up,
@@ -72,7 +72,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let paths = files.paths().to_vec();
 
     let step = scene.time.step;
-    let mut watch = Watch::new(&scene.expect, &world);
+    let mut watch = Watch::new(&scene.expect, &world, &built);
     let progress = Progress::new(args.quiet);
     let mut stepping = Duration::ZERO;
     files.push(0.0, step, |frame| moment::capture(&world, frame))?;

@@ -33,6 +33,13 @@ impl WorldBox {
                 }
             }
         }
+        let corners = setting.shells.iter().flat_map(|shell| shell.facets.iter().flatten());
+        corners.for_each(|corner| all.add(corner.truncate().as_dvec2() + setting.origin, 0.0));
+        for segment in setting.paths.iter().flat_map(|path| path.segments()) {
+            for end in [segment.start, segment.end] {
+                all.add(end.truncate().as_dvec2() + setting.origin, segment.radius.into());
+            }
+        }
         for goal in &setting.goals {
             match goal.tolerance() {
                 Some(tolerance) => all.add(goal.middle(), f64::from(tolerance).min(1.0)),

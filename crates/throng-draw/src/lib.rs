@@ -21,6 +21,7 @@ mod place;
 mod plan;
 mod projector;
 mod raster;
+mod ribbon;
 mod rounded;
 mod sheet;
 pub mod sink;

@@ -1,8 +1,9 @@
 //! The marks of a place: ground, obstacles, goals.
 
 use crate::mark::{Mark, Stroke};
-use crate::{Camera, Style};
-use glam::{DVec2, DVec3, Vec2};
+use crate::ribbon::Ribbon;
+use crate::{Camera, Color, Style};
+use glam::{DVec2, DVec3, Vec2, Vec3};
 use throng::{Goal, Obstacle};
 use throng_record::{Frame, Setting};
 
@@ -18,12 +19,17 @@ const SMALL_AREA: f32 = 12.0;
 /// Width of the lines on the ground, in units of the layout.
 pub(crate) const LINE: f32 = 1.2;
 
+/// How wide lines are in which neighbouring faces meet, pixels: nothing shines through.
+pub(crate) const SEAM: f32 = 0.6;
+
 /// Everything that does not change, from the ground up. `first` is the first moment.
 pub(crate) fn marks(setting: &Setting, style: &Style, camera: &Camera, unit: f32, first: &Frame) -> Vec<Mark> {
     let mut marks = Vec::new();
     ground(setting, style, camera, unit, &mut marks);
     let stroke = Stroke::plain(LINE * unit, style.theme.edge);
     marks.extend(style.lines.iter().map(|line| Mark::Line { points: pixels(camera, line), closed: false, stroke }));
+    shells(setting, style, camera, unit, &mut marks);
+    paths(setting, style, camera, unit, &mut marks);
     if style.goals {
         goal_areas(setting, style, camera, unit, &mut marks);
     }
@@ -86,6 +92,52 @@ fn obstacles(setting: &Setting, style: &Style, camera: &Camera, unit: f32, marks
                 marks.push(Mark::Line { points: pixels(camera, points), closed: false, stroke });
             }
         }
+    }
+}
+
+/// Surfaces from above: solids as obstacles are, containers by their outlines.
+fn shells(setting: &Setting, style: &Style, camera: &Camera, unit: f32, marks: &mut Vec<Mark>) {
+    let theme = &style.theme;
+    let pixel = |corner: &Vec3| camera.pixel(corner.truncate().as_dvec2() + setting.origin);
+    // who is in a container, or before a solid, is in front of both
+    for hollow in [true, false] {
+        let fill = if hollow { theme.ground } else { theme.obstacle };
+        for shell in setting.shells.iter().filter(|shell| shell.hollow == hollow) {
+            // what is above hides what is below; of the edges those round all of it are left
+            let mut facets: Vec<&Vec<Vec3>> = shell.facets.iter().collect();
+            facets.sort_by(|a, b| highest(a).total_cmp(&highest(b)));
+            let rings: Vec<Vec<Vec2>> = facets.iter().map(|facet| facet.iter().map(pixel).collect()).collect();
+            let outline = |width: f32, color: Color| {
+                let stroke = Stroke::plain(width, color);
+                move |points: &Vec<Vec2>| Mark::Line { points: points.clone(), closed: true, stroke }
+            };
+            marks.extend(rings.iter().map(outline(2.0 * unit, theme.edge)));
+            marks.extend(rings.iter().map(|ring| Mark::Area { rings: vec![ring.clone()], fill }));
+            let flat = facets.iter().zip(&rings).filter(|(facet, _)| is_level(facet));
+            marks.extend(flat.map(|(_, ring)| ring).map(outline(SEAM, fill)));
+        }
+    }
+}
+
+fn highest(facet: &[Vec3]) -> f32 {
+    facet.iter().map(|corner| corner.z).fold(f32::NEG_INFINITY, f32::max)
+}
+
+/// Whether it covers ground: what is upright is a line from above.
+fn is_level(facet: &[Vec3]) -> bool {
+    let edges = facet.iter().zip(facet.iter().cycle().skip(1));
+    edges.map(|(a, b)| a.truncate().perp_dot(b.truncate())).sum::<f32>().abs() > 1e-3
+}
+
+/// Paths: how far they reach in a faint tone, and a thin spine.
+fn paths(setting: &Setting, style: &Style, camera: &Camera, unit: f32, marks: &mut Vec<Mark>) {
+    let pixel = |point: DVec3| camera.pixel(point.truncate());
+    for path in &setting.paths {
+        let ribbon = Ribbon::new(path, setting.origin);
+        let areas = ribbon.areas.iter().map(|area| vec![area.iter().copied().map(pixel).collect()]);
+        marks.extend(areas.map(|rings| Mark::Area { rings, fill: Ribbon::tone(&style.theme) }));
+        let points = ribbon.spine.into_iter().map(pixel).collect();
+        marks.push(Mark::Line { points, closed: false, stroke: Ribbon::stroke(&style.theme, unit) });
     }
 }
 

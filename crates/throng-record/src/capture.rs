@@ -5,7 +5,7 @@ use throng::motion::Locomotion;
 use throng::{Group, World};
 
 impl Setting {
-    /// The place, the groups and the goals of a world as they are now.
+    /// The place, the groups and the goals of a world as they are now. What its behaviours steer by it does not know.
     ///
     /// ```
     /// use throng::{Settings, World};
@@ -20,6 +20,8 @@ impl Setting {
             title: title.into(),
             walkable: world.place().areas.clone(),
             obstacles: world.place().obstacles().cloned().collect(),
+            shells: Vec::new(),
+            paths: Vec::new(),
             groups: world.groups().iter().map(|group| group.name.clone()).collect(),
             goals: world.goals().to_vec(),
             in_space: world.in_space(),

@@ -1,7 +1,10 @@
 //! One moment of a world, and what stays the same from moment to moment.
 
-use glam::{DVec2, DVec3, Vec2};
+use glam::{DVec2, DVec3, Vec2, Vec3};
+use std::sync::Arc;
 use throng::motion::Basis;
+use throng::space::Pathway;
+use throng::space::surface::{Barrier, Bounds, SeenFrom, Surface};
 use throng::{Account, Goal, Obstacle, Status, Walkable};
 
 /// What stays the same over a recording: the place and the names.
@@ -14,14 +17,35 @@ pub struct Setting {
     pub walkable: Vec<Walkable>,
     /// What is solid.
     pub obstacles: Vec<Obstacle>,
+    /// Surfaces that behaviours steer by, to be seen.
+    pub shells: Vec<Shell>,
+    /// Paths that behaviours steer by, relative to [`Setting::origin`].
+    pub paths: Vec<Arc<Pathway>>,
     /// Names of the groups; [`Body::group`] indexes them.
     pub groups: Vec<String>,
     /// The goals; [`Body::goal`] indexes them.
     pub goals: Vec<Goal>,
     /// Whether somebody flies, or will.
     pub in_space: bool,
-    /// World coordinates of what places in [`Frame::accounts`] are relative to.
+    /// World coordinates of what shells, paths and places in [`Frame::accounts`] are relative to.
     pub origin: DVec2,
+}
+
+/// What there is to see of a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shell {
+    /// Flat polygons, their corners counter-clockwise seen from outside, metres from [`Setting::origin`].
+    pub facets: Vec<Vec<Vec3>>,
+    /// Whether one looks into it, or through it, as into a container.
+    pub hollow: bool,
+}
+
+impl Shell {
+    /// Of a surface; of one that has no end, the part within a box.
+    pub fn of(barrier: &Barrier<Arc<dyn Surface>>, within: &Bounds) -> Self {
+        let facets = barrier.surface.facets(within);
+        Self { hollow: barrier.seen_from != SeenFrom::Outside && facets.len() > 1, facets }
+    }
 }
 
 /// Everybody at one moment.

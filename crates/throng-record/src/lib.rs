@@ -11,5 +11,5 @@ mod output;
 pub mod series;
 
 pub use behind::{Behind, Pool};
-pub use frame::{Body, Frame, Setting};
+pub use frame::{Body, Frame, Setting, Shell};
 pub use output::{Output, OutputError};

@@ -9,8 +9,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             continue;
         }
         let scene = gallery::scene(name)?;
-        let (mut world, _) = scene.build()?;
-        let mut watch = Watch::new(&scene.expect, &world);
+        let (mut world, built) = scene.build()?;
+        let mut watch = Watch::new(&scene.expect, &world, &built);
         let start = std::time::Instant::now();
         while !scene.time.over(&world) {
             world.step();

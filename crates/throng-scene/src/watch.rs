@@ -3,6 +3,7 @@
 mod gauge;
 
 use self::gauge::Gauge;
+use crate::build::Built;
 use crate::geometry::DVec2;
 use crate::scene::{Arrived, Expect, FlowExpect};
 use serde::Serialize;
@@ -15,8 +16,8 @@ use throng::{Status, World};
 /// use throng_scene::{Watch, gallery};
 ///
 /// let scene = gallery::scene("headon")?;
-/// let (mut world, _) = scene.build()?;
-/// let mut watch = Watch::new(&scene.expect, &world);
+/// let (mut world, built) = scene.build()?;
+/// let mut watch = Watch::new(&scene.expect, &world, &built);
 /// while !scene.time.over(&world) {
 ///     world.step();
 ///     watch.step(&world);
@@ -81,12 +82,12 @@ struct Flow {
 }
 
 impl Watch {
-    /// Begins to watch a world, best before its first step.
-    pub fn new(expect: &Expect, world: &World) -> Self {
+    /// Begins to watch a world that was built of a scene, best before its first step.
+    pub fn new(expect: &Expect, world: &World, built: &Built) -> Self {
         let flow = |line: &FlowExpect| Flow { line: *line, count: 0, first: 0.0, last: 0.0 };
         let mut watch = Self {
             flows: expect.flow.iter().map(flow).collect(),
-            gauges: Gauge::all(expect, world),
+            gauges: Gauge::all(expect, world, built),
             expect: expect.clone(),
             reached: None,
             speed: (0, 0),

@@ -22,7 +22,8 @@ pub fn sheet(args: &FilmArgs, plan: &Plan, runs: &[Run]) -> Result<(Sheet, Style
         let text = format!("{count} models are too many for one picture: there is room for {MOST}");
         return Err(Failure::hint(text, "leave some out, or write a page (.html) or a table (.csv, .md)"));
     }
-    let panels = runs.iter().map(|run| moment::setting(&run.world, plan.models[run.model].label())).collect();
+    let panel = |run: &Run| moment::setting(&run.world, &run.built, plan.models[run.model].label());
+    let panels = runs.iter().map(panel).collect();
     let title = match plan.seeds.len() {
         1 => plan.loaded.title().to_owned(),
         _ => format!("{}, seed {}", plan.loaded.title(), plan.seeds[0]),

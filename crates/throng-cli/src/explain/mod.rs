@@ -13,6 +13,7 @@ use std::path::PathBuf;
 use throng::{AgentId, World};
 use throng_draw::{Figure, Style, Theme};
 use throng_record::Frame;
+use throng_scene::Built;
 
 /// Draws the velocities of an agent, or writes them as JSON.
 ///
@@ -25,7 +26,7 @@ pub fn explain(args: &ExplainArgs, out: &mut Out) -> Result<(), Failure> {
         _ => args.output.clone(),
     };
     paths.iter().try_for_each(|path| one_picture(path, "explain"))?;
-    let (world, id) = go_to(args, &loaded)?;
+    let (world, built, id) = go_to(args, &loaded)?;
     let Some(why) = world.explain(id) else { return Err(absent(args, &world, "is not there")) };
     if !paths.is_empty() {
         let title = if loaded.scene.title.is_empty() { &loaded.name } else { &loaded.scene.title };
@@ -33,7 +34,7 @@ pub fn explain(args: &ExplainArgs, out: &mut Out) -> Result<(), Failure> {
         moment::capture(&world, &mut frame);
         let theme = if args.dark { Theme::dark() } else { Theme::light() };
         let style = Style { width: args.size.0, height: args.size.1, theme, ..Style::default() };
-        let figure = Figure::explain(&moment::setting(&world, title), &frame, &why, &style)?;
+        let figure = Figure::explain(&moment::setting(&world, &built, title), &frame, &why, &style)?;
         paths.iter().try_for_each(|path| figure.write(path))?;
     }
     if args.json {
@@ -43,7 +44,7 @@ pub fn explain(args: &ExplainArgs, out: &mut Out) -> Result<(), Failure> {
 }
 
 /// Runs the scene up to the moment; the agent that is asked for.
-fn go_to(args: &ExplainArgs, loaded: &Loaded) -> Result<(World, AgentId), Failure> {
+fn go_to(args: &ExplainArgs, loaded: &Loaded) -> Result<(World, Built, AgentId), Failure> {
     let (mut world, built) = loaded.build()?;
     let Loaded { name, scene, .. } = loaded;
     if args.agent as usize >= built.agents {
@@ -62,7 +63,7 @@ fn go_to(args: &ExplainArgs, loaded: &Loaded) -> Result<(World, AgentId), Failur
         world.step();
     }
     match id(&world, args.agent) {
-        Some(id) => Ok((world, id)),
+        Some(id) => Ok((world, built, id)),
         None => Err(absent(args, &world, if was_there { "has left" } else { "has not entered" })),
     }
 }

@@ -11,8 +11,6 @@ pub fn crossing() -> Setting {
     };
     let pillar = |x: f64, y: f64| Obstacle::Circle { center: DVec2::new(x, y), radius: 0.45 };
     Setting {
-        in_space: false,
-        origin: DVec2::ZERO,
         title: "Two streams crossing".into(),
         walkable: vec![Walkable { outer: corners(0.0, 0.4, 24.0, 15.0), holes: vec![corners(9.0, 12.0, 12.5, 13.6)] }],
         obstacles: vec![
@@ -28,6 +26,7 @@ pub fn crossing() -> Setting {
             Goal::Area { corners: corners(0.0, 5.6, 1.4, 9.2) },
             Goal::Point { at: DVec2::new(17.0, 12.8), tolerance: 0.4 },
         ],
+        ..Setting::default()
     }
 }
 

@@ -6,6 +6,7 @@ use crate::Style;
 use crate::legend::round_length;
 use crate::mark::{Mark, Stroke};
 use crate::place::{LINE, spots_to_go};
+use crate::ribbon::Ribbon;
 use crate::style::Theme;
 use crate::trail::{End, Trail};
 use glam::{DVec2, DVec3};
@@ -34,6 +35,8 @@ pub(super) struct Ground {
     areas: Vec<(Vec<DVec2>, f32)>,
     /// Points to go to, and how near.
     spots: Vec<(DVec3, f64)>,
+    /// Paths to go along.
+    paths: Vec<Ribbon>,
     theme: Theme,
     middle: DVec2,
     /// How far the grid reaches.
@@ -56,6 +59,7 @@ impl Ground {
             lines: style.lines.clone(),
             areas: goals.iter().filter_map(shown).collect(),
             spots: spots.collect(),
+            paths: setting.paths.iter().map(|path| Ribbon::new(path, setting.origin)).collect(),
             theme: style.theme.clone(),
             middle: extent.middle().truncate(),
             reach: GRID * extent.reach(),
@@ -73,6 +77,8 @@ impl Ground {
                 Mark::Line { points: rings[0].clone(), closed: true, stroke: Stroke::plain(1.2 * unit, theme.edge) };
             marks.extend([Mark::Area { rings, fill: theme.ground }, edge]);
         }
+        let ribbons = self.paths.iter().flat_map(|path| &path.areas).map(|area| lens.area(area.iter().copied()));
+        marks.extend(ribbons.map(|ring| Mark::Area { rings: vec![ring], fill: Ribbon::tone(theme) }));
         marks.push(Mark::Trails(self.grid(lens, unit)));
         for line in &self.lines {
             let stroke = Stroke::plain(LINE * unit, theme.edge);
@@ -81,6 +87,11 @@ impl Ground {
                 .filter_map(|ends| Some((lens.pixel(ends[0].extend(0.0))?, lens.pixel(ends[1].extend(0.0))?)));
             marks.extend(ends.map(|(a, b)| Mark::Line { points: vec![a, b], closed: false, stroke }));
         }
+        let spines = self.paths.iter().flat_map(|path| path.spine.windows(2));
+        marks.extend(spines.filter_map(|ends| {
+            let points = lens.line(ends[0], ends[1])?.to_vec();
+            Some(Mark::Line { points, closed: false, stroke: Ribbon::stroke(theme, unit) })
+        }));
         for (corners, tint) in &self.areas {
             let points = flat(corners);
             marks.push(Mark::Area { rings: vec![points.clone()], fill: theme.goal.alpha(*tint) });

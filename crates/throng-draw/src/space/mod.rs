@@ -3,6 +3,7 @@
 mod dart;
 mod ground;
 mod lens;
+mod shell;
 mod solid;
 mod viewpoint;
 
@@ -18,6 +19,7 @@ use crate::{Color, Painter, Style, WorldBox};
 use dart::Dart;
 use glam::{DVec2, Vec2};
 use ground::Ground;
+use shell::Hull;
 use solid::{Face, Solid, Tone};
 use throng_record::{Body, Frame, Setting};
 use viewpoint::{Extent, Orbit};
@@ -36,6 +38,7 @@ pub(crate) struct Stage {
     pub lens: Lens,
     ground: Ground,
     solids: Vec<Solid>,
+    hulls: Vec<Hull>,
     tone: Tone,
     /// Length of the pieces that faces are drawn in, metres.
     piece: f64,
@@ -70,6 +73,7 @@ impl Stage {
             lens,
             ground: Ground::new(setting, style, &extent, first),
             solids,
+            hulls: setting.shells.iter().map(|shell| Hull::new(shell, setting.origin)).collect(),
             tone: Tone { fill: theme.obstacle, edge: theme.edge, dark: Color::rgb(0x1c2026), air },
             piece: PIECE * extent.reach(),
             growth: if shown > 0.0 { (LEAST_DART * unit / shown).max(1.0) } else { 1.0 },
@@ -108,6 +112,7 @@ impl Painter {
         let shadows = bodies.iter().map(|body| self.shadow(body, stage)).collect();
         let mut faces: Vec<Face> = Vec::new();
         stage.solids.iter().for_each(|solid| solid.faces(stage.tone, lens, stage.piece, stage.unit, &mut faces));
+        stage.hulls.iter().for_each(|hull| hull.faces(stage.tone, lens, stage.piece, stage.unit, &mut faces));
         let bodies = bodies.iter().map(|body| (lens.away(body.center()), self.figure(body, stage))).collect();
         vec![("ground", ground), ("shadows", shadows), ("scene", layered(self.trails(frame.time), faces, bodies))]
     }

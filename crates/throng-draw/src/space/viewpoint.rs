@@ -46,12 +46,15 @@ impl Extent {
     pub(crate) fn of(ground: WorldBox, setting: &Setting, first: &Frame) -> Self {
         let bodies = first.bodies.iter().map(|body| f64::from(body.altitude + body.shape().bound()));
         let goals = setting.goals.iter().filter_map(|goal| goal.altitude());
-        let height = bodies.chain(goals).filter(|z| z.is_finite()).fold(0.0, f64::max);
+        let shells = setting.shells.iter().flat_map(|shell| shell.facets.iter().flatten());
+        let heights = shells.map(|corner| f64::from(corner.z));
+        let height = bodies.chain(goals).chain(heights).filter(|z| z.is_finite()).fold(0.0, f64::max);
         if !setting.in_space || !setting.walkable.is_empty() {
             return Self { ground, height };
         }
         let roam = first.bodies.iter().any(|body| body.basis.is_some());
-        let height = if roam { height * (1.0 + HEADROOM) } else { height };
+        // where surfaces are drawn, they say how high it is
+        let height = if roam && setting.shells.is_empty() { height * (1.0 + HEADROOM) } else { height };
         Self { ground: ground.at_least(height), height }
     }
 

@@ -1,7 +1,8 @@
 //! The bodies and speeds of each agent.
 
 use super::size::Size;
-use super::steer::vehicle;
+use super::steer::{vehicle, wrap_around};
+use crate::geometry::DVec2;
 use crate::random::{Purpose, Random};
 use crate::scene::{self, Avoid, Group, Neighbours, Number, Scene};
 use glam::Vec2;
@@ -90,7 +91,7 @@ const KEEP_RIGHT: f64 = 5.0;
 
 /// What the agents of a group share; those who steer have no manners but those that are said.
 #[allow(clippy::needless_update)] // The library may know more of groups and models than scenes say.
-pub(super) fn shared(group: &Group, name: String, steering: Option<Branch>) -> throng::Group {
+pub(super) fn shared(group: &Group, name: String, steering: Option<Branch>, origin: DVec2) -> throng::Group {
     let avoid = group.local_model();
     let (neighbours, neighbour_distance) = avoid.sight();
     let walks = steering.is_none();
@@ -108,6 +109,7 @@ pub(super) fn shared(group: &Group, name: String, steering: Option<Branch>) -> t
         resolve: group.resolve.unwrap_or(walks),
         steering,
         vehicle: vehicle(group),
+        wrap_around: group.wrap_around.map(|ball| wrap_around(ball, origin)),
         guard: group.is_guarded(),
         ..throng::Group::default()
     }

@@ -17,6 +17,8 @@ pub(super) fn check_groups(scene: &Scene) -> Result<(), Problem> {
         }
         _ => Ok(()),
     };
+    let surfaces = || scene.surfaces.iter().map(|surface| &surface.name);
+    let known = |name: &String| surfaces().chain(scene.paths.iter().map(|path| &path.name)).any(|known| known == name);
     let bounds = |path: &Path, said: &GroupExpect| {
         named(&path.key("of"), said.of.as_ref())?;
         check_some(&path.key("at_least"), said.at_least, Limit::NotNegative)?;
@@ -28,7 +30,8 @@ pub(super) fn check_groups(scene: &Scene) -> Result<(), Problem> {
         let path = path.key("distance").index(i);
         bounds(&path, &said.of_group())?;
         match to {
-            To::Group(name) => named(&path.key("to"), Some(name))?,
+            To::Named(name) if !known(name) => named(&path.key("to"), Some(name))?,
+            To::Named(_) => {}
             To::Place(place) => {
                 place.0.iter().enumerate().try_for_each(|(i, x)| check(&path.key("to").index(i), *x, Limit::Finite))?
             }

@@ -8,7 +8,7 @@ use super::ground::{self, Wrong};
 use super::movers;
 use super::place::{Ground, middle};
 use super::size::Size;
-use super::steer::{Making, Named};
+use super::steer::{Around, Making, Named};
 use super::surface;
 use crate::error::Error;
 use crate::file::Problem;
@@ -41,7 +41,7 @@ pub struct Plan {
     pub scripts: Vec<throng::Script>,
     /// All agents, group by group, then what moves by itself; their position is their number.
     pub agents: Vec<PlannedAgent>,
-    /// Lower left and upper right corner of all of it, metres.
+    /// Lower left and upper right corner of all of it but surfaces and paths, metres.
     pub bounds: [DVec2; 2],
 }
 
@@ -140,20 +140,21 @@ impl Scene {
         };
         let surfaces = surface::surfaces(self, settings.origin)?;
         let paths = surface::paths(self, settings.origin)?;
-        let groups = self.shared(&agents, settings.origin)?;
+        let around = Around::new(self, settings.origin, (&surfaces, &paths), (&walkable, &obstacles))?;
+        let groups = self.shared(&agents, settings.origin, &around)?;
         Ok(Plan { settings, walkable, obstacles, surfaces, paths, groups, goals, journeys, scripts, agents, bounds })
     }
 
     /// What the agents of each group share, and those of everything that moves by itself.
-    fn shared(&self, agents: &[PlannedAgent], origin: DVec2) -> Result<Vec<throng::Group>, Problem> {
+    fn shared(&self, agents: &[PlannedAgent], origin: DVec2, around: &Around) -> Result<Vec<throng::Group>, Problem> {
         let names = self.groups.iter().enumerate().map(|(i, group)| Group::name_at(&group.name, i));
         let names = names.chain(self.movers.iter().enumerate().map(|(i, mover)| Mover::name_at(&mover.name, i)));
         let first = |group| agents.partition_point(|agent| agent.group < group) as u32;
         let named = names.enumerate().map(|(i, name)| Named { name, numbers: first(i)..first(i + 1) });
         let named: Vec<Named> = named.collect();
         let one = |(i, group): (usize, &Group)| {
-            let making = Making { scene: self, origin, named: &named, group: i };
-            Ok(shared(group, named[i].name.clone(), making.steering()?))
+            let making = Making { scene: self, origin, named: &named, around, group: i };
+            Ok(shared(group, named[i].name.clone(), making.steering()?, origin))
         };
         let groups: Vec<throng::Group> = self.groups.iter().enumerate().map(one).collect::<Result<_, Problem>>()?;
         Ok(groups.into_iter().chain(movers::groups(self)).collect())

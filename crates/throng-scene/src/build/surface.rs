@@ -7,7 +7,7 @@ use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
 use crate::import::obj;
-use crate::scene::steer::Position;
+use crate::scene::steer::{Position, What};
 use crate::scene::{self, Form, Rod, Scene};
 use glam::{Quat, Vec2, Vec3};
 use std::sync::Arc;
@@ -50,6 +50,10 @@ fn check_name<'a>(path: &Path, name: &str, mut others: impl Iterator<Item = &'a 
     let path = path.key("name");
     if name.is_empty() {
         return Err(Problem::new(&path, Kind::MissingKey, "this name is empty").hint("behaviours find it by its name"));
+    }
+    if [What::EVERYTHING, What::OBSTACLES].contains(&name) {
+        let message = format!("the name `{name}` means something else");
+        return Err(Problem::new(&path, Kind::Conflict, message).hint("give it another name"));
     }
     if others.any(|other| other == name) {
         let message = format!("the name `{name}` is taken");

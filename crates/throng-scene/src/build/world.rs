@@ -6,10 +6,13 @@ use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
 use crate::scene::{Colour, Scene};
 use std::ops::Range;
+use std::sync::Arc;
+use throng::space::Pathway;
+use throng::space::surface::{Barrier, Surface};
 use throng::{GoalId, GroupId, Journey, JourneyId, ScriptId, Stop, World};
 
 /// What was built: which id belongs to what, for those who draw or measure it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Built {
     /// The scene's groups, in its order, then one for everything that moves by itself.
     pub groups: Vec<BuiltGroup>,
@@ -23,7 +26,11 @@ pub struct Built {
     pub walkable: Vec<throng::Walkable>,
     /// The obstacles, in the scene's order.
     pub obstacles: Vec<throng::Obstacle>,
-    /// Lower left and upper right corner of all of it, metres.
+    /// Surfaces that behaviours steer by and their names, in the scene's order, relative to the world's origin.
+    pub surfaces: Vec<(String, Barrier<Arc<dyn Surface>>)>,
+    /// Paths that behaviours steer by and their names, in the scene's order, relative to the world's origin.
+    pub paths: Vec<(String, Arc<Pathway>)>,
+    /// Lower left and upper right corner of all of it but surfaces and paths, metres.
     pub bounds: [DVec2; 2],
 }
 
@@ -112,6 +119,8 @@ impl Scene {
             goals: goals.iter().copied().zip(plan.goals.iter().cloned()).collect(),
             walkable: plan.walkable.clone(),
             obstacles: plan.obstacles.clone(),
+            surfaces: self.surfaces.iter().map(|said| said.name.clone()).zip(plan.surfaces.iter().cloned()).collect(),
+            paths: self.paths.iter().map(|said| said.name.clone()).zip(plan.paths.iter().cloned()).collect(),
             bounds: plan.bounds,
         }
     }

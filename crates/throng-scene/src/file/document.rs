@@ -142,7 +142,7 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
 /// Lists of numbers that may have any length; all others are points of the plane ...
 const NUMBER_LISTS: [&str; 4] = ["layers", "avoids", "heights", "radii"];
 /// ... but those in these tables, which are points in space ...
-const IN_SPACE: [&str; 7] = ["sphere", "air", "camera", "steer", "surface", "path", "distance"];
+const IN_SPACE: [&str; 8] = ["sphere", "air", "camera", "steer", "surface", "path", "distance", "wrap_around"];
 /// ... or not, after all.
 const IN_PLANE: [&str; 2] = ["rectangle", "corners"];
 

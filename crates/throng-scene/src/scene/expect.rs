@@ -73,7 +73,7 @@ pub struct FlowExpect {
     pub at_most: Option<f64>,
 }
 
-/// How far each of a group is from a place, or from the nearest of a group, metres between centres.
+/// How far each of a group is from a place, the nearest of a group, a surface or a path, metres from its centre.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DistanceExpect {
@@ -145,14 +145,15 @@ pub struct FigureExpect {
     pub after: f64,
 }
 
-/// From what a distance is. In files `[x, y]`, `[x, y, z]`, or the name of a group or a mover.
+/// From what a distance is. In files `[x, y]`, `[x, y, z]`, or the name of a group, a mover, a surface or a path.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged, expecting = "this should be [x, y], [x, y, z] or the name of a group")]
+#[serde(untagged, expecting = "this should be [x, y], [x, y, z] or the name of a group, a surface or a path")]
 pub enum To {
     /// From a place.
     Place(Position),
-    /// From the nearest of a group, other than itself.
-    Group(String),
+    /// From the nearest of a group, other than itself; from a surface, on the side from which it is seen; or from the
+    /// spine of a path.
+    Named(String),
 }
 
 /// When something must be so.

@@ -1,7 +1,7 @@
 //! Groups of agents.
 
 use super::avoid::Unavoiding;
-use super::{Avoid, Body, Colour, Goal, Number, Place, Source, Steer, Vehicle, source};
+use super::{Avoid, Body, Colour, Goal, Number, Place, Source, Steer, Vehicle, WrapAround, source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -69,6 +69,9 @@ pub struct Group {
     /// What the bodies of those who steer can do; speed, acceleration and turning follow from it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vehicle: Option<Vehicle>,
+    /// A ball that those who steer leave on one side and enter on the other. Only without `guard`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wrap_around: Option<WrapAround>,
     /// Degrees by which the preferred velocity is turned clockwise; negative keeps left. Without it, 5, or 0 for those
     /// who steer. Limit: -28 to 28.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -116,6 +119,7 @@ impl Default for Group {
             steer: None,
             start_speed: None,
             vehicle: None,
+            wrap_around: None,
             keep_right: None,
             detour: None,
             queue: None,

@@ -47,7 +47,7 @@ pub use surface::{
     Ball, Block, Column, Form, HalfSpace, HeightField, MeshFile, Pathway, Rod, SeenFrom, Sheet, Surface, Up,
 };
 pub use time::{SubSteps, Time, Until};
-pub use vehicle::{Forces, Integrator, Vehicle, VehicleKind};
+pub use vehicle::{Forces, Integrator, Vehicle, VehicleKind, WrapAround};
 pub use view::{Camera, Colour, Projection, View};
 
 pub use crate::file::Origin;

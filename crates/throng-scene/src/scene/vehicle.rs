@@ -1,5 +1,6 @@
 //! The vehicles of those who steer.
 
+use super::steer::Position;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -31,6 +32,17 @@ pub struct Vehicle {
     pub smoothing: Option<f64>,
     /// How motion follows from force. Without it, semi-implicit.
     pub integrator: Option<Integrator>,
+}
+
+/// A ball that nobody leaves: who does enters on the other side.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WrapAround {
+    /// Its middle. Without it, `[0, 0]`.
+    #[serde(default)]
+    pub center: Position,
+    /// Its radius, metres. Limit: > 0.
+    pub radius: f64,
 }
 
 /// How a vehicle holds itself.

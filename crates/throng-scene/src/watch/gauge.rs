@@ -1,9 +1,13 @@
 //! What a group shows as time goes by: distances, speeds, order; and the figures of a game.
 
 use super::{Check, Figure, at_least, at_most, nanometres};
+use crate::build::Built;
 use crate::scene::{DistanceExpect, Expect, FigureExpect, GroupExpect, To, When};
 use glam::DVec3;
+use std::sync::Arc;
 use throng::World;
+use throng::space::Pathway;
+use throng::space::surface::{Barrier, SeenFrom, Surface};
 
 /// One thing that is expected of a group, and what it has shown so far.
 #[derive(Clone, Debug)]
@@ -25,6 +29,10 @@ enum What {
     DistanceTo(DVec3),
     /// To the nearest of a group.
     DistanceFrom(usize),
+    /// To a surface, from the side from which it is seen.
+    DistanceToSurface(Barrier<Arc<dyn Surface>>),
+    /// To the spine of a path.
+    DistanceToPath(Arc<Pathway>),
     Speed,
     Order,
     /// Of the rules, by name.
@@ -33,7 +41,7 @@ enum What {
 
 impl Gauge {
     /// All that `[expect]` says of groups.
-    pub fn all(expect: &Expect, world: &World) -> Vec<Self> {
+    pub fn all(expect: &Expect, world: &World, built: &Built) -> Vec<Self> {
         // the first of a world is nobody's
         let group = |name: &String| world.groups().iter().rposition(|group| group.name == *name).unwrap_or(usize::MAX);
         let gauge = |key: &str, index: usize, what: What, said: &GroupExpect| Self {
@@ -48,7 +56,15 @@ impl Gauge {
         let distances = expect.distance.iter().enumerate().map(|(i, said @ DistanceExpect { to, .. })| {
             let what = match to {
                 To::Place(place) => What::DistanceTo(DVec3::from_array(place.0)),
-                To::Group(name) => What::DistanceFrom(group(name)),
+                To::Named(name) => {
+                    let surface = || built.surfaces.iter().find(|(known, _)| known == name);
+                    let path = || built.paths.iter().find(|(known, _)| known == name);
+                    let surface = || Some(What::DistanceToSurface(surface()?.1.clone()));
+                    let path = || Some(What::DistanceToPath(path()?.1.clone()));
+                    let known = world.groups().iter().any(|group| group.name == *name);
+                    let other = if known { None } else { surface().or_else(path) };
+                    other.unwrap_or_else(|| What::DistanceFrom(group(name)))
+                }
             };
             gauge("distance", i, what, &said.of_group())
         });
@@ -89,6 +105,7 @@ impl Gauge {
         let rows = |group: Option<usize>| {
             (0..agents.len()).filter(move |&row| group.is_none_or(|group| agents.group[row].index() == group))
         };
+        let local = |row: usize| agents.position[row].extend(agents.altitude[row]);
         let place = |row: usize| {
             let at = agents.position[row].as_dvec2() + world.settings().origin;
             at.extend(f64::from(agents.altitude[row]))
@@ -99,6 +116,15 @@ impl Gauge {
         };
         match &self.what {
             What::DistanceTo(to) => each(&|row| place(row).distance(*to)),
+            What::DistanceToSurface(barrier) => each(&|row| {
+                let distance = barrier.surface.query(local(row)).distance;
+                f64::from(match barrier.seen_from {
+                    SeenFrom::Outside => distance,
+                    SeenFrom::Inside => -distance,
+                    SeenFrom::Both => distance.abs(),
+                })
+            }),
+            What::DistanceToPath(path) => each(&|row| f64::from(path.nearest(local(row)).point.distance(local(row)))),
             What::DistanceFrom(group) => each(&|row| {
                 let others = rows(Some(*group)).filter(|&other| other != row);
                 others.map(|other| place(row).distance(place(other))).fold(f64::INFINITY, f64::min)

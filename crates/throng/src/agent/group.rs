@@ -1,7 +1,7 @@
 //! What the agents of a group share.
 
 use crate::avoid::{LocalModel, Orca, Unavoiding};
-use crate::motion::Vehicle;
+use crate::motion::{Vehicle, WrapAround};
 use crate::steer::Branch;
 use std::sync::Arc;
 
@@ -31,6 +31,9 @@ pub struct Group {
     pub steering: Option<Branch>,
     /// The vehicle of those who steer.
     pub vehicle: Vehicle,
+    /// A ball that those who steer leave on one side and enter on the other; `None`: space goes on. Only without the
+    /// guard: nobody knows who is on the other side.
+    pub wrap_around: Option<WrapAround>,
     /// Whether the [guard](crate::guard) keeps its agents from overlapping others and walls. Two who are both of
     /// groups without it may overlap; nobody else may.
     pub guard: bool,
@@ -84,6 +87,7 @@ impl Default for Group {
             resolve: true,
             steering: None,
             vehicle: Vehicle::default(),
+            wrap_around: None,
             guard: true,
         }
     }

@@ -6,6 +6,7 @@ mod drive;
 mod heading;
 mod limits;
 mod vehicle;
+mod wrap_around;
 
 pub(crate) use angle::{angle, angles};
 pub(crate) use drive::{follow, followable};
@@ -15,3 +16,4 @@ pub use heading::{faces, turn};
 pub use limits::{Limits, limit};
 pub use vehicle::{Attitude, Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
 pub(crate) use vehicle::{Attitudes, Motions, Stepping, angle_between, part_in, turned, turned_towards};
+pub use wrap_around::WrapAround;

@@ -3,6 +3,7 @@
 use super::{Core, NearWalls, Obstacle, Walkable, Walls};
 use crate::Error;
 use crate::agent::Body;
+use crate::navigate::union;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -57,6 +58,21 @@ impl Place {
 }
 
 impl Walkable {
+    /// The ground that any of these areas covers, as areas that do not overlap. A single one stays as it is; corners of
+    /// several are rounded to a fine grid.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] for an outline that encloses nothing or crosses itself.
+    pub fn union(areas: Vec<Self>) -> Result<Vec<Self>, Error> {
+        for (index, area) in areas.iter().enumerate() {
+            check_polygon(&format!("walkable area {}", index + 1), &area.outer)?;
+            for (hole, corners) in area.holes.iter().enumerate() {
+                check_polygon(&format!("hole {} of walkable area {}", hole + 1, index + 1), corners)?;
+            }
+        }
+        union(areas).map_err(|error| Error::Shape { what: "the walkable areas".into(), why: error.to_string() })
+    }
+
     /// Whether a point is on this ground.
     pub fn contains(&self, p: DVec2) -> bool {
         is_inside(&self.outer, p) && !self.holes.iter().any(|hole| is_inside(hole, p))

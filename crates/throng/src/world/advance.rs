@@ -143,6 +143,10 @@ impl World {
                 agents.velocity[row] = moved.truncate();
                 agents.climb.set(row, moved.z);
                 agents.attitude.set(row, attitude);
+                if let Some(place) = group.wrap_around.and_then(|ball| ball.back(target.place())) {
+                    agents.position[row] = place.truncate();
+                    agents.altitude.set(row, place.z);
+                }
                 attitude.basis.heading()
             } else if agents.is_disc(row) {
                 let facing = faces(agents.velocity[row], step.preferred.ground[row], agents.max_turn_rate[row]);

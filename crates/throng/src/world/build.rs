@@ -3,7 +3,7 @@
 use super::{Asked, Settings, Slots, StepMemory, SubSteps, World};
 use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
 use crate::motion::{Attitude, Basis};
-use crate::navigate::{Goal, Journey, Legs, Meshes, Script, union};
+use crate::navigate::{Goal, Journey, Legs, Meshes, Script};
 use crate::perceive::Instructions;
 use crate::space::{Core, Obstacle, Place, Walkable, Walls, check_polygon};
 use crate::steer::Event;
@@ -65,6 +65,13 @@ impl World {
         if let Some(steering) = &group.steering {
             steering.check()?;
             group.vehicle.check()?;
+            if let Some(wrap_around) = &group.wrap_around {
+                wrap_around.check()?;
+                if group.guard {
+                    let why = "it wraps around, where nobody can be certain: leave it without the guard".into();
+                    return Err(Error::Shape { what: "the group".into(), why });
+                }
+            }
             self.agents.memory.widen(steering.words());
         }
         self.groups.push(group);
@@ -168,14 +175,7 @@ impl World {
     /// [`Error::Shape`] for a boundary that crosses itself or encloses nothing, [`Error::NoRoom`] for an agent that
     /// would be outside.
     pub fn set_walkable(&mut self, areas: Vec<Walkable>) -> Result<(), Error> {
-        for (index, area) in areas.iter().enumerate() {
-            check_polygon(&format!("walkable area {}", index + 1), &area.outer)?;
-            for (hole, corners) in area.holes.iter().enumerate() {
-                check_polygon(&format!("hole {} of walkable area {}", hole + 1, index + 1), corners)?;
-            }
-        }
-        let areas =
-            union(areas).map_err(|error| Error::Shape { what: "the walkable areas".into(), why: error.to_string() })?;
+        let areas = Walkable::union(areas)?;
         if !areas.is_empty() {
             let outside = |p| !areas.iter().any(|area| area.contains(p));
             self.check_nobody(outside, "it is outside the walkable area")?;

@@ -5,9 +5,9 @@ use super::World;
 use super::advance::{SEEN, diverted};
 use super::advance_lanes::Trips;
 use super::velocities::{Rows, Velocities};
-use crate::agent::{Column, Status};
+use crate::agent::{Column, Group, Status};
 use crate::lanes::{LANES, Vec2s, Vec3s, from_side_by_side, get3, ones, set, set3};
-use crate::motion::{Attitude, Attitudes, Motions, Stepping, Vehicle, angles};
+use crate::motion::{Attitude, Attitudes, Motions, Stepping, angles};
 use crate::parallel::{self, Lists};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
@@ -87,7 +87,7 @@ impl World {
             before: &agents.attitude,
             reach: &step.reach,
             status: &agents.status,
-            vehicle: &groups[agents.group[0].index()].vehicle,
+            group: &groups[agents.group[0].index()],
             seconds,
         };
         let flying = (
@@ -120,7 +120,7 @@ struct Flight<'a> {
     before: &'a Column<Attitude>,
     reach: &'a Column<f32>,
     status: &'a [Status],
-    vehicle: &'a Vehicle,
+    group: &'a Group,
     seconds: f32,
 }
 
@@ -180,7 +180,7 @@ impl Flight<'_> {
                 let before = self.before[rows.start + lane].motion(get3(&places, lane), get3(&were, lane));
                 let planned = (&mut planned.0[lane], &mut planned.1[lane]);
                 let (velocity, attitude) =
-                    diverted(self.vehicle, &before, (planned.1, false), get3(&are, lane), self.seconds);
+                    diverted(&self.group.vehicle, &before, (planned.1, false), get3(&are, lane), self.seconds);
                 (*planned.0, *planned.1) = (velocity, attitude);
             }
         }
@@ -197,14 +197,35 @@ impl Flight<'_> {
         let seen = |v: Vec2s<S>| v.dot(v).sqrt().simd_ge(splat(SEEN));
         let course = angles(simd, Vec2s { x: before.dot(after), y: before.perp_dot(after) }).abs();
         let course = (seen(before) & seen(after)).select(course, splat(0.0));
-        to.truncate().put_side_by_side(&mut positions[part.clone()]);
+        let there = self.wrapped(simd, to);
+        there.truncate().put_side_by_side(&mut positions[part.clone()]);
         after.put_side_by_side(&mut velocities[part.clone()]);
         if let (Some(altitude), Some(climb)) = (altitude.get_mut(part.clone()), climb.get_mut(part.clone())) {
-            altitude.copy_from_slice(&to.z.as_slice()[..part.len()]);
+            altitude.copy_from_slice(&there.z.as_slice()[..part.len()]);
             climb.copy_from_slice(&velocity.z.as_slice()[..part.len()]);
         }
         headings[part.clone()].copy_from_slice(&facing.as_slice()[..part.len()]);
         trip.add(simd, &self.status[rows], part, ((facing - heading).abs(), course, (to - from).length()));
+    }
+}
+
+impl Flight<'_> {
+    /// Where those are who wrap around.
+    #[inline(always)]
+    fn wrapped<S: Simd>(&self, simd: S, places: Vec3s<S>) -> Vec3s<S> {
+        let Some(ball) = self.group.wrap_around else { return places };
+        let offset = places - Vec3s::splat(simd, ball.center);
+        if !offset.length().simd_gt(S::f32s::splat(simd, ball.radius)).any_true() {
+            return places;
+        }
+        let mut all = [[0.0; LANES]; 3];
+        places.store(&mut all);
+        for lane in 0..LANES {
+            if let Some(place) = ball.back(get3(&all, lane)) {
+                set3(&mut all, lane, place);
+            }
+        }
+        Vec3s::load(simd, &all)
     }
 }
 

@@ -7,6 +7,7 @@ mod harness;
 mod map;
 mod place;
 mod rates;
+mod reasons;
 mod single;
 mod slip;
 mod turned;

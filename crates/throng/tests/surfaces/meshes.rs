@@ -4,7 +4,7 @@ use crate::oracle::{Known, ball, point, sweep};
 use crate::shapes::star;
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
-use throng::space::surface::{Mesh, Prism, Sphere, Surface, SurfaceHit};
+use throng::space::surface::{Mesh, Prism, Sphere, Surface, SurfaceHit, Sweep};
 
 /// Triangles of a prism over a star, as three corners each.
 fn prism(corners: &[Vec2], bottom: f32, top: f32) -> Vec<[Vec3; 3]> {
@@ -122,4 +122,15 @@ fn open_meshes_and_those_without_volume_are_sheets() {
         let hit = plate.ray(from, Vec3::Z * -z.signum(), 2.0).unwrap();
         assert!(hit.from_outside && hit.normal == Vec3::Z * z.signum());
     }
+}
+
+#[test]
+fn a_ball_that_leaves_one_wall_of_a_corner_meets_the_other_from_within() {
+    let wedge = [Vec2::NEG_Y * 2.0, Vec2::new(4.0, 2.0), Vec2::new(-4.0, 2.0)];
+    let mesh = soup(&prism(&wedge, -4.0, 4.0), &[false]);
+    // it touches the right wall and goes to the left one
+    let sweep = Sweep { origin: Vec3::new(0.1, -1.5, 0.0), direction: -Vec3::X, radius: 0.3, reach: 2.0 };
+    let hit = mesh.sweep(&sweep).expect("the left wall is in the way");
+    assert!(!hit.from_outside && hit.normal.x < -0.7 && hit.normal.y < -0.7, "{hit:?}");
+    assert!(hit.distance > 0.0 && (hit.distance - (0.6 - 0.3 * 2.0f32.sqrt())).abs() < 1e-4, "{hit:?}");
 }

@@ -45,7 +45,7 @@ impl Page {
     /// The camera sees nothing.
     pub fn new(args: &FilmArgs, plan: &Plan, runs: &[Run]) -> Result<Self, Failure> {
         let Style { view, trails, groups, .. } = args.look.style(&plan.loaded.scene, runs[0].built.bounds)?;
-        let setting = moment::setting(&runs[0].world, plan.loaded.title());
+        let setting = moment::setting(&runs[0].world, &runs[0].built, plan.loaded.title());
         let [min, max] = runs[0].built.bounds;
         let all = WorldBox::of(&setting, &runs[0].frame).unwrap_or(WorldBox { min, max });
         let color = |k: usize| groups.get(k).copied().flatten().unwrap_or_else(|| palette(k)).hex();

@@ -1,28 +1,32 @@
 //! What is wrong with what a group says of steering, before anything is made of it.
 
-use super::super::limits::{Limit, check, check_number};
+use super::super::limits::{HIGHEST, Limit, check, check_number, check_point};
 use super::{refused, vehicle};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
-use crate::scene::{Group, Speed};
+use crate::scene::steer::Position;
+use crate::scene::{Group, Speed, WrapAround};
+use throng::motion::Locomotion;
 use toml::Value;
 
 /// Checks what a group says of steering: that vehicles are those of who steers, that nothing else says what they do, that
 /// they can be, and that numbers are finite.
 pub fn check_steering(path: &Path, group: &Group) -> Result<(), Problem> {
     let Some(steer) = &group.steer else {
-        return match (&group.vehicle, &group.start_speed) {
-            (None, None) => Ok(()),
-            (None, Some(_)) => {
-                Err(Problem::new(&path.key("start_speed"), Kind::Conflict, "only those who steer have a start_speed")
-                    .hint("say what they steer by: steer.wander = {}"))
-            }
-            (Some(_), _) => {
-                Err(Problem::new(&path.key("vehicle"), Kind::Conflict, "only those who steer have a vehicle")
+        let says = [
+            ("start_speed", group.start_speed.is_some(), "only those who steer have a start_speed"),
+            ("vehicle", group.vehicle.is_some(), "only those who steer have a vehicle"),
+            ("wrap_around", group.wrap_around.is_some(), "only those who steer wrap around"),
+        ];
+        return match says.into_iter().find(|(_, said, _)| *said) {
+            None => Ok(()),
+            Some((key, _, message)) => {
+                Err(Problem::new(&path.key(key), Kind::Conflict, message)
                     .hint("say what they steer by: steer.wander = {}"))
             }
         };
     };
+    check_wrap_around(&path.key("wrap_around"), group)?;
     let mends = [
         ("speed", group.speed != Speed::default(), "set vehicle.max_speed instead"),
         ("acceleration", group.acceleration.is_some(), "set vehicle.max_force and vehicle.mass instead"),
@@ -54,6 +58,20 @@ pub fn check_steering(path: &Path, group: &Group) -> Result<(), Problem> {
         let made = vehicle(group);
         made.check().map_err(|error| refused(&path, &error))?;
         check(&path.key("max_speed"), f64::from(made.max_speed), Limit::UpTo(1000.0))?;
+    }
+    Ok(())
+}
+
+/// Who wraps around does not come down below the ground, nor upon somebody.
+fn check_wrap_around(path: &Path, group: &Group) -> Result<(), Problem> {
+    let Some(WrapAround { center: Position([x, y, z]), radius }) = group.wrap_around else { return Ok(()) };
+    check_point(&path.key("center"), &[x, y])?;
+    check(&path.key("radius"), radius, Limit::UpTo(HIGHEST))?;
+    let flies = vehicle(group).locomotion != Locomotion::Ground;
+    check(&path.key("center").index(2), z, Limit::Between(if flies { radius } else { 0.0 }, HIGHEST))?;
+    if group.is_guarded() {
+        let message = "who wraps around cannot be guarded: nobody knows who is on the other side";
+        return Err(Problem::new(path, Kind::Conflict, message).hint("leave out `guard`"));
     }
     Ok(())
 }

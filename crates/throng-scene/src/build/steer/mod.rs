@@ -2,16 +2,19 @@
 //!
 //! A behaviour is made by its own `impl Make`; what is wrong with it, the behaviour itself says (`Behaviour::check`).
 
+mod around;
 mod check;
 mod combine;
 mod group;
+mod place;
 mod single;
 mod slip;
 mod target;
 mod vehicle;
 
+pub(super) use around::Around;
 pub(super) use check::check_steering;
-pub(super) use vehicle::vehicle;
+pub(super) use vehicle::{vehicle, wrap_around};
 
 use super::{ground, surface};
 use crate::error::Kind;
@@ -37,6 +40,8 @@ pub(super) struct Making<'a> {
     pub origin: DVec2,
     /// Groups and movers, in the world's order.
     pub named: &'a [Named],
+    /// Surfaces, paths and what is solid.
+    pub around: &'a Around<'a>,
     /// The group whose behaviour it is, by its position.
     pub group: usize,
 }
@@ -98,6 +103,15 @@ impl Making<'_> {
             Steer::Queue(of) => ("queue", of),
             Steer::FollowLeader(of) => ("follow_leader", of),
             Steer::KeepFormation(of) => ("keep_formation", of),
+            Steer::AvoidObstacles(of) => ("avoid_obstacles", of),
+            Steer::Whiskers(of) => ("whiskers", of),
+            Steer::Contain(of) => ("contain", of),
+            Steer::FollowPath(of) => ("follow_path", of),
+            Steer::StayOnPath(of) => ("stay_on_path", of),
+            Steer::FollowWall(of) => ("follow_wall", of),
+            Steer::Hide(of) => ("hide", of),
+            Steer::CrowdPath(of) => ("crowd_path", of),
+            Steer::QueueAtDoor(of) => ("queue_at_door", of),
             Steer::WeightedSum(of) => ("weighted_sum", of),
             Steer::RunningSum(of) => ("running_sum", of),
             Steer::Priority(of) => ("priority", of),

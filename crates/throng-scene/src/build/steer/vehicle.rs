@@ -1,8 +1,9 @@
 //! Vehicles.
 
 use super::{angle, or};
+use crate::geometry::DVec2;
 use crate::scene::{self, Group, VehicleKind};
-use throng::motion::{Forces, Integrator, Locomotion, Vehicle};
+use throng::motion::{Forces, Integrator, Locomotion, Vehicle, WrapAround};
 
 /// The vehicle of those who steer in a group.
 pub fn vehicle(group: &Group) -> Vehicle {
@@ -38,4 +39,10 @@ fn forces(said: &scene::Forces) -> Forces {
         side: or(said.side, standard.side),
         up: or(said.up, standard.up),
     }
+}
+
+/// A ball that those who steer leave on one side and enter on the other.
+pub fn wrap_around(said: scene::WrapAround, origin: DVec2) -> WrapAround {
+    let [x, y, z] = said.center.0;
+    WrapAround { center: (DVec2::new(x, y) - origin).as_vec2().extend(z as f32), radius: said.radius as f32 }
 }

@@ -15,6 +15,7 @@
 
 mod combine;
 mod group;
+mod place;
 mod position;
 mod single;
 mod slip;
@@ -22,6 +23,7 @@ mod target;
 
 pub use combine::*;
 pub use group::*;
+pub use place::*;
 pub use position::Position;
 pub use single::*;
 pub use slip::*;
@@ -121,6 +123,24 @@ pub enum Steer {
     FollowLeader(FollowLeader),
     /// Its own place in a formation that moves with a leader.
     KeepFormation(KeepFormation),
+    /// Round what is in the way (Reynolds 1999).
+    AvoidObstacles(AvoidObstacles),
+    /// Away from what its whiskers touch, as gdx-ai does.
+    Whiskers(Whiskers),
+    /// On one side of a surface (Reynolds 1999).
+    Contain(Contain),
+    /// Along a path (Reynolds 1999).
+    FollowPath(FollowPath),
+    /// Back to a path that it is about to leave, as OpenSteer does.
+    StayOnPath(StayOnPath),
+    /// Along a wall (Reynolds 1999).
+    FollowWall(FollowWall),
+    /// Behind an obstacle, hidden from somebody (Reynolds 1999).
+    Hide(Hide),
+    /// Along a path with others (Reynolds 1999, "crowd path following").
+    CrowdPath(CrowdPath),
+    /// Through a door with others (Reynolds 1999, "queuing").
+    QueueAtDoor(QueueAtDoor),
     /// The sum of all, each times its weight (Reynolds 1999).
     WeightedSum(WeightedSum),
     /// The sum of the first, up to the vehicle's top force.

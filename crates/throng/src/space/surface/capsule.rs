@@ -1,5 +1,6 @@
 //! Capsules: everything within a radius of a segment.
 
+use super::facets::{ROUND, turned};
 use super::sweep::{finite, touch_convex};
 use super::{Bounds, Surface, SurfaceHit, SurfacePoint, Sweep};
 use crate::error::Error;
@@ -74,6 +75,26 @@ impl Surface for Capsule {
         };
         let SurfacePoint { point, normal, .. } = self.query(sweep.at(distance));
         (distance <= sweep.reach).then_some(SurfaceHit { distance, point, normal, from_outside: false })
+    }
+
+    fn facets(&self, _: &Bounds) -> Vec<Vec<Vec3>> {
+        let half = 0.5 * self.start.distance(self.end);
+        let axis = (self.end - self.start).try_normalize().unwrap_or(Vec3::Z);
+        let quarter = ROUND / 4;
+        let at = |k: usize| {
+            let (sin, cos) = libm::sincosf((k % (quarter + 1)) as f32 * (std::f32::consts::TAU / ROUND as f32));
+            match k {
+                _ if k > quarter => {
+                    (half + sin * self.radius, if k == 2 * quarter + 1 { 0.0 } else { cos * self.radius })
+                }
+                0 => (-half - self.radius, 0.0),
+                _ => (-half - cos * self.radius, sin * self.radius),
+            }
+        };
+        let mut line: Vec<(f32, f32)> = (0..2 * quarter + 2).map(at).collect();
+        // one without length is a ball
+        line.dedup_by(|a, b| (a.0 - b.0).abs().max((a.1 - b.1).abs()) <= 1e-6 * self.radius);
+        turned(self.start.midpoint(self.end), axis, &line)
     }
 
     fn bounds(&self) -> Bounds {

@@ -85,6 +85,18 @@ impl Surface for Cuboid {
         }
     }
 
+    fn facets(&self, _: &Bounds) -> Vec<Vec<Vec3>> {
+        let face = |axis: usize, sign: f32| {
+            let (u, v) = (Vec3::AXES[(axis + 1) % 3] * sign, Vec3::AXES[(axis + 2) % 3]);
+            let corner = |a: f32, b: f32| (Vec3::AXES[axis] * sign + u * a + v * b) * self.half;
+            vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)]
+        };
+        if self.half.z == 0.0 {
+            return vec![face(2, 1.0)];
+        }
+        (0..6).map(|k| face(k / 2, if k % 2 == 0 { 1.0 } else { -1.0 })).collect()
+    }
+
     fn bounds(&self) -> Bounds {
         Bounds { low: -self.half, high: self.half }
     }

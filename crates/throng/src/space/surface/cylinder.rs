@@ -1,6 +1,7 @@
 //! Cylinders with flat ends.
 
 use super::extrude::extrude;
+use super::facets::{self, turned};
 use super::sweep::{finite, leave_ball, touch_convex};
 use super::{Bounds, Surface, SurfaceHit, SurfacePoint, Sweep};
 use crate::error::Error;
@@ -70,6 +71,13 @@ impl Surface for Cylinder {
         };
         let point = at + normal * gap;
         (distance <= sweep.reach).then_some(SurfaceHit { distance, point, normal, from_outside: false })
+    }
+
+    fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
+        let (half, radius) = (self.half, self.radius);
+        let line = [(-half, 0.0), (-half, radius), (half, radius), (half, 0.0)];
+        let facets = turned(self.center, self.axis, &line).into_iter().map(|facet| facets::within(facet, within));
+        facets.filter(|facet| facet.len() > 2).collect()
     }
 
     fn bounds(&self) -> Bounds {

@@ -136,6 +136,14 @@ impl Surface for HeightField {
         Some(hit.of_solid(sweep.origin.z >= self.height(sweep.origin.xy())))
     }
 
+    fn facets(&self, _: &Bounds) -> Vec<Vec<Vec3>> {
+        let Grid { columns, rows, .. } = self.grid;
+        // without the ring of cells that reach far away
+        let cells = (1..rows).flat_map(|row| (1..columns).map(move |column| (row * (columns + 1) + column) as u32));
+        let corners = cells.map(|cell| self.grid.corners(cell));
+        corners.flat_map(|[a, b, c, d]| [vec![a, b, c], vec![a, c, d]]).collect()
+    }
+
     fn bounds(&self) -> Bounds {
         let high = self.grid.heights.iter().copied().fold(f32::NEG_INFINITY, f32::max);
         Bounds { high: Vec3::INFINITY.with_z(high), ..Bounds::EVERYWHERE }

@@ -1,6 +1,6 @@
 //! Triangle meshes.
 
-use super::sweep::{finite, touch_convex};
+use super::sweep::{finite, rounding, touch_convex};
 use super::triangle::{Part, Triangle};
 use super::{Bounds, Bvh, Surface, SurfaceHit, SurfacePoint, Sweep, topology};
 use crate::error::Error;
@@ -122,10 +122,16 @@ impl Surface for Mesh {
         if !self.is_closed() {
             return Some(hit);
         }
-        // the side is told where it touches, which is found faster: on the surface itself by the way it goes
+        // the side is told where it touches, which is found faster: on the surface itself by the way it goes; else what is
+        // nearest may be another part, which it touched before and leaves
         let there = self.query(sweep.at(hit.distance));
         let towards = there.normal.dot(sweep.direction) <= 0.0;
-        Some(hit.of_solid(if hit.distance > 0.0 { towards } else { !there.is_inside() }))
+        let on_surface = hit.distance > 0.0 && there.distance.abs() <= 4.0 * rounding(there.point);
+        Some(hit.of_solid(if on_surface { towards } else { !there.is_inside() }))
+    }
+
+    fn facets(&self, _: &Bounds) -> Vec<Vec<Vec3>> {
+        self.triangles.iter().map(|corners| corners.map(|i| self.points[i as usize]).to_vec()).collect()
     }
 
     fn bounds(&self) -> Bounds {

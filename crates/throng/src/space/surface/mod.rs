@@ -30,6 +30,7 @@ mod capsule;
 mod cuboid;
 mod cylinder;
 mod extrude;
+mod facets;
 mod heights;
 mod mesh;
 mod moved;
@@ -40,6 +41,7 @@ mod sweep;
 mod topology;
 mod triangle;
 mod union;
+mod upright;
 
 pub use barrier::{Barrier, PathIntersection, SeenFrom};
 pub use bounds::Bounds;
@@ -74,6 +76,12 @@ pub trait Surface: Debug + Send + Sync {
 
     /// A box that holds the surface, and the solid if there is one.
     fn bounds(&self) -> Bounds;
+
+    /// It as flat polygons, to be drawn: corners go counter-clockwise seen from outside. Of what has no end, the part
+    /// within a box. None where nothing is to be drawn.
+    fn facets(&self, _within: &Bounds) -> Vec<Vec<Vec3>> {
+        Vec::new()
+    }
 
     /// Where a ray first crosses the surface, from outside or inside, within `reach` metres. `direction` is a unit
     /// vector. A start on the surface itself, give or take rounding, counts as either side.
@@ -139,6 +147,10 @@ impl<S: Surface + ?Sized> Surface for Box<S> {
     fn bounds(&self) -> Bounds {
         (**self).bounds()
     }
+
+    fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
+        (**self).facets(within)
+    }
 }
 
 impl<S: Surface + ?Sized> Surface for Arc<S> {
@@ -152,5 +164,9 @@ impl<S: Surface + ?Sized> Surface for Arc<S> {
 
     fn bounds(&self) -> Bounds {
         (**self).bounds()
+    }
+
+    fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
+        (**self).facets(within)
     }
 }

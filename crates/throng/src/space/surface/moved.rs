@@ -106,6 +106,13 @@ impl<S: Surface> Surface for Moved<S> {
         Some(SurfaceHit { point, normal, ..hit })
     }
 
+    fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
+        let within = Bounds::around(within.corners().map(|corner| self.pose.to_local(corner)));
+        let mut facets = self.surface.facets(&within);
+        facets.iter_mut().flatten().for_each(|corner| *corner = self.pose.to_world(*corner));
+        facets
+    }
+
     fn bounds(&self) -> Bounds {
         let bounds = self.surface.bounds();
         if !bounds.is_finite() {

@@ -1,5 +1,6 @@
 //! Half-spaces.
 
+use super::facets;
 use super::sweep::finite;
 use super::{Bounds, Surface, SurfaceHit, SurfacePoint, Sweep};
 use crate::error::Error;
@@ -42,6 +43,17 @@ impl Surface for Plane {
         let distance = (gap - sweep.radius).max(0.0) / closing;
         let point = self.query(sweep.at(distance)).point;
         (distance <= sweep.reach).then_some(SurfaceHit { distance, point, normal: self.normal, from_outside })
+    }
+
+    fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
+        let (right, up) = self.normal.any_orthonormal_pair();
+        // a square larger than the box, from the point nearest to its middle
+        let middle = self.query(within.center()).point;
+        let reach = within.center().distance(within.high) + self.query(within.center()).distance.abs();
+        let corner = |(x, y): (f32, f32)| middle + (right * x + up * y) * reach;
+        let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(corner);
+        let facet = facets::within(square.to_vec(), within);
+        if facet.len() > 2 { vec![facet] } else { Vec::new() }
     }
 
     fn bounds(&self) -> Bounds {

@@ -165,6 +165,17 @@ impl Surface for Prism {
         nearer.or(end)
     }
 
+    fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
+        let (bottom, top) = (self.bottom.max(within.low.z), self.top.min(within.high.z));
+        let ring = |z: f32| self.sides.iter().map(move |side| side.start.extend(z));
+        let side = |side: &Side| {
+            let [low, high] = [bottom, top].map(|z| [side.start.extend(z), side.end.extend(z)]);
+            vec![low[0], low[1], high[1], high[0]]
+        };
+        let ends = [ring(top).collect(), ring(bottom).rev().collect()];
+        ends.into_iter().chain(self.sides.iter().map(side)).collect()
+    }
+
     fn bounds(&self) -> Bounds {
         self.bvh.bounds()
     }

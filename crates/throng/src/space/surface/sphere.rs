@@ -1,5 +1,6 @@
 //! Balls.
 
+use super::facets::{ROUND, turned};
 use super::sweep::{finite, leave_ball, touch_convex};
 use super::{Bounds, Surface, SurfaceHit, SurfacePoint, Sweep};
 use crate::error::Error;
@@ -39,6 +40,14 @@ impl Surface for Sphere {
         let distance = leave_ball(sweep.origin - self.center, sweep.direction, room);
         let SurfacePoint { point, normal, .. } = self.query(sweep.at(distance));
         (distance <= sweep.reach).then_some(SurfaceHit { distance, point, normal, from_outside: false })
+    }
+
+    fn facets(&self, _: &Bounds) -> Vec<Vec<Vec3>> {
+        let at = |k: usize| {
+            let (sin, cos) = libm::sincosf(k as f32 * (std::f32::consts::TAU / ROUND as f32));
+            (-cos * self.radius, if k == 0 || 2 * k == ROUND { 0.0 } else { sin * self.radius })
+        };
+        turned(self.center, Vec3::Z, &(0..=ROUND / 2).map(at).collect::<Vec<_>>())
     }
 
     fn bounds(&self) -> Bounds {

@@ -80,6 +80,10 @@ impl Surface for Union {
         self.bvh.first_touched(sweep, |member, sweep| self.members[member as usize].sweep(sweep))
     }
 
+    fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
+        self.members.iter().flat_map(|member| member.facets(within)).collect()
+    }
+
     fn bounds(&self) -> Bounds {
         self.bvh.bounds()
     }

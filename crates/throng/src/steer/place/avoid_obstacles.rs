@@ -100,6 +100,7 @@ impl AvoidObstacles {
         };
         // within the gap of one obstacle the way ahead touches that, whatever comes after it: its middle does not
         let beyond = self.barriers.ahead(view.position(), course.basis.forward, 0.0, course.reach);
+        why.note(|| Reason::Feels(view.position() + course.basis.forward * course.reach));
         let here = self.barriers.nearest(view.position()).map(|here| (here.point, here.free()));
         let near = beyond.map(|(_, hit)| (hit.point, hit.free())).into_iter().chain(here);
         let Some((index, hit)) = self.ahead(view, &course, course.basis.forward) else {

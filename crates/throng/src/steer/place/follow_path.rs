@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::space::{OnPath, Pathway, Way};
+use crate::space::{OnPath, Pathway, Segment, Way};
 use crate::steer::single::{approach, settling_time};
 use crate::steer::{Arrive, Behaviour, Reason, Target, View, Why};
 use glam::Vec3;
@@ -40,7 +40,13 @@ pub struct FollowPath {
 
 impl From<Pathway> for FollowPath {
     fn from(path: Pathway) -> Self {
-        Self { path: Arc::new(path), way: Way::Forward, seconds: 0.5, slowing_distance: 1.0 }
+        Arc::new(path).into()
+    }
+}
+
+impl From<Arc<Pathway>> for FollowPath {
+    fn from(path: Arc<Pathway>) -> Self {
+        Self { path, way: Way::Forward, seconds: 0.5, slowing_distance: 1.0 }
     }
 }
 
@@ -66,6 +72,7 @@ impl Behaviour for FollowPath {
         };
         let ahead = view.motion.speed().max(SLOW * view.vehicle.max_speed) * self.seconds;
         let aim = path.at(now.along + ahead * self.way.sign());
+        self.tell(now, ahead, why);
         if !path.is_cyclic() && left <= ahead {
             let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::from(Target::Point(aim)) };
             return arrive.steer(view, &mut [], why).or_else(|| Some(view.reach(Vec3::ZERO)));
@@ -96,6 +103,24 @@ impl FollowPath {
     fn find(&self, position: Vec3, known: Option<f32>, reach: f32) -> OnPath {
         let near = known.map(|along| self.path.nearest_near(position, along, reach));
         near.filter(|near| near.outside <= reach).unwrap_or_else(|| self.path.nearest(position))
+    }
+
+    /// Says which part of the path it follows: from where it is beside it, as far as it looks.
+    fn tell(&self, now: OnPath, ahead: f32, why: &mut Why<'_>) {
+        if !why.is_asked() {
+            return;
+        }
+        let (path, sign) = (&*self.path, self.way.sign());
+        let off = |corner: &Segment| {
+            let off = (corner.along - now.along) * sign;
+            let off = if path.is_cyclic() { off.rem_euclid(path.length()) } else { off };
+            (off > 0.0 && off < ahead).then_some((off, corner.start))
+        };
+        let mut corners: Vec<(f32, Vec3)> = path.segments().iter().filter_map(off).collect();
+        corners.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let ends = [now.point, path.at(now.along + ahead * sign)];
+        let way = ends[..1].iter().copied().chain(corners.into_iter().map(|corner| corner.1)).chain([ends[1]]);
+        way.for_each(|corner| why.note(|| Reason::Via(corner)));
     }
 
     /// How far it is from one distance along the path to another in its direction; on a ring, the shorter way round.

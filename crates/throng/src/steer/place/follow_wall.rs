@@ -60,6 +60,7 @@ impl Behaviour for FollowWall {
         };
         // it turns when it would come nearer than that to a wall across its way
         let reach = view.motion.speed() * self.seconds + self.offset;
+        why.note(|| Reason::Feels(view.position() + course.basis.forward * reach));
         let ahead = self.barriers.ahead(view.position(), course.basis.forward, 0.0, reach).map(|(_, hit)| hit);
         let (point, free) = match ahead {
             Some(hit) => (hit.point, hit.free()),

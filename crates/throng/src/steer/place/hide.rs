@@ -48,7 +48,11 @@ impl Hide {
     /// The place behind an obstacle that its middle hides, on the line from the eyes of the other.
     fn behind(&self, index: usize, from: &Mark, view: &View<'_>) -> Option<Vec3> {
         let surface = &self.avoid.barriers.0[index].surface;
-        let bounds = surface.bounds();
+        let mut bounds = surface.bounds();
+        if view.is_on_ground() {
+            // what stands upright without end hides who walks
+            (bounds.low.z, bounds.high.z) = (view.position().z, view.position().z);
+        }
         if !bounds.is_finite() {
             return None;
         }

@@ -73,6 +73,7 @@ impl Behaviour for Whiskers {
         let touch = |whisker: &Whisker| {
             let start = view.position() + basis.side * whisker.beside;
             let direction = turned(basis.forward, basis.up, whisker.angle);
+            why.note(|| Reason::Feels(start + direction * whisker.length));
             self.barriers.ahead(start, direction, 0.0, whisker.length).map(|(_, hit)| hit)
         };
         let hit = self

@@ -1,0 +1,179 @@
+//! Behaviours that ask the world's geometry: obstacles, containers, walls, paths.
+
+use super::super::limits::{Limit, check_some};
+use super::{Make, Making, angle, or};
+use crate::error::Kind;
+use crate::file::{Path, Problem};
+use crate::scene::steer::*;
+use std::sync::Arc;
+use throng::space::{Pathway, Way};
+use throng::steer::{self, Barriers, Branch};
+
+/// The fan of whiskers where no rays are said: lengths, metres, and the angle to the sides, radians.
+const FAN: (f32, f32, f32) = (2.0, 1.0, 0.61);
+/// How many seconds ahead one looks who stays on a path, where nothing is said.
+const STAYS: f32 = 1.0;
+
+impl Making<'_> {
+    /// What a behaviour asks; everything if nothing is said.
+    fn barriers(&self, what: &Option<What>, at: &Path) -> Result<Barriers, Problem> {
+        let what = what.clone().unwrap_or_default();
+        let named = what.0.iter().enumerate().map(|(i, name)| {
+            let at = at.key("what");
+            self.around.named(name).map_err(|known| {
+                let at = if what.0.len() == 1 { at } else { at.index(i) };
+                unknown(&at, "surface or obstacle", name, &known)
+            })
+        });
+        let named: Vec<_> = named.collect::<Result<_, _>>()?;
+        if named.is_empty() {
+            let problem = Problem::new(&at.key("what"), Kind::MissingKey, "this list of names is empty");
+            return Err(problem.hint("leave `what` away for everything"));
+        }
+        Ok(Barriers(named.concat()))
+    }
+
+    fn path(&self, name: &str, at: &Path) -> Result<Arc<Pathway>, Problem> {
+        let found = self.around.paths.iter().find(|(known, _)| *known == name);
+        found.map(|(_, path)| path.clone()).ok_or_else(|| {
+            let known: Vec<&str> = self.around.paths.iter().map(|(name, _)| *name).collect();
+            unknown(&at.key("path"), "path", name, &known)
+        })
+    }
+
+    fn follow(
+        &self,
+        path: &str,
+        way: Option<Direction>,
+        horizon: Option<f64>,
+        at: &Path,
+    ) -> Result<steer::FollowPath, Problem> {
+        let standard = steer::FollowPath::from(self.path(path, at)?);
+        let way = way.map_or(standard.way, |way| match way {
+            Direction::Forward => Way::Forward,
+            Direction::Backward => Way::Backward,
+        });
+        Ok(steer::FollowPath { way, seconds: or(horizon, standard.seconds), ..standard })
+    }
+}
+
+/// Nothing has this name.
+fn unknown(at: &Path, what: &str, name: &str, known: &[&str]) -> Problem {
+    let problem = Problem::new(at, Kind::UnknownKey, format!("there is no {what} `{name}`"));
+    match known {
+        [] => problem.hint(format!("add one with this name: [[{}]]", what.split(' ').next().unwrap_or(what))),
+        known => problem.hint(format!("there is: {}", known.join(", "))),
+    }
+}
+
+impl Make for AvoidObstacles {
+    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
+        check_some(&at.key("keeps"), self.keeps, Limit::NotNegative)?;
+        let standard = steer::AvoidObstacles::from(making.barriers(&self.what, at)?);
+        let towards = self.towards.as_ref().map(|target| making.target(target, &at.key("towards"))).transpose()?;
+        Ok(steer::AvoidObstacles {
+            towards: towards.unwrap_or(standard.towards),
+            seconds: or(self.horizon, standard.seconds),
+            gap: or(self.gap, standard.gap),
+            keeps: or(self.keeps, standard.keeps),
+            ..standard
+        }
+        .into())
+    }
+}
+
+impl Make for Whiskers {
+    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
+        let standard = steer::Whiskers::fan(making.barriers(&self.what, at)?, FAN.0, FAN.1, FAN.2);
+        let ray = |(i, ray): (usize, &Ray)| {
+            let at = at.key("rays").index(i);
+            check_some(&at.key("length"), Some(ray.length), Limit::Positive)?;
+            check_some(&at.key("angle"), ray.angle, Limit::Between(-180.0, 180.0))?;
+            Ok(steer::Whisker { beside: or(ray.beside, 0.0), angle: angle(ray.angle, 0.0), length: ray.length as f32 })
+        };
+        let rays = self.rays.as_ref().map(|rays| rays.iter().enumerate().map(ray).collect::<Result<_, Problem>>());
+        Ok(steer::Whiskers {
+            whiskers: rays.transpose()?.unwrap_or(standard.whiskers),
+            clearance: or(self.clearance, standard.clearance),
+            ..standard
+        }
+        .into())
+    }
+}
+
+impl Make for Contain {
+    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
+        check_some(&at.key("angle"), self.angle, Limit::Between(0.0, 180.0))?;
+        let found = making.around.surfaces.iter().find(|(known, _)| *known == self.surface);
+        let (_, barrier) = found.ok_or_else(|| {
+            let known: Vec<&str> = making.around.surfaces.iter().map(|(name, _)| *name).collect();
+            unknown(&at.key("surface"), "surface", &self.surface, &known)
+        })?;
+        let standard = steer::Contain::on_side(barrier.surface.clone(), barrier.seen_from);
+        Ok(steer::Contain {
+            seconds: or(self.horizon, standard.seconds),
+            angle: angle(self.angle, standard.angle),
+            gap: or(self.gap, standard.gap),
+            ..standard
+        }
+        .into())
+    }
+}
+
+impl Make for FollowPath {
+    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
+        let follow = making.follow(&self.path, self.way, self.horizon, at)?;
+        let slowing_distance = or(self.slowing_distance, follow.slowing_distance);
+        Ok(steer::FollowPath { slowing_distance, ..follow }.into())
+    }
+}
+
+impl Make for StayOnPath {
+    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
+        Ok(steer::StayOnPath { path: making.path(&self.path, at)?, seconds: or(self.horizon, STAYS) }.into())
+    }
+}
+
+impl Make for FollowWall {
+    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
+        let standard = steer::FollowWall::from(making.barriers(&self.what, at)?);
+        check_some(&at.key("offset"), self.offset, Limit::Positive)?;
+        Ok(steer::FollowWall {
+            offset: or(self.offset, standard.offset),
+            seconds: or(self.horizon, standard.seconds),
+            range: or(self.range, standard.range),
+            ..standard
+        }
+        .into())
+    }
+}
+
+impl Make for Hide {
+    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
+        let from = making.target(&self.from, &at.key("from"))?;
+        let standard = steer::Hide::new(from, making.barriers(&self.what, at)?);
+        Ok(steer::Hide {
+            gap: or(self.gap, standard.gap),
+            range: or(self.range, standard.range),
+            slowing_distance: or(self.slowing_distance, standard.slowing_distance),
+            ..standard
+        }
+        .into())
+    }
+}
+
+impl Make for CrowdPath {
+    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
+        check_some(&at.key("horizon"), self.horizon, Limit::Positive)?;
+        Ok(steer::crowd_path(making.follow(&self.path, self.way, self.horizon, at)?))
+    }
+}
+
+impl Make for QueueAtDoor {
+    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
+        let goal = self.goal.as_ref().map(|goal| making.target(goal, &at.key("goal"))).transpose()?;
+        let door = making.target(&self.door, &at.key("door"))?;
+        let walls = making.barriers(&self.what, at)?;
+        Ok(steer::queue_at_door(goal.unwrap_or(steer::Target::Goal), door, walls))
+    }
+}

@@ -1,0 +1,246 @@
+//! What scenes say of steering about walls and paths becomes what the library has.
+
+use glam::{DVec2, Vec3};
+use std::sync::Arc;
+use throng::space::surface::{Barrier, Surface};
+use throng::space::{Pathway, Way};
+use throng::steer::{self, Barriers, Branch, Target, Whisker};
+use throng_scene::{Kind, Plan, Scene};
+
+const PLACE: &str = r#"
+[walkable.polygon]
+outer = [[90, 40], [110, 40], [110, 60], [90, 60]]
+holes = [[[104, 44], [106, 44], [106, 46], [104, 46]]]
+
+[[obstacle]]
+name = "pillar"
+shape.circle = { center = [95, 55], radius = 1 }
+
+[[obstacle]]
+shape.wall = [[92, 42], [95, 42]]
+
+[[surface]]
+name = "dome"
+shape.sphere = { radius = 8 }
+at = [100, 50]
+seen_from = "inside"
+
+[[path]]
+name = "beat"
+points = [[95, 45], [105, 50], [95, 50]]
+radius = 1
+
+[[group]]
+place.point = [100, 50]
+"#;
+
+fn scene(steer: &str) -> Scene {
+    format!("{PLACE}steer.{steer}\n").parse().unwrap_or_else(|error| panic!("{steer}: {error}"))
+}
+
+fn plan(scene: &Scene) -> Plan {
+    scene.plan().unwrap_or_else(|error| panic!("{error}"))
+}
+
+type Side = Barrier<Arc<dyn Surface>>;
+
+/// Edges of the ground, obstacles, surfaces.
+fn sides() -> (Vec<Side>, Vec<Side>, Vec<Side>) {
+    let plan = plan(&scene("wander = {}"));
+    let origin = plan.settings.origin;
+    assert_eq!(origin, DVec2::new(100.0, 50.0));
+    let obstacles = plan.obstacles.iter().map(|obstacle| Barrier::of_obstacle(obstacle, origin).unwrap());
+    (Barrier::of_ground(&plan.walkable, origin).unwrap(), obstacles.collect(), plan.surfaces)
+}
+
+fn everything() -> Barriers {
+    let (edges, obstacles, surfaces) = sides();
+    Barriers([edges, obstacles, surfaces].concat())
+}
+
+#[track_caller]
+fn assert_steers(said: &str, expected: impl Into<Branch>) {
+    let scene = scene(said);
+    let branch = plan(&scene).groups[0].steering.clone().expect("it steers");
+    assert_eq!(format!("{branch:?}"), format!("{:?}", expected.into()), "{said}");
+    let text = scene.to_toml().unwrap();
+    assert_eq!(text.parse::<Scene>().unwrap(), scene, "{text}");
+}
+
+fn beat() -> Pathway {
+    Pathway::new(&[Vec3::new(-5.0, -5.0, 0.0), Vec3::new(5.0, 0.0, 0.0), Vec3::new(-5.0, 0.0, 0.0)], 1.0, false)
+        .unwrap()
+}
+
+#[test]
+fn what_is_not_said_is_the_librarys_default() {
+    assert_steers("avoid_obstacles = {}", steer::AvoidObstacles::from(everything()));
+    assert_steers("whiskers = {}", steer::Whiskers::fan(everything(), 2.0, 1.0, 0.61));
+    assert_steers("follow_wall = {}", steer::FollowWall::from(everything()));
+    assert_steers("hide = { from = \"goal\" }", steer::Hide::new(Target::Goal, everything()));
+    let dome = sides().2.remove(0);
+    assert_steers("contain = { surface = \"dome\" }", steer::Contain::on_side(dome.surface, dome.seen_from));
+    assert_steers("follow_path = { path = \"beat\" }", steer::FollowPath::from(beat()));
+    assert_steers("stay_on_path = { path = \"beat\" }", steer::StayOnPath { path: Arc::new(beat()), seconds: 1.0 });
+    assert_steers("crowd_path = { path = \"beat\" }", steer::crowd_path(beat().into()));
+    let door = Target::Point(Vec3::X);
+    assert_steers("queue_at_door = { door = [101, 50] }", steer::queue_at_door(Target::Goal, door, everything()));
+}
+
+#[test]
+fn what_is_said_is_so() {
+    let (edges, obstacles, surfaces) = sides();
+    let east = Target::Point(Vec3::X);
+    assert_steers(
+        "avoid_obstacles = { what = \"pillar\", towards = [101, 50], horizon = 3, gap = 0.5, keeps = 0 }",
+        steer::AvoidObstacles {
+            towards: east,
+            seconds: 3.0,
+            gap: 0.5,
+            keeps: 0.0,
+            ..Barriers(vec![obstacles[0].clone()]).into()
+        },
+    );
+    assert_steers(
+        "whiskers = { what = [\"dome\", \"pillar\"], rays = [{ length = 2, beside = 0.2 }, { length = 1, angle = 90 }], clearance = 0.5 }",
+        steer::Whiskers {
+            barriers: Barriers(vec![surfaces[0].clone(), obstacles[0].clone()]),
+            whiskers: vec![
+                Whisker { beside: 0.2, angle: 0.0, length: 2.0 },
+                Whisker { beside: 0.0, angle: std::f32::consts::FRAC_PI_2, length: 1.0 },
+            ],
+            clearance: 0.5,
+        },
+    );
+    assert_steers(
+        "contain = { surface = \"dome\", horizon = 2, angle = 90, gap = 0.3 }",
+        steer::Contain {
+            seconds: 2.0,
+            angle: std::f32::consts::FRAC_PI_2,
+            gap: 0.3,
+            ..steer::Contain::on_side(surfaces[0].surface.clone(), surfaces[0].seen_from)
+        },
+    );
+    let back = steer::FollowPath { way: Way::Backward, seconds: 2.0, slowing_distance: 3.0, ..beat().into() };
+    assert_steers("follow_path = { path = \"beat\", way = \"backward\", horizon = 2, slowing_distance = 3 }", back);
+    assert_steers(
+        "stay_on_path = { path = \"beat\", horizon = 0 }",
+        steer::StayOnPath { path: Arc::new(beat()), seconds: 0.0 },
+    );
+    let solid = Barriers([edges, obstacles].concat());
+    assert_steers(
+        "follow_wall = { what = \"obstacles\", offset = 0.5, horizon = 1, range = 2 }",
+        steer::FollowWall { barriers: solid.clone(), offset: 0.5, seconds: 1.0, range: 2.0 },
+    );
+    assert_steers(
+        "hide = { from = [101, 50], what = \"obstacles\", gap = 1, range = 9, slowing_distance = 2 }",
+        steer::Hide { gap: 1.0, range: 9.0, slowing_distance: 2.0, ..steer::Hide::new(east, solid.clone()) },
+    );
+    let follow = steer::FollowPath { way: Way::Backward, seconds: 1.0, ..beat().into() };
+    assert_steers("crowd_path = { path = \"beat\", way = \"backward\", horizon = 1 }", steer::crowd_path(follow));
+    assert_steers(
+        "queue_at_door = { goal = [101, 50], door = \"goal\", what = \"obstacles\" }",
+        steer::queue_at_door(east, Target::Goal, solid),
+    );
+}
+
+#[test]
+fn mistakes_are_named() {
+    for (said, kind, message, hint) in [
+        (
+            "avoid_obstacles = { what = \"dom\" }",
+            Kind::UnknownKey,
+            "there is no surface or obstacle `dom`",
+            "there is: dome, pillar",
+        ),
+        (
+            "hide = { from = \"goal\", what = [\"pillar\", \"oak\"] }",
+            Kind::UnknownKey,
+            "no surface or obstacle `oak`",
+            "dome, pillar",
+        ),
+        ("follow_wall = { what = [] }", Kind::MissingKey, "this list of names is empty", "leave `what` away"),
+        ("contain = { surface = \"pillar\" }", Kind::UnknownKey, "there is no surface `pillar`", "there is: dome"),
+        ("follow_path = { path = \"round\" }", Kind::UnknownKey, "there is no path `round`", "there is: beat"),
+        ("avoid_obstacles = { gap = -1 }", Kind::OutOfRange, "gap is -1, but must be 0 or more", ""),
+        ("avoid_obstacles = { keeps = -1 }", Kind::OutOfRange, "keeps is -1, but must be 0 or more", ""),
+        ("avoid_obstacles = { horizon = 0 }", Kind::OutOfRange, "horizon is 0", ""),
+        ("whiskers = { rays = [{ length = 0 }] }", Kind::OutOfRange, "length is 0, but must be more than 0", ""),
+        ("whiskers = { rays = [{ length = 1, angle = 200 }] }", Kind::OutOfRange, "must be from -180 to 180", ""),
+        ("contain = { surface = \"dome\", angle = 200 }", Kind::OutOfRange, "must be from 0 to 180", ""),
+        ("follow_path = { path = \"beat\", horizon = 0 }", Kind::OutOfRange, "horizon is 0", ""),
+        ("crowd_path = { path = \"beat\", horizon = 0 }", Kind::OutOfRange, "horizon is 0", ""),
+        ("stay_on_path = { path = \"beat\", horizon = -1 }", Kind::OutOfRange, "horizon is -1", ""),
+        ("follow_wall = { offset = 0 }", Kind::OutOfRange, "offset is 0", ""),
+        ("hide = { from = \"goal\", range = 0 }", Kind::OutOfRange, "range is 0", ""),
+        (
+            "wander = {}\nwrap_around = { radius = 9 }\nguard = true",
+            Kind::Conflict,
+            "who wraps around cannot be guarded",
+            "leave out `guard`",
+        ),
+        ("wander = {}\nwrap_around = { radius = 0 }", Kind::OutOfRange, "radius is 0", ""),
+        (
+            "wander = {}\nvehicle.kind = \"level\"\nwrap_around = { center = [0, 0, 5], radius = 9 }",
+            Kind::OutOfRange,
+            "must be from 9 to 20000",
+            "",
+        ),
+    ] {
+        let error = scene(said).plan().expect_err(said);
+        let text = error.to_string();
+        assert_eq!(error.kind, kind, "{said}: {text}");
+        assert!(text.contains(message), "{said}: {text}");
+        assert!(error.hint.unwrap_or_default().contains(hint), "{said}: {text}");
+        assert!(error.line.is_some(), "{said}: {text}");
+    }
+    let walks: Scene = format!("{PLACE}wrap_around = {{ radius = 9 }}").parse().unwrap();
+    assert!(walks.plan().unwrap_err().to_string().contains("only those who steer wrap around"));
+    let named: Scene = PLACE.replace("\"dome\"", "\"everything\"").parse().unwrap();
+    assert!(named.plan().unwrap_err().to_string().contains("the name `everything` means something else"));
+}
+
+#[test]
+fn who_leaves_the_ball_enters_on_the_other_side() {
+    let scene: Scene = "time = { step = 0.1, until = \"limit\", limit = 9 }\n[[group]]\nplace.point = [100, 50]\nheading = 0\n\
+        vehicle = { max_speed = 2 }\nsteer.move_forward = { part = 1 }\nwrap_around = { center = [101, 50], radius = 4 }\n"
+        .parse()
+        .unwrap();
+    let (mut world, _) = scene.build().unwrap();
+    let (mut before, mut jumps) = (100.0, 0);
+    for _ in 0..120 {
+        world.step();
+        let x = world.agents().position[0].x as f64 + world.settings().origin.x;
+        assert!((97.0 - 1e-6..=105.0 + 1e-6).contains(&x), "{x}");
+        let went = x - before;
+        if went < 0.0 {
+            assert!((7.7..=8.1).contains(&-went), "by a diameter, less what it walked: {went}");
+            jumps += 1;
+        }
+        before = x;
+        assert!((world.agents().velocity[0].x - 2.0).abs() < 0.01 || world.time() < 2.0, "as if nothing had happened");
+    }
+    assert!((2..=3).contains(&jumps), "{jumps} times in 24 m");
+}
+
+#[test]
+fn distances_to_surfaces_and_paths_are_measured() {
+    let scene: Scene = format!(
+        "time = {{ until = \"limit\", limit = 1 }}\n{PLACE}vehicle.max_speed = 1\nsteer.arrive = {{ target = [101, 50] }}\n\
+         [expect]\ndistance = [\n\
+         {{ to = \"dome\", at_least = 6.9, at_most = 8.1, when = \"always\" }},\n\
+         {{ to = \"dome\", at_least = 8.1 }},\n\
+         {{ to = \"beat\", at_most = 0.01, when = \"always\" }},\n]\n"
+    )
+    .parse()
+    .unwrap();
+    let (mut world, built) = scene.build().unwrap();
+    let mut watch = throng_scene::Watch::new(&scene.expect, &world, &built);
+    while !scene.time.over(&world) {
+        world.step();
+        watch.step(&world);
+    }
+    let verdict = watch.verdict(&world);
+    let passed: Vec<bool> = verdict.checks.iter().map(|check| check.passed).collect();
+    assert_eq!(passed, [true, true, false, true], "{verdict}");
+}

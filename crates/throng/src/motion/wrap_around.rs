@@ -1,0 +1,42 @@
+//! A world without edges: who leaves it on one side enters on the other.
+
+use crate::Error;
+use glam::Vec3;
+
+/// A ball that nobody leaves: who does is put back by its diameter, through its middle (OpenSteer,
+/// `sphericalWrapAround`).
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::motion::WrapAround;
+/// let ball = WrapAround { center: Vec3::X, radius: 5.0 };
+/// assert_eq!(ball.back(Vec3::new(7.0, 0.0, 0.0)), Some(Vec3::new(-3.0, 0.0, 0.0)));
+/// assert_eq!(ball.back(Vec3::new(4.0, 2.0, 0.0)), None, "it is within");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WrapAround {
+    /// Its middle, metres from the world's origin.
+    pub center: Vec3,
+    /// Its radius, metres. Limit: > 0.
+    pub radius: f32,
+}
+
+impl WrapAround {
+    /// The place on the other side of one beyond the rim; `None` for a place within.
+    pub fn back(&self, place: Vec3) -> Option<Vec3> {
+        let offset = place - self.center;
+        let out = offset.length();
+        (out > self.radius && out.is_finite()).then(|| place - offset * (2.0 * self.radius / out))
+    }
+
+    /// What is wrong with it, if anything is.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] for a middle that is not finite, or a radius that is not more than 0.
+    pub fn check(&self) -> Result<(), Error> {
+        for x in self.center.to_array() {
+            Error::unless_finite("a coordinate of the middle to wrap around", x.into())?;
+        }
+        Error::unless_positive("radius to wrap around", self.radius)
+    }
+}
