@@ -48,8 +48,7 @@ impl Default for Pack {
 
 impl Grid {
     /// The `k` nearest of `count` points from `start` on in the order of cells, themselves left out, within `range`:
-    /// `k + 1` places a point: how many, and their rows, nearest first; and how many of these may be within `close`, or more
-    /// than there are. Calls `left` with the places of those that it can't tell; they are to be searched one by one.
+    /// `k + 1` places a point: how many, and their rows, nearest first; and how many of these may be within `close`. Calls `left` with the places of those that it can't tell; they are to be searched one by one.
     ///
     /// # Panics
     /// If `k` is more than [`MOST_NEIGHBOURS`].
@@ -161,7 +160,7 @@ impl<'a, S: Simd> Tile<'a, S> {
             if last < (radius_squared.to_bits() & !PLACE) || radius_squared == range_squared {
                 pack.radius_squared = MORE * f32::from_bits(last.min(range_squared.to_bits()));
                 let everybody = (1u64 << self.count) - 1;
-                self.count_close(k, close, &keys, close_counts);
+                self.count_close(k, close.min(range), &keys, close_counts);
                 return Some(self.list(k, range_squared, &keys, pack, out) & everybody);
             }
             let next = if last < f32::INFINITY.to_bits() {

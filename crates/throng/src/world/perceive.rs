@@ -119,13 +119,14 @@ impl World {
             }
         };
         // who looks less far, or at fewer
-        let shorten = |place: usize, list: &mut [u32]| {
+        let shorten = |place: usize, list: &mut [u32], close_count: &mut u16| {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
             let (at, range) = (agents.position[row], group.neighbour_distance);
             let counts = |&&other: &&u32| agents.position[other as usize].distance_squared(at) <= range * range;
             let seen = &list[1..=group.neighbours.min(list[0] as usize)];
             list[0] = seen.iter().take_while(counts).count() as u32;
+            *close_count = list[0].min(u32::from(*close_count)) as u16;
         };
         let many =
             level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
@@ -140,7 +141,8 @@ impl World {
                 let left = |place: usize, list: &mut [u32], count: &mut u16| plain(found, place, list, count);
                 grid.nearest_of_many(level, places.clone(), (most, range, close), pack, (lists, counts), left);
                 if !alike {
-                    places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| shorten(place, list));
+                    let all = lists.chunks_mut(most + 1).zip(counts);
+                    places.zip(all).for_each(|(place, (list, count))| shorten(place, list, count));
                 }
             });
         });
@@ -170,7 +172,7 @@ impl World {
 pub(super) struct Neighbours {
     /// For each row how many it sees, and places for as many as anybody looks at; in the order of the grid.
     lists: Vec<u32>,
-    /// How many of those may come close enough to be measured, or more than there are; in the order of the grid.
+    /// How many of those may come close enough to be measured, in the order of the grid.
     close: Vec<u16>,
     most: usize,
     /// Where the list of each row is.
@@ -198,8 +200,9 @@ impl Neighbours {
     /// Rows of the neighbours of a row that may come close enough to be measured, nearest first.
     #[inline]
     pub(super) fn close_to(&self, row: usize) -> &[u32] {
-        let all = self.of(row);
-        &all[..all.len().min(self.close[self.places[row] as usize].into())]
+        // how many they are is known without a look at the list
+        let place = self.places[row] as usize;
+        &self.lists[place * (self.most + 1) + 1..][..self.close[place].into()]
     }
 
     /// Rows of the neighbours of a row, nearest first.
