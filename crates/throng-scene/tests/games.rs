@@ -15,8 +15,8 @@ fn a_game_is_the_same_kind_of_game_with_any_step() {
         for part in [0.5, 1.0, 1.5] {
             let mut scene = game(name);
             scene.time.step *= part;
-            let (mut world, _) = scene.build().unwrap();
-            let mut watch = Watch::new(&scene.expect, &world);
+            let (mut world, built) = scene.build().unwrap();
+            let mut watch = Watch::new(&scene.expect, &world, &built);
             while !scene.time.over(&world) {
                 world.step();
                 watch.step(&world);
@@ -104,8 +104,8 @@ fn a_program_brings_rules_of_its_own_and_expects_what_they_count() {
         });
         // they stay with the scene
         scene.set("seed", "5").unwrap();
-        let (mut world, _) = scene.build().unwrap();
-        let mut watch = Watch::new(&scene.expect, &world);
+        let (mut world, built) = scene.build().unwrap();
+        let mut watch = Watch::new(&scene.expect, &world, &built);
         for _ in 0..10 {
             world.step();
             watch.step(&world);

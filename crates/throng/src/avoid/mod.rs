@@ -36,7 +36,7 @@ pub use hrvo::Hrvo;
 pub use none::Unavoiding;
 pub use orca::{BuiltFrom, Orca};
 pub use orca_3d::Orca3d;
-pub(crate) use orca_lanes::{MOST, Own, Views, choose};
+pub(crate) use orca_lanes::{MOST, MOST_WALLS, MOST_WITH_WALLS, Own, Views, choose};
 pub use outline::Outline;
 pub use rvo::Rvo;
 pub use rvo_lab::RvoLab;

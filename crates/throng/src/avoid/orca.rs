@@ -89,6 +89,12 @@ impl LocalModel for Orca {
 }
 
 impl Orca {
+    /// Collects the half-planes of walls and the body.
+    pub(crate) fn permit_walls<'a>(&self, view: &View<'_>, workspace: &'a mut Workspace) -> &'a [Line] {
+        workspace.permit(view, view.radius * (1.0 + WALL_MARGIN), self.time_horizon_obstacles);
+        &workspace.lines
+    }
+
     /// Collects the half-planes of walls and the body, and then those of neighbours; tells how many the former are.
     fn permit(&self, view: &View<'_>, workspace: &mut Workspace) -> usize {
         let of = |current: Vec2, preferred: Vec2| match self.built_from {
@@ -97,9 +103,8 @@ impl Orca {
             BuiltFrom::Zero => Vec2::ZERO,
         };
         let velocity = of(view.velocity, view.preferred);
-        workspace.permit(view, view.radius * (1.0 + WALL_MARGIN), self.time_horizon_obstacles);
+        let hard = self.permit_walls(view, workspace).len();
         let lines = &mut workspace.lines;
-        let hard = lines.len();
         lines.extend(view.neighbours.iter().map(|n| {
             let other = Neighbour { velocity: of(n.velocity, n.preferred), ..*n };
             line(velocity, &other, self.time_horizon, view.step)

@@ -4,7 +4,7 @@
 
 use super::half_plane::{Line, PARALLEL, least_violation};
 use super::orca::{Orca, RECOVERY};
-use crate::lanes::{LANES, Vec2s, load, load_pairs, ones};
+use crate::lanes::{LANES, Vec2s, load, load_pairs, ones, set};
 use fearless_simd::prelude::*;
 use glam::Vec2;
 
@@ -20,13 +20,31 @@ pub(crate) struct Own<S: Simd> {
     pub max_speed: S::f32s,
 }
 
-/// What they see of their neighbours; see [`View`](super::View). No walls, discs only, on the ground.
+/// Half-planes that walls leave to an agent at most.
+pub(crate) const MOST_WALLS: usize = 8;
+/// Half-planes of both kinds at most.
+pub(crate) const MOST_WITH_WALLS: usize = MOST_WALLS + MOST;
+
+/// What they see; see [`View`](super::View). Discs only, on the ground.
 #[derive(Clone, Debug)]
 pub(crate) struct Views {
-    /// How many neighbours each has.
-    pub count: [f32; LANES],
+    /// The most neighbours that one has.
+    pub most: usize,
+    /// Who sees its first neighbour, its second, ..., as bits.
+    pub there: [u64; MOST],
     /// The first neighbour of each, the second, ...
     pub neighbours: [Others; MOST],
+    /// The first half-plane that walls leave to each, the second, ...; at most [`MOST_WALLS`].
+    walls: Vec<Permitted>,
+}
+
+/// A half-plane that walls leave to each.
+#[derive(Clone, Debug)]
+struct Permitted {
+    point: [[f32; LANES]; 2],
+    direction: [[f32; LANES]; 2],
+    /// Who has it, as bits.
+    there: u64,
 }
 
 /// A neighbour of each; see [`Neighbour`](super::Neighbour).
@@ -41,11 +59,37 @@ pub(crate) struct Others {
 impl Default for Views {
     fn default() -> Self {
         let others = || Others { motion: [[0.0; 4]; LANES], radii: [0.0; LANES], share: [0.5; LANES] };
-        Self { count: [0.0; LANES], neighbours: std::array::from_fn(|_| others()) }
+        let walls = Vec::with_capacity(MOST_WALLS);
+        Self { most: 0, there: [0; MOST], neighbours: std::array::from_fn(|_| others()), walls }
     }
 }
 
-/// Half-planes of every lane.
+impl Views {
+    /// Whether walls leave half-planes to anybody.
+    pub fn has_walls(&self) -> bool {
+        !self.walls.is_empty()
+    }
+
+    /// Forgets what walls leave.
+    pub fn clear_walls(&mut self) {
+        self.walls.clear();
+    }
+
+    /// Notes what walls leave to an agent.
+    pub fn permit(&mut self, lane: usize, lines: &[Line]) {
+        for (index, line) in lines.iter().enumerate() {
+            if index == self.walls.len() {
+                self.walls.push(Permitted { point: [[0.0; LANES]; 2], direction: [[0.0; LANES]; 2], there: 0 });
+            }
+            let all = &mut self.walls[index];
+            set(&mut all.point, lane, line.point);
+            set(&mut all.direction, lane, line.direction);
+            all.there |= 1 << lane;
+        }
+    }
+}
+
+/// Half-planes of every lane. Where there is none the direction is zero: a line that forbids nothing.
 #[derive(Clone, Copy)]
 struct Lines<S: Simd> {
     point: Vec2s<S>,
@@ -60,9 +104,10 @@ pub(crate) struct Chosen<S: Simd> {
     pub left: u64,
 }
 
-/// The velocities that many choose; `lanes` are those that matter, `fallback` is memory.
+/// The velocities that many choose; `fallback` is memory. `N`: most half-planes, [`MOST`] where walls leave none, else
+/// [`MOST_WITH_WALLS`].
 #[inline(always)]
-pub(crate) fn choose<S: Simd>(
+pub(crate) fn choose<S: Simd, const N: usize>(
     simd: S,
     orca: &Orca,
     own: &Own<S>,
@@ -72,28 +117,35 @@ pub(crate) fn choose<S: Simd>(
 ) -> Chosen<S> {
     let none: Vec2s<S> = Vec2s { x: S::f32s::splat(simd, 0.0), y: S::f32s::splat(simd, 0.0) };
     let nobody = none.x.simd_lt(none.x);
-    let mut lines = [Lines { point: none, direction: none, there: nobody }; MOST];
-    let count = load(simd, &views.count);
-    let most = count.reduce_max() as usize;
-    let mut left = 0;
-    for (index, line) in lines[..most].iter_mut().enumerate() {
-        let there = count.simd_gt(S::f32s::splat(simd, index as f32));
-        let (made, coincident) = self::line(simd, orca, own, &views.neighbours[index], step);
-        *line = Lines { there, ..made };
-        left |= (coincident & there).to_bitmask();
+    let mut lines = [Lines { point: none, direction: none, there: nobody }; N];
+    let lanes = |bits: u64| S::mask32s::from_bitmask(simd, bits);
+    let hard = views.walls.len();
+    for (line, wall) in lines.iter_mut().zip(&views.walls) {
+        let (point, direction) = (Vec2s::load(simd, &wall.point), Vec2s::load(simd, &wall.direction));
+        *line = Lines { point, direction, there: lanes(wall.there) };
     }
-    let lines = &lines[..most];
+    let mut left = 0;
+    let seen = views.neighbours.iter().zip(&views.there);
+    for (line, (others, &there)) in lines[hard..hard + views.most].iter_mut().zip(seen) {
+        let (made, coincident) = self::line(simd, orca, own, others, step);
+        let there_lanes = lanes(there);
+        let direction = Vec2s::select(there_lanes, made.direction, none);
+        *line = Lines { direction, there: there_lanes, ..made };
+        left |= coincident.to_bitmask() & there;
+    }
+    let lines = &lines[..hard + views.most];
     let (mut velocity, failed) = closest_velocity(simd, lines, own.max_speed, own.preferred);
     for lane in ones(failed.lanes.to_bitmask() & !left) {
         let [all, workspace] = fallback;
         all.clear();
         let at = |v: Vec2s<S>| Vec2::new(v.x[lane], v.y[lane]);
-        all.extend(
-            lines[..views.count[lane] as usize]
-                .iter()
-                .map(|line| Line { point: at(line.point), direction: at(line.direction) }),
-        );
-        let best = least_violation(all, 0, own.max_speed[lane], (failed.line[lane] as usize, at(velocity)), workspace);
+        let (mut walls, mut first) = (0, 0);
+        for (index, line) in lines.iter().enumerate().filter(|(_, line)| line.there.to_bitmask() >> lane & 1 != 0) {
+            walls += usize::from(index < hard);
+            first += usize::from(index < failed.line[lane] as usize);
+            all.push(Line { point: at(line.point), direction: at(line.direction) });
+        }
+        let best = least_violation(all, walls, own.max_speed[lane], (first, at(velocity)), workspace);
         (velocity.x[lane], velocity.y[lane]) = (best.x, best.y);
     }
     Chosen { velocity, left }
@@ -187,8 +239,7 @@ fn closest_velocity<S: Simd>(
     (v, failed)
 }
 
-/// The point nearest to `aim` on a line within the disc and the lines before it, and the lanes that have none. Who has a
-/// line has all before it.
+/// The point nearest to `aim` on a line within the disc and the lines before it, and the lanes that have none.
 #[inline(always)]
 fn on_line<S: Simd>(
     simd: S,

@@ -236,7 +236,7 @@ impl Contacts {
     }
 
     /// Those of 64 rows that can touch anybody or any wall, a bit each.
-    pub(super) fn touching(&self, part: usize) -> u64 {
+    pub(crate) fn touching(&self, part: usize) -> u64 {
         self.others.some(part) | self.walls.some(part)
     }
 }

@@ -7,6 +7,9 @@ use glam::DVec2;
 /// A point this near to a triangle counts as in it, metres.
 pub(super) const TOUCH: f64 = 1e-7;
 
+/// Twice the area of a triangle that is no rounding, m2.
+const CLEARLY: f64 = 1e-9;
+
 /// Sorts triangles into cells, about sixteen a triangle: plans have many small triangles close together.
 pub(super) fn sorted(vertices: &[DVec2], triangles: &[[u32; 3]]) -> Cells {
     let reach = DVec2::splat(1e-6);
@@ -79,6 +82,16 @@ impl NavMesh {
         }
     }
 
+    /// The same, where it may be in a triangle, which may be one of another mesh.
+    pub(super) fn stand_near(&self, triangle: Option<u32>, point: DVec2) -> (DVec2, Option<u32>) {
+        // beyond doubt in that triangle and in no other
+        let holds = |&triangle: &u32| {
+            (triangle as usize) < self.triangles.len()
+                && sides(&self.corners(triangle), point).all(|side| side > CLEARLY)
+        };
+        triangle.filter(holds).map_or_else(|| self.stand(point), |triangle| (point, Some(triangle)))
+    }
+
     /// All triangles within `reach` (at most 1e-6 m) of a point, in order.
     pub(super) fn touching(&self, point: DVec2, reach: f64, out: &mut Vec<u32>) {
         out.clear();
@@ -126,9 +139,13 @@ impl NavMesh {
 }
 
 /// Whether a triangle holds a point, its edges included.
-pub(super) fn holds([a, b, c]: &[DVec2; 3], point: DVec2) -> bool {
-    let side = |a: DVec2, b: DVec2| (b - a).perp_dot(point - a) >= 0.0;
-    side(*a, *b) && side(*b, *c) && side(*c, *a)
+pub(super) fn holds(corners: &[DVec2; 3], point: DVec2) -> bool {
+    sides(corners, point).all(|side| side >= 0.0)
+}
+
+/// How far a point is to the left of each edge of a triangle, times the length of the edge.
+fn sides(&[a, b, c]: &[DVec2; 3], point: DVec2) -> impl Iterator<Item = f64> {
+    [(a, b), (b, c), (c, a)].into_iter().map(move |(a, b)| (b - a).perp_dot(point - a))
 }
 
 /// The point of a convex counter-clockwise polygon nearest to `point`.

@@ -2,6 +2,7 @@
 
 use super::mesh::NavMesh;
 use super::path::Path;
+use super::visible::{Sight, Wall};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -48,6 +49,23 @@ pub struct Route {
     /// Length of the way from the next corner on, metres.
     #[serde(skip_serializing)]
     beyond: f64,
+    #[serde(skip_serializing)]
+    guess: Guess,
+}
+
+/// What the last look found: where to look first the next time. No answer depends on it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Guess {
+    /// The triangle the agent was in.
+    triangle: Option<u32>,
+    /// The wall that hid the corner after the next.
+    wall: Option<Wall>,
+}
+
+impl PartialEq for Guess {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// What of a route is saved.
@@ -61,7 +79,7 @@ struct Saved {
 
 impl From<Saved> for Route {
     fn from(Saved { corners, next, looked, lost }: Saved) -> Self {
-        let mut route = Self { corners, next, looked, lost, beyond: 0.0 };
+        let mut route = Self { corners, next, looked, lost, beyond: 0.0, guess: Guess::default() };
         route.go_on_to(next);
         route
     }
@@ -97,12 +115,19 @@ impl Route {
 
     fn look(&mut self, mesh: &NavMesh, position: DVec2) {
         let next = self.next as usize;
-        let (eye, here) = mesh.stand(position);
-        let sees = |corner: usize| mesh.visible_from(here, eye, self.corners[corner]);
+        let (eye, here) = mesh.stand_near(self.guess.triangle, position);
+        self.guess.triangle = here;
         let mut furthest = next;
-        while furthest + 1 < self.corners.len() && sees(furthest + 1) {
+        while let Some(&corner) = self.corners.get(furthest + 1)
+            && !self.guess.wall.is_some_and(|wall| mesh.is_in_the_way(wall, eye, corner))
+        {
+            if let Sight::Blocked(wall) = mesh.sight(here, eye, corner) {
+                self.guess.wall = wall;
+                break;
+            }
             furthest += 1;
         }
+        let sees = |corner: usize| mesh.visible_from(here, eye, self.corners[corner]);
         if furthest > next {
             self.go_on_to(furthest as u32);
         } else if sees(next) {

@@ -8,6 +8,25 @@ use glam::DVec2;
 /// How far a walk may leave the mesh and still count as on it, metres.
 const SLACK: f64 = 1e-6;
 
+/// What is more than this off a line, in metres, is off it beyond doubt.
+const CLEARLY: f64 = 10.0 * SLACK;
+
+/// An edge of a triangle with nothing beyond it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Wall {
+    triangle: u32,
+    edge: u8,
+}
+
+/// What is in sight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Sight {
+    /// Where it was looked to.
+    Clear,
+    /// A wall, if it is known which.
+    Blocked(Option<Wall>),
+}
+
 impl NavMesh {
     /// Whether the straight segment from `a` to `b` stays on the mesh, give or take 1e-6 m. Grazing corners and
     /// running along walls is allowed.
@@ -17,16 +36,37 @@ impl NavMesh {
 
     /// The same, where the triangle of `a` is known.
     pub(super) fn visible_from(&self, triangle: Option<u32>, a: DVec2, b: DVec2) -> bool {
-        triangle.and_then(|triangle| self.walk(triangle, a, b)).unwrap_or_else(|| self.visible_by_cover(a, b))
+        self.sight(triangle, a, b) == Sight::Clear
+    }
+
+    /// The same, with the wall that is in the way.
+    pub(super) fn sight(&self, triangle: Option<u32>, a: DVec2, b: DVec2) -> Sight {
+        triangle
+            .and_then(|triangle| self.walk(triangle, a, b))
+            .unwrap_or_else(|| if self.visible_by_cover(a, b) { Sight::Clear } else { Sight::Blocked(None) })
+    }
+
+    /// Whether a wall is in the way from `a` to `b`, beyond doubt: then [`sight`](Self::sight) finds none. Any wall may be
+    /// asked about, even one of another mesh.
+    pub(super) fn is_in_the_way(&self, Wall { triangle, edge }: Wall, a: DVec2, b: DVec2) -> bool {
+        let Some(neighbours) = self.neighbours.get(triangle as usize) else { return false };
+        let corners = self.corners(triangle);
+        let (start, end) = (corners[edge as usize], corners[(edge as usize + 1) % 3]);
+        let (across, along) = ((b - a).normalize_or_zero(), (end - start).normalize_or_zero());
+        neighbours[edge as usize] == NONE
+            && across.perp_dot(start - a) < -CLEARLY
+            && across.perp_dot(end - a) > CLEARLY
+            && along.perp_dot(a - start) > CLEARLY
+            && along.perp_dot(b - start) < -CLEARLY
     }
 
     /// Walks from triangle to triangle; `None` when the segment comes so near to a vertex that its side is in doubt.
-    fn walk(&self, mut triangle: u32, a: DVec2, b: DVec2) -> Option<bool> {
+    fn walk(&self, mut triangle: u32, a: DVec2, b: DVec2) -> Option<Sight> {
         let along = (b - a).try_normalize()?;
         let side = |point: DVec2| along.perp_dot(point - a);
         let corners = self.corners(triangle);
         if holds(&corners, b) {
-            return Some(true);
+            return Some(Sight::Clear);
         }
         let sides = corners.map(side);
         if sides.iter().any(|side| side.abs() < SLACK) {
@@ -41,12 +81,13 @@ impl NavMesh {
             if next == NONE {
                 // Just short of the end the wall may still be within the slack.
                 let short = closest_convex(&self.corners(triangle), b).distance_squared(b) <= SLACK * SLACK;
-                return if short { None } else { Some(false) };
+                let wall = Wall { triangle, edge: edge as u8 };
+                return if short { None } else { Some(Sight::Blocked(Some(wall))) };
             }
             let entered = self.edge_to(next, triangle);
             let corner = self.vertices[self.triangles[next as usize][(entered + 2) % 3] as usize];
             if (corner - right).perp_dot(b - right) >= 0.0 && (left - corner).perp_dot(b - corner) >= 0.0 {
-                return Some(true);
+                return Some(Sight::Clear);
             }
             let side = side(corner);
             if side.abs() < SLACK {

@@ -1,9 +1,11 @@
 //! The grid: points sorted into cells.
 
 use super::block::{Block, LEAF, Point, Points, divide};
+use super::cells::bounds;
 use super::nearest::Near;
 use crate::lanes::LANES;
 use crate::parallel;
+use fearless_simd::Level;
 use glam::Vec2;
 
 /// Height of cells over the mean distance of points, at most.
@@ -39,10 +41,10 @@ pub(super) enum Run {
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Grid {
-    low: Vec2,
+    pub(super) low: Vec2,
     /// Cells a metre, along and across rows.
-    inverse: Vec2,
-    columns: usize,
+    pub(super) inverse: Vec2,
+    pub(super) columns: usize,
     rows: usize,
     /// Greatest distance of a coordinate from zero: what rounding depends on.
     extent: f32,
@@ -71,12 +73,13 @@ impl Grid {
         assert_eq!(points.len(), numbers.len(), "a number for every point");
         self.crowded.clear();
         self.blocks.clear();
-        let Some(&first) = points.first() else {
+        if points.is_empty() {
             (self.columns, self.rows) = (0, 0);
             self.numbers.clear();
             return;
-        };
-        let (low, high) = points.iter().fold((first, first), |(low, high), &p| (low.min(p), high.max(p)));
+        }
+        let level = Level::new();
+        let (low, high) = bounds(level, points);
         let size = high - low;
         self.extent = low.abs().max(high.abs()).max_element();
         let most = (points.len() * 2 + 64) as f32;
@@ -90,14 +93,12 @@ impl Grid {
         self.inverse = Vec2::new(1.0 / (WIDTH * height), 1.0 / height);
         self.columns = (size.x * self.inverse.x) as usize + 1;
         self.rows = (size.y * self.inverse.y) as usize + 1;
-        self.sort(points, numbers);
-        for cell in 0..self.columns * self.rows {
-            let (start, end) = (self.starts[cell], self.starts[cell + 1]);
-            if (end - start) as usize > LEAF {
-                self.crowded.push((cell as u32, self.blocks.len() as u32));
-                let Self { x, y, numbers, order: rows, part, .. } = self;
-                divide(&mut self.blocks, start, end, &mut Points { x, y, numbers, rows }, part);
-            }
+        self.sort(level, points, numbers);
+        let Self { x, y, numbers, order: rows, part, starts, blocks, .. } = self;
+        for (cell, block) in &mut self.crowded {
+            *block = blocks.len() as u32;
+            let (start, end) = (starts[*cell as usize], starts[*cell as usize + 1]);
+            divide(blocks, start, end, &mut Points { x, y, numbers, rows }, part);
         }
     }
 
@@ -137,36 +138,34 @@ impl Grid {
         self.numbers.is_empty()
     }
 
-    fn sort(&mut self, points: &[Vec2], numbers: &[u32]) {
+    fn sort(&mut self, level: Level, points: &[Vec2], numbers: &[u32]) {
         let count = points.len();
         let mut cell_of = std::mem::take(&mut self.cell_of);
         cell_of.resize(count, 0);
         let grid = &*self;
-        parallel::ranges(&mut cell_of[..], |rows, cells| {
-            for (cell, &p) in cells.iter_mut().zip(&points[rows]) {
-                *cell = (grid.row(p.y) * grid.columns + grid.column(p.x)) as u32;
-            }
-        });
+        parallel::ranges(&mut cell_of[..], |rows, cells| grid.find_cells(level, &points[rows], cells));
         self.starts.clear();
         self.starts.resize(self.columns * self.rows + 1, 0);
         for &c in &cell_of {
-            self.starts[c as usize + 1] += 1;
+            self.starts[c as usize] += 1;
         }
+        // where each cell ends
         let mut sum = 0;
-        for start in &mut self.starts {
+        for (cell, start) in (0..).zip(&mut self.starts) {
+            if *start as usize > LEAF {
+                self.crowded.push((cell, 0));
+            }
             sum += *start;
             *start = sum;
         }
         // tiles read whole vectors
         self.order.resize(count + LANES, 0);
-        for (row, &c) in cell_of.iter().enumerate() {
+        // from the last: then the ends have become starts
+        for (row, &c) in cell_of.iter().enumerate().rev() {
             let at = &mut self.starts[c as usize];
+            *at -= 1;
             self.order[*at as usize] = row as u32;
-            *at += 1;
         }
-        // filling moved every start to the next cell's: shift back
-        self.starts.copy_within(..self.columns * self.rows, 1);
-        self.starts[0] = 0;
         self.cell_of = cell_of;
         let Self { x, y, numbers: sorted, order, .. } = self;
         x.resize(count + LANES, 0.0);

@@ -1,6 +1,7 @@
 //! Who is near: neighbour search. A grid over the agents answers for all of them.
 
 mod block;
+mod cells;
 mod grid;
 mod instructions;
 mod lattice;

@@ -48,8 +48,7 @@ impl Default for Pack {
 
 impl Grid {
     /// The `k` nearest of `count` points from `start` on in the order of cells, themselves left out, within `range`:
-    /// `k + 1` places a point: how many, and their rows, nearest first; and whether the nearest may be within `close`. Calls
-    /// `left` with the places of those that it can't tell; they are to be searched one by one.
+    /// `k + 1` places a point: how many, and their rows, nearest first; and how many of these may be within `close`. Calls `left` with the places of those that it can't tell; they are to be searched one by one.
     ///
     /// # Panics
     /// If `k` is more than [`MOST_NEIGHBOURS`].
@@ -59,8 +58,8 @@ impl Grid {
         places: Range<usize>,
         (k, range, close): (usize, f32, f32),
         pack: &mut Pack,
-        found: (&mut [u32], &mut [bool]),
-        left: impl FnMut(usize, &mut [u32], &mut bool),
+        found: (&mut [u32], &mut [u16]),
+        left: impl FnMut(usize, &mut [u32], &mut u16),
     ) {
         assert!(k <= MOST_NEIGHBOURS, "at most {MOST_NEIGHBOURS} neighbours");
         dispatch!(level, simd => many(simd, self, places, (k, range, close), pack, found, left));
@@ -74,8 +73,8 @@ fn many<S: Simd>(
     places: Range<usize>,
     (k, range, close): (usize, f32, f32),
     pack: &mut Pack,
-    (found, are_close): (&mut [u32], &mut [bool]),
-    mut left: impl FnMut(usize, &mut [u32], &mut bool),
+    (found, close_counts): (&mut [u32], &mut [u16]),
+    mut left: impl FnMut(usize, &mut [u32], &mut u16),
 ) {
     let mut start = places.start;
     let mut most = S::f32s::LEN;
@@ -84,14 +83,9 @@ fn many<S: Simd>(
         let end = (start + most).min(places.end).min(grid.end_of_row(start));
         let rows = start - places.start..end - places.start;
         let out = &mut found[rows.start * (k + 1)..rows.end * (k + 1)];
-        let are_close = &mut are_close[rows];
-        let missing = match Tile::new(simd, grid, start, end).nearest(k, range, pack, out) {
-            Some(Found { unclear, nearest }) => {
-                let close = S::u32s::splat(simd, (close * close).to_bits() | PLACE);
-                let close = nearest.simd_le(close).to_bitmask();
-                are_close.iter_mut().enumerate().for_each(|(lane, is_close)| *is_close = close >> lane & 1 != 0);
-                unclear
-            }
+        let close_counts = &mut close_counts[rows];
+        let missing = match Tile::new(simd, grid, start, end).nearest((k, range, close), pack, (out, close_counts)) {
+            Some(unclear) => unclear,
             None if end - start > 1 => {
                 most = (end - start) / 2;
                 continue;
@@ -99,7 +93,7 @@ fn many<S: Simd>(
             None => 1,
         };
         for lane in ones(missing) {
-            left(start + lane, &mut out[lane * (k + 1)..(lane + 1) * (k + 1)], &mut are_close[lane]);
+            left(start + lane, &mut out[lane * (k + 1)..(lane + 1) * (k + 1)], &mut close_counts[lane]);
         }
         start = end;
         most = (2 * most).min(S::f32s::LEN);
@@ -111,14 +105,6 @@ macro_rules! exchange {
     ($all:ident: $($a:literal-$b:literal)*) => {
         $(($all[$a], $all[$b]) = ($all[$a].min($all[$b]), $all[$a].max($all[$b]));)*
     };
-}
-
-/// What a tile found, besides its lists.
-struct Found<S: Simd> {
-    /// The lanes that it can't tell, as bits.
-    unclear: u64,
-    /// Keys of the nearest.
-    nearest: S::u32s,
 }
 
 /// Points side by side, and the box round them.
@@ -149,9 +135,15 @@ impl<'a, S: Simd> Tile<'a, S> {
         Self { simd, grid, count, x, y, low, high }
     }
 
-    /// Finds the nearest of all lanes. `None` if too many are near the tile.
+    /// Finds the nearest of all lanes, and how many are close. Gives the lanes that it can't tell, as bits; `None` if too
+    /// many are near the tile.
     #[inline(always)]
-    fn nearest(&self, k: usize, range: f32, pack: &mut Pack, out: &mut [u32]) -> Option<Found<S>> {
+    fn nearest(
+        &self,
+        (k, range, close): (usize, f32, f32),
+        pack: &mut Pack,
+        (out, close_counts): (&mut [u32], &mut [u16]),
+    ) -> Option<u64> {
         let range_squared = range * range;
         let mut radius_squared = pack.radius_squared.min(range_squared);
         let (mut inner, mut count) = (None, 0);
@@ -168,8 +160,8 @@ impl<'a, S: Simd> Tile<'a, S> {
             if last < (radius_squared.to_bits() & !PLACE) || radius_squared == range_squared {
                 pack.radius_squared = MORE * f32::from_bits(last.min(range_squared.to_bits()));
                 let everybody = (1u64 << self.count) - 1;
-                let unclear = self.list(k, range_squared, &keys, pack, out) & everybody;
-                return Some(Found { unclear, nearest: keys[1] });
+                self.count_close(k, close.min(range), &keys, close_counts);
+                return Some(self.list(k, range_squared, &keys, pack, out) & everybody);
             }
             let next = if last < f32::INFINITY.to_bits() {
                 f32::from_bits(last | PLACE) * 1.01
@@ -258,6 +250,18 @@ impl<'a, S: Simd> Tile<'a, S> {
         distance & !PLACE | place as u32
     }
 
+    /// Counts the keys of others that may be close.
+    #[inline(always)]
+    fn count_close(&self, k: usize, close: f32, keys: &[S::u32s; KEYS], counts: &mut [u16]) {
+        let limit = S::u32s::splat(self.simd, (close * close).to_bits() | PLACE);
+        let (zero, one) = (S::u32s::splat(self.simd, 0), S::u32s::splat(self.simd, 1));
+        let mut sum = zero;
+        for key in &keys[1..=k] {
+            sum += key.simd_le(limit).select(one, zero);
+        }
+        counts.iter_mut().zip(sum.as_slice()).for_each(|(count, &sum)| *count = sum as u16);
+    }
+
     /// Lists the rows that keys stand for. Tells which lanes have two that the keys don't tell apart.
     #[inline(always)]
     fn list(&self, k: usize, range_squared: f32, keys: &[S::u32s; KEYS], pack: &Pack, out: &mut [u32]) -> u64 {
@@ -312,7 +316,7 @@ mod tests {
         let mut lists = vec![Vec::new(); points.len()];
         let (mut out, mut pack, mut left) =
             (vec![0; points.len() * (k + 1)], Pack::default(), vec![false; points.len()]);
-        let mut close = vec![false; points.len()];
+        let mut close = vec![0; points.len()];
         grid.nearest_of_many(
             level,
             0..points.len(),

@@ -9,6 +9,8 @@ pub struct Cells {
     pub low: DVec2,
     /// Width of a cell, metres.
     pub width: f64,
+    /// Cells a metre.
+    inverse: f64,
     /// How many side by side.
     pub columns: usize,
     /// How many one above the other.
@@ -23,7 +25,15 @@ impl Cells {
     pub fn new(low: DVec2, high: DVec2, width: f64) -> Self {
         let size = high - low;
         let (columns, rows) = ((size.x / width) as usize + 1, (size.y / width) as usize + 1);
-        Self { low, width, columns, rows, starts: vec![0; columns * rows + 1], items: Vec::new() }
+        Self {
+            low,
+            width,
+            inverse: width.recip(),
+            columns,
+            rows,
+            starts: vec![0; columns * rows + 1],
+            items: Vec::new(),
+        }
     }
 
     /// Puts items into cells, given as (cell, item).
@@ -39,9 +49,9 @@ impl Cells {
         self.items = pairs.into_iter().map(|(_, item)| item).collect();
     }
 
-    /// Column and row of the cell of a point, or the nearest one.
+    /// Column and row of the cell of a point, give or take rounding, or the nearest one.
     pub fn place(&self, at: DVec2) -> (usize, usize) {
-        let cell = (at - self.low) / self.width;
+        let cell = (at - self.low) * self.inverse;
         ((cell.x.max(0.0) as usize).min(self.columns - 1), (cell.y.max(0.0) as usize).min(self.rows - 1))
     }
 

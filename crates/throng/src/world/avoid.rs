@@ -37,6 +37,21 @@ pub(super) struct Sight {
     pub discs: Vec<NearDisc>,
 }
 
+impl Sight {
+    /// Whether it has no walls.
+    pub fn is_open(&self) -> bool {
+        self.edges.is_empty() && self.discs.is_empty()
+    }
+
+    /// Whether a wall lies between the agent and what is at `offset`.
+    pub fn hides(&self, offset: Vec2) -> bool {
+        // walls come nearest first, and none that is farther hides anybody
+        let reach = f64::from(offset.length()) * 1.001 + 0.001;
+        let mut between = self.edges.iter().zip(&self.near.edges).take_while(|(_, wall)| wall.0 <= reach);
+        between.any(|(edge, _)| hides(edge, offset))
+    }
+}
+
 impl World {
     /// 3. What is safe: the local models choose velocities, bodies limit them.
     pub(super) fn avoid(&mut self, seconds: f32) {
@@ -88,6 +103,24 @@ impl World {
     /// What the model of an agent sees.
     pub(super) fn view<'a>(&self, row: usize, seconds: f32, sight: &'a mut Sight) -> View<'a> {
         let agents = &self.agents;
+        self.see_walls(row, sight);
+        let margin = margin(seconds);
+        for &near in self.neighbours(row) {
+            let other = near as usize;
+            if !sight.hides(agents.offset(row, other)) {
+                sight.rows.push(near);
+                sight.neighbours.push(self.neighbour(row, other, margin));
+            }
+        }
+        if !agents.is_disc(row) {
+            see_with_core(&agents.core_of(row), &mut sight.edges, &mut sight.discs);
+        }
+        self.view_of(row, seconds, sight)
+    }
+
+    /// Lets an agent see the walls near it, and nobody yet.
+    pub(super) fn see_walls(&self, row: usize, sight: &mut Sight) {
+        let agents = &self.agents;
         let Sight { near: walls, rows, neighbours, edges, discs } = sight;
         let at = agents.position[row].as_dvec2();
         let bound = agents.body(row).bound() + agents.tracking_error[row];
@@ -106,21 +139,12 @@ impl World {
         }));
         rows.clear();
         neighbours.clear();
-        let margin = margin(seconds);
-        for &near in self.neighbours(row) {
-            let other = near as usize;
-            let offset = agents.offset(row, other);
-            // walls come nearest first, and none that is farther hides anybody
-            let reach = f64::from(offset.length()) * 1.001 + 0.001;
-            let mut between = edges.iter().zip(&walls.edges).take_while(|(_, wall)| wall.0 <= reach);
-            if !between.any(|(edge, _)| hides(edge, offset)) {
-                rows.push(near);
-                neighbours.push(self.neighbour(row, other, margin));
-            }
-        }
-        if !agents.is_disc(row) {
-            see_with_core(&agents.core_of(row), edges, discs);
-        }
+    }
+
+    /// What the model of an agent is to know that sees this.
+    pub(super) fn view_of<'a>(&self, row: usize, seconds: f32, sight: &'a Sight) -> View<'a> {
+        let agents = &self.agents;
+        let Sight { neighbours, edges, discs, .. } = sight;
         View {
             velocity: agents.velocity[row],
             heading: agents.heading[row],
@@ -132,7 +156,7 @@ impl World {
             max_acceleration: agents.max_acceleration[row],
             tracking_error: agents.tracking_error[row],
             max_turn_rate: agents.max_turn_rate[row],
-            margin,
+            margin: margin(seconds),
             step: seconds,
             neighbours,
             edges,

@@ -1,9 +1,10 @@
-//! Many agents avoid at once, a lane an agent: those whose model is a plain ORCA, on the ground, away from walls. The same
-//! bits as [one by one](super::avoid), where everybody else goes.
+//! Many agents avoid at once, a lane an agent: those whose model is a plain ORCA, on the ground. The same bits as [one by
+//! one](super::avoid), where everybody else goes.
 
 use super::World;
+use super::avoid::Sight;
 use super::way::{GOAL, WALKS};
-use crate::avoid::{Line, LocalModel, MOST, Orca, Own, Views, choose, margin};
+use crate::avoid::{Line, LocalModel, MOST, MOST_WALLS, MOST_WITH_WALLS, Orca, Own, Views, Workspace, choose, margin};
 use crate::lanes::{LANES, Vec2s, load, ones};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
@@ -15,6 +16,8 @@ use std::ops::Range;
 pub(super) struct LaneScratch {
     views: Views,
     fallback: [Vec<Line>; 2],
+    sight: Sight,
+    workspace: Workspace,
 }
 
 /// What everybody has in common where many can avoid at once.
@@ -100,7 +103,16 @@ impl World {
             }
             let own = self.own(simd, part.clone());
             self.view_many(simd, common, part.clone(), &mut scratch.views);
-            let chosen = choose(simd, &common.orca, &own, &scratch.views, common.step, &mut scratch.fallback);
+            scratch.views.clear_walls();
+            if !common.open {
+                missing |= self.see_walls_of_many(common, part.clone(), missing, scratch);
+            }
+            let LaneScratch { views, fallback, .. } = scratch;
+            let chosen = if views.has_walls() {
+                choose::<S, MOST_WITH_WALLS>(simd, &common.orca, &own, views, common.step, fallback)
+            } else {
+                choose::<S, MOST>(simd, &common.orca, &own, views, common.step, fallback)
+            };
             missing |= chosen.left;
             let most = self.agents.max_acceleration.lanes(simd, part.clone()) * S::f32s::splat(simd, common.step);
             let change = (chosen.velocity - own.velocity).clamp_length_max(most);
@@ -111,13 +123,43 @@ impl World {
         }
     }
 
-    /// Who of a range of rows goes by another model or sees walls, as bits.
+    /// Who of a range of rows goes by another model, as bits.
     fn misfits(&self, common: &Common, rows: Range<usize>) -> u64 {
+        if common.alike {
+            return 0;
+        }
         let model = |row: usize| self.groups[self.agents.group[row].index()].model.as_orca();
-        let fits = |row: usize| {
-            (common.alike || model(row) == Some(common.orca)) && (common.open || self.sees_no_wall(row, &common.orca))
-        };
-        rows.rev().fold(0, |misfits, row| misfits << 1 | u64::from(!fits(row)))
+        rows.rev().fold(0, |misfits, row| misfits << 1 | u64::from(model(row) != Some(common.orca)))
+    }
+
+    /// Lets a range of rows but the missing see what walls leave them, and not see whom walls hide. Tells as bits for whom
+    /// these are too many.
+    fn see_walls_of_many(&self, common: &Common, rows: Range<usize>, missing: u64, scratch: &mut LaneScratch) -> u64 {
+        let LaneScratch { views, sight, workspace, .. } = scratch;
+        let mut too_many = 0;
+        for lane in ones(!missing & ((1 << rows.len()) - 1)) {
+            let row = rows.start + lane;
+            let range = common.orca.wall_range(self.agents.radius[row], self.agents.max_speed[row]);
+            if self.walls.are_far(self.agents.position[row].as_dvec2(), range.into()) {
+                continue;
+            }
+            self.see_walls(row, sight);
+            if sight.is_open() {
+                continue;
+            }
+            let lines = common.orca.permit_walls(&self.view_of(row, common.step, sight), workspace);
+            if lines.len() > MOST_WALLS {
+                too_many |= 1 << lane;
+                continue;
+            }
+            views.permit(lane, lines);
+            for (&other, there) in self.neighbours(row).iter().zip(&mut views.there) {
+                if sight.hides(self.agents.offset(row, other as usize)) {
+                    *there &= !(1 << lane);
+                }
+            }
+        }
+        too_many
     }
 
     /// Those of a range of rows themselves.
@@ -137,12 +179,11 @@ impl World {
     fn view_many<S: Simd>(&self, simd: S, common: &Common, rows: Range<usize>, views: &mut Views) {
         let (agents, step) = (&self.agents, &self.step);
         let (mut own_keys, mut keys) = ([0; LANES], [[0; LANES]; MOST]);
-        let mut most = 0;
-        views.count = [0.0; LANES];
+        let (mut count, mut most) = ([0.0; LANES], 0);
         for (lane, row) in rows.clone().enumerate() {
             let neighbours = step.near.of(row);
             most = most.max(neighbours.len());
-            views.count[lane] = neighbours.len() as f32;
+            count[lane] = neighbours.len() as f32;
             own_keys[lane] = step.shown[row].way.key();
             for ((&other, others), keys) in neighbours.iter().zip(&mut views.neighbours).zip(&mut keys) {
                 let shown = &step.shown[other as usize];
@@ -153,13 +194,15 @@ impl World {
         let lanes = |keys: &[u32; LANES]| S::u32s::from_slice(simd, &keys[..S::f32s::LEN]);
         let (own, zero) = (lanes(&own_keys), S::u32s::splat(simd, 0));
         let (walks, goal) = (S::u32s::splat(simd, WALKS), S::u32s::splat(simd, GOAL));
-        let count = load(simd, &views.count);
+        let count = load(simd, &count);
+        views.most = most;
         for (index, (others, keys)) in views.neighbours[..most].iter_mut().zip(&keys).enumerate() {
             others.share = [0.5; LANES];
             let theirs = lanes(keys);
             // both walk, to different goals: neither has the right of way
             let equals = !(own & theirs & walks).simd_eq(zero) & !((own ^ theirs) & goal).simd_eq(zero);
             let there = count.simd_gt(S::f32s::splat(simd, index as f32));
+            views.there[index] = there.to_bitmask();
             let unlike = if common.equals { !equals & there } else { there };
             for lane in ones(unlike.to_bitmask()) {
                 let row = rows.start + lane;
@@ -177,11 +220,5 @@ impl World {
                 }
             }
         }
-    }
-
-    /// Whether no wall is near enough to matter.
-    fn sees_no_wall(&self, row: usize, orca: &Orca) -> bool {
-        let range = orca.wall_range(self.agents.radius[row], self.agents.max_speed[row]);
-        self.walls.is_clear(self.agents.position[row].as_dvec2(), f64::from(range))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::World;
 use crate::agent::Columns;
+use crate::lanes::ones;
 use crate::parallel::{self, WORD, Words};
 use crate::space::{Core, Walls};
 
@@ -42,36 +43,26 @@ impl World {
         // where nobody is guarded contacts are not collected, and who is perceived has to do
         let guarded = step.guarded.uniform() != Some(false);
         let discs_only = step.long.is_empty();
-        let most = |all: &[f32]| all.iter().copied().fold(0.0, f32::max);
-        let reach = if discs_only { most(step.reach.values()) } else { f32::INFINITY };
-        let radius = most(agents.radius.values());
         let measure = |measured: &mut Measured, first: usize| {
-            let rows = if step.rest.sleeps(first / WORD) { 0..0 } else { first..agents.len().min(first + WORD) };
-            for row in rows {
-                if guarded {
-                    contacts.of(row).iter().filter(|&&other| other as usize > row).for_each(|&other| {
-                        measured.pair(agents, row, other as usize, discs_only);
-                    });
-                } else if near.is_close(row) {
-                    // nearest first, before they moved
-                    let farthest = radius + agents.radius[row] + 4.0 * reach;
-                    let at = agents.position[row];
-                    let others = near.of(row).iter().map(|&other| other as usize);
-                    let close =
-                        |&other: &usize| at.distance_squared(agents.position[other]) <= farthest * farthest * 1.0001;
-                    for other in others.take_while(close) {
-                        if agents.number[other] > agents.number[row] {
-                            measured.pair(agents, row, other, discs_only);
-                        }
-                    }
+            let part = first / WORD;
+            if step.rest.sleeps(part) {
+                return;
+            }
+            let rows = first..agents.len().min(first + WORD);
+            for row in ones(near.with_close(rows)).map(|at| first + at) {
+                let close = near.close_to(row);
+                if !guarded {
+                    close.iter().for_each(|&other| measured.pair(agents, row, other as usize, discs_only));
                 }
                 // those who can't touch yet: the nearest that was perceived
-                if near.is_close(row)
-                    && let Some(nearest) = near.of(row).first().map(|&nearest| nearest as usize)
+                if let Some(nearest) = close.first().map(|&nearest| nearest as usize)
                     && (!discs_only || measured.is_near(agents, row, nearest))
                 {
                     measured.separation(agents, row, nearest);
                 }
+            }
+            for row in ones(contacts.touching(part)).map(|at| first + at) {
+                contacts.of(row).iter().for_each(|&other| measured.pair(agents, row, other as usize, discs_only));
                 if !contacts.is_off_walls(row) {
                     measured.walls(agents, row, walls, (contacts.edges_of(row), contacts.discs_of(row)));
                 }
@@ -104,9 +95,10 @@ impl Measured {
         self.overlaps == 0
     }
 
-    /// Notes the separation of two, and whether they overlap.
+    /// Notes the separation of two, and whether they overlap: once, for the one with the lower number.
+    #[inline]
     fn pair(&mut self, agents: &Columns, row: usize, other: usize, discs_only: bool) {
-        if !discs_only || self.is_near(agents, row, other) {
+        if (!discs_only || self.is_near(agents, row, other)) && agents.number[row] < agents.number[other] {
             let separation = self.separation(agents, row, other);
             self.overlaps += u64::from(separation < TOUCH);
         }

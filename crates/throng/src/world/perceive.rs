@@ -6,6 +6,7 @@ use crate::agent::{Columns, Group};
 use crate::parallel::{self, Lists};
 use crate::perceive::{Grid, MOST_NEIGHBOURS, Near};
 use glam::Vec2;
+use std::ops::Range;
 
 /// Part of the smallest radius (half of the narrower side of who is no disc) that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
 const FREE_MOVE: f32 = 0.25;
@@ -95,7 +96,7 @@ impl World {
         let (grid, long, rest, scratch, level) =
             (&step.grid, &step.long, &step.rest, &mut step.perceiving, self.instructions.level());
         let anybody_flies = agents.anybody_flies();
-        let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32], is_close: &mut bool| {
+        let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32], close_count: &mut u16| {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
             let flat = !group.model.looks_in_space();
@@ -118,34 +119,37 @@ impl World {
                 long.add(agents, grid, row, (group.nearest(), group.neighbour_distance), accept, found);
             }
             list[0] = found.len() as u32;
-            *is_close = found.first().is_some_and(|near| near.distance_squared <= close * close);
+            let are_close = found.iter().filter(|near| near.distance_squared <= close * close);
+            *close_count = are_close.count() as u16;
             for (entry, near) in list[1..].iter_mut().zip(&*found) {
                 *entry = near.row;
             }
         };
         // who looks less far, or at fewer
-        let shorten = |place: usize, list: &mut [u32]| {
+        let shorten = |place: usize, list: &mut [u32], close_count: &mut u16| {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
             let (at, range) = (agents.position[row], group.neighbour_distance);
             let counts = |&&other: &&u32| agents.position[other as usize].distance_squared(at) <= range * range;
             let seen = &list[1..=group.nearest().min(list[0] as usize)];
             list[0] = seen.iter().take_while(counts).count() as u32;
+            *close_count = list[0].min(u32::from(*close_count)) as u16;
         };
         let many =
             level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
         let lists = Lists { all: &mut step.near.lists, stride: most + 1 };
         let all = (lists, &mut step.near.close[..]);
         parallel::ranges_with(all, scratch, |(pack, found), places, all| {
-            rest.each_place(grid.order(), places, all, |places, (Lists { all: lists, .. }, are_close)| {
+            rest.each_place(grid.order(), places, all, |places, (Lists { all: lists, .. }, counts)| {
                 let Some(level) = many else {
-                    let all = lists.chunks_mut(most + 1).zip(are_close);
-                    return places.zip(all).for_each(|(place, (list, is_close))| plain(found, place, list, is_close));
+                    let all = lists.chunks_mut(most + 1).zip(counts);
+                    return places.zip(all).for_each(|(place, (list, count))| plain(found, place, list, count));
                 };
-                let left = |place: usize, list: &mut [u32], is_close: &mut bool| plain(found, place, list, is_close);
-                grid.nearest_of_many(level, places.clone(), (most, range, close), pack, (lists, are_close), left);
+                let left = |place: usize, list: &mut [u32], count: &mut u16| plain(found, place, list, count);
+                grid.nearest_of_many(level, places.clone(), (most, range, close), pack, (lists, counts), left);
                 if !alike {
-                    places.zip(lists.chunks_mut(most + 1)).for_each(|(place, list)| shorten(place, list));
+                    let all = lists.chunks_mut(most + 1).zip(counts);
+                    places.zip(all).for_each(|(place, (list, count))| shorten(place, list, count));
                 }
             });
         });
@@ -175,8 +179,8 @@ impl World {
 pub(super) struct Neighbours {
     /// For each row how many it sees, and places for as many as anybody looks at; in the order of the grid.
     lists: Vec<u32>,
-    /// Whether the nearest may come close enough to be measured, in the order of the grid.
-    close: Vec<bool>,
+    /// How many of those may come close enough to be measured, in the order of the grid.
+    close: Vec<u16>,
     most: usize,
     /// Where the list of each row is.
     places: Vec<u32>,
@@ -186,7 +190,7 @@ impl Neighbours {
     fn resize(&mut self, order: &[u32], most: usize) {
         self.most = most;
         self.lists.resize(order.len() * (most + 1), 0);
-        self.close.resize(order.len(), false);
+        self.close.resize(order.len(), 0);
         self.places.resize(order.len(), 0);
         for (place, &row) in (0..).zip(order) {
             self.places[row as usize] = place;
@@ -199,15 +203,24 @@ impl Neighbours {
         self.lists.clear();
         self.lists.resize(1, 0);
         self.close.clear();
-        self.close.resize(1, false);
+        self.close.resize(1, 0);
         self.places.clear();
         self.places.resize(rows, 0);
     }
 
-    /// Whether the nearest of a row may come close enough to be measured.
+    /// Of 64 rows or fewer those of whom somebody may come close enough to be measured, as bits.
     #[inline]
-    pub(super) fn is_close(&self, row: usize) -> bool {
-        self.close[self.places[row] as usize]
+    pub(super) fn with_close(&self, rows: Range<usize>) -> u64 {
+        let close = |&place: &u32| self.close[place as usize] != 0;
+        self.places[rows].iter().rev().fold(0, |bits, place| bits << 1 | u64::from(close(place)))
+    }
+
+    /// Rows of the neighbours of a row that may come close enough to be measured, nearest first.
+    #[inline]
+    pub(super) fn close_to(&self, row: usize) -> &[u32] {
+        // how many they are is known without a look at the list
+        let place = self.places[row] as usize;
+        &self.lists[place * (self.most + 1) + 1..][..self.close[place].into()]
     }
 
     /// Rows of the neighbours of a row, nearest first.

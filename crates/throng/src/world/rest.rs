@@ -13,8 +13,9 @@
 
 use super::World;
 use super::advance::SEEN;
-use crate::agent::Value;
+use crate::agent::{Status, Value};
 use crate::guard::PASSES;
+use crate::lanes::ones;
 use crate::parallel::{self, Parts, WORD, Words};
 use glam::Vec2;
 use std::ops::Range;
@@ -265,20 +266,23 @@ impl World {
                     (rows.start / WORD..).zip(still).filter(|&(part, _)| asleep.get(part) != Some(&true))
                 {
                     let pushed = if world.is_guarded() { world.step.guard.moved(part) } else { 0 };
-                    let rows = rows_of(part, count).rev();
-                    *still = rows.fold(0, |still, row| still << 1 | u64::from(world.is_still(row, seconds))) & !pushed;
+                    let status = &world.agents.status[rows_of(part, count)];
+                    let stands = |bits, &status: &Status| bits << 1 | u64::from(status != Status::Walking);
+                    let standing = status.iter().rev().fold(0, stands) & !pushed;
+                    let first = part * WORD;
+                    let moving = |at: &usize| !world.is_still(first + at, seconds);
+                    *still = ones(standing).filter(moving).fold(standing, |still, at| still & !(1 << at));
                 }
             });
         }
         self.step.rest = rest;
     }
 
-    /// Whether a row will be after this sub-step as it was before, if the guard has not moved it.
+    /// Whether a row that does not walk will be after this sub-step as it was before, if the guard has not moved it.
     fn is_still(&self, row: usize, seconds: f32) -> bool {
         let Self { agents, step, .. } = self;
-        let (way, velocity, at) = (&step.shown[row].way, step.wishes.ground[row], agents.position[row]);
-        !way.walks()
-            && !way.may_change()
+        let (velocity, at) = (step.wishes.ground[row], agents.position[row]);
+        !step.shown[row].way.may_change()
             && velocity.same(agents.velocity[row])
             // a motion that is below what positions resolve is none
             && (at + velocity * seconds).same(at)

@@ -98,7 +98,7 @@ proptest! {
         let (said, reasons) = told(&feel, &view);
         prop_assert_eq!(said.is_some(), expected.is_some());
         if let Some((_, point)) = expected {
-            let touch = |told: &Told| if let Reason::Expects(touched) = told.reason { Some(touched) } else { None };
+            let touch = |told: &throng::steer::Told| if let Reason::Expects(touched) = told.reason { Some(touched) } else { None };
             let touched = reasons.iter().find_map(touch).expect("it says where it touches");
             prop_assert!(touched.distance(point) < 0.1, "{touched} {point}");
         }
