@@ -63,7 +63,8 @@ fn plan() -> Style {
 fn from_above_solids_are_filled_and_containers_are_outlines() {
     let look = looker(&place(), &plan());
     let Theme { ground, obstacle, .. } = Theme::light();
-    assert_eq!(look([-3.0, 1.0, 0.0]), obstacle, "the ball");
+    // a rim of the bowl may lie over it
+    assert!(apart(look([-3.0, 1.0, 0.0]), obstacle) < 10, "the ball");
     assert_eq!(look([4.0, 1.0, 0.0]), obstacle, "the box");
     assert_eq!(look([4.9, 2.4, 0.0]), obstacle, "to its corner");
     assert_eq!(look([-3.0, 2.5, 0.0]), ground, "in the bowl");

@@ -1,7 +1,7 @@
 //! What the agents of a group share.
 
 use crate::avoid::{LocalModel, Orca, Unavoiding};
-use crate::motion::{Vehicle, WrapAround};
+use crate::motion::{Locomotion, Vehicle, WrapAround};
 use crate::steer::Branch;
 use std::sync::Arc;
 
@@ -43,6 +43,11 @@ impl Group {
     /// As [`neighbours`](Self::neighbours): everybody near. What flocks want: however dense they are, they are fast, and those
     /// of one plain [`Flocking`](crate::steer::Flocking) fastest.
     pub const EVERYBODY: usize = usize::MAX;
+
+    /// Whether its agents steer up and down, and so look there.
+    pub(crate) fn steers_in_space(&self) -> bool {
+        self.steering.is_some() && self.vehicle.locomotion != Locomotion::Ground
+    }
 
     /// How many of the nearest are to be found for each of its agents.
     pub(crate) fn nearest(&self) -> usize {

@@ -215,3 +215,67 @@ impl Lattice {
         });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn build(points: &[Vec3], numbers: &[u32], reach: f32) -> Lattice {
+        let mut lattice = Lattice::default();
+        lattice.rebuild(|row| points[row], numbers, reach);
+        lattice
+    }
+
+    proptest! {
+        #[test]
+        fn who_is_within_reach_is_found_whatever_the_order_of_rows(
+            points in prop::collection::vec((-20.0f32..20.0, -20.0f32..20.0, -20.0f32..20.0), 1..300),
+            flat: bool, coarse: bool, far in prop_oneof![Just(0.0f32), Just(1e4)],
+            reach in 0.1f32..30.0, range in 0.1f32..30.0, turn in 0usize..300,
+        ) {
+            let place = |&(x, y, z): &(f32, f32, f32)| {
+                let p = Vec3::new(x + far, y, if flat { 0.0 } else { z });
+                if coarse { p.round() } else { p }
+            };
+            let points: Vec<Vec3> = points.iter().map(place).collect();
+            let numbers: Vec<u32> = (0..points.len() as u32).collect();
+            let lattice = build(&points, &numbers, reach);
+            let (mut turned, mut others) = (points.clone(), numbers.clone());
+            turned.rotate_left(turn % points.len());
+            others.rotate_left(turn % points.len());
+            let same = build(&turned, &others, reach);
+            for &from in points.iter().take(20) {
+                let found = |lattice: &Lattice, numbers: &[u32]| {
+                    let mut found = vec![];
+                    lattice.within(from, range, |place, offset| {
+                        found.push((place, numbers[lattice.order()[place] as usize], offset));
+                    });
+                    found
+                };
+                let near = found(&lattice, &numbers);
+                prop_assert_eq!(&near, &found(&same, &others));
+                prop_assert!(near.is_sorted_by_key(|&(place, ..)| place));
+                let mut found: Vec<u32> = near.iter().map(|&(_, number, _)| number).collect();
+                found.sort_unstable();
+                let within = |&&number: &&u32| {
+                    (points[number as usize] - from).length_squared() <= range * range
+                };
+                let expected: Vec<u32> = numbers.iter().filter(within).copied().collect();
+                prop_assert_eq!(found, expected);
+            }
+        }
+    }
+
+    #[test]
+    fn places_and_rows_tell_of_each_other() {
+        let points: Vec<Vec3> = (0..100).map(|k| Vec3::new((k * 37 % 100) as f32, (k % 7) as f32, 0.0)).collect();
+        let mut lattice = build(&points, &(0..100).collect::<Vec<_>>(), 4.0);
+        let of =
+            |lattice: &Lattice| (0..100).all(|row| lattice.order()[lattice.places()[row] as usize] as usize == row);
+        assert!(of(&lattice) && lattice.order()[..3] != [0, 1, 2]);
+        lattice.rows_are_in_order();
+        assert!(of(&lattice) && lattice.order()[..3] == [0, 1, 2]);
+        build(&[], &[], 1.0).within(Vec3::ZERO, 1.0, |_, _| panic!("nobody is there"));
+    }
+}

@@ -99,7 +99,7 @@ impl World {
         let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32], close_count: &mut u16| {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
-            let flat = !group.model.looks_in_space();
+            let flat = !group.model.looks_in_space() && !group.steers_in_space();
             let accept = |near: &mut Near| {
                 let other = near.row as usize;
                 if other == row

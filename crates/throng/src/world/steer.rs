@@ -4,8 +4,8 @@
 //! afterwards, as of everybody.
 
 use super::World;
-use crate::agent::Status;
-use crate::motion::{Attitude, Basis, Locomotion, Motion, Steering};
+use crate::agent::{Group, Status};
+use crate::motion::{Attitude, Basis, Motion, Steering};
 use crate::parallel;
 use crate::steer::{Branch, Mark, Neighbour, Others, Told, View, Why};
 use glam::Vec3;
@@ -82,7 +82,7 @@ impl World {
 
     /// Whether anybody who steers may leave the ground.
     pub(super) fn anybody_steers_in_space(&self) -> bool {
-        self.groups_in_use().any(|group| group.steering.is_some() && group.vehicle.locomotion != Locomotion::Ground)
+        self.groups_in_use().any(Group::steers_in_space)
     }
 
     /// The preferred velocities of those who steer.

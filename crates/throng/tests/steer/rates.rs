@@ -1,19 +1,19 @@
 //! The time step does not show: steered by any behaviour, agents move with the same statistics in three time steps.
 
 use crate::harness::{Actor, RATES, Stage};
-use glam::{Quat, USizeVec3, Vec3};
+use glam::{Quat, USizeVec3, Vec2, Vec3};
 use std::sync::Arc;
 use throng::motion::{Motion, Vehicle};
-use throng::space::Pathway;
 use throng::space::surface::{Cuboid, Cylinder, SeenFrom, Sphere};
+use throng::space::{Pathway, Raster};
 use throng::steer::{
-    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, AvoidObstacles, Barriers, Boids, Branch, CloseAvoidance,
-    Cohesion, Condition, Contain, ContextSteering, Dice, Dithering, Dock, Evade, Event, Explore, Face, Fear, Flee,
-    Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, Hide, Hold, Interpose,
-    Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity, MoveForward,
-    Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue, RunningSum, Seek, Separation,
-    Shadow, State, StayOnPath, StopAndWait, Switch, Target, TargetSpeed, Tether, UnalignedAvoidance, Wander,
-    WeightedSum, Whiskers, Who, crowd_path, queue_at_door,
+    Alignment, Allocation, Amortised, Arrive, AvoidMap, AvoidNeighbours, AvoidObstacles, Barriers, Boids, Branch,
+    CloseAvoidance, Cohesion, Condition, ConstantForce, Contain, ContextSteering, Dice, Dithering, Dock, Evade,
+    EvadeAll, Event, Explore, Face, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage,
+    FractalWander, HeadFor, Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo,
+    MatchOrientation, MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority,
+    Pursue, Queue, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Switch, Target,
+    TargetSpeed, Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers, Who, crowd_path, queue_at_door,
 };
 
 /// How many worlds there are of each, how many agents in each, and for how many seconds.
@@ -85,6 +85,12 @@ fn at(x: f32, y: f32) -> Target {
 
 const LEADER: Target = Target::Agent(0);
 
+/// A map with a rock of a metre in every square of four, round where agents start.
+fn rocks() -> Arc<Raster> {
+    let rock = |k: usize| (k % 16).is_multiple_of(4) && (k / 16).is_multiple_of(4);
+    Arc::new(Raster::new(Vec2::splat(4.5), 1.0, 16, (0..256).map(rock).collect()).unwrap())
+}
+
 #[test]
 fn of_one() {
     let field = |place: Vec3, time: f64| Vec3::Z.cross(place).normalize_or_zero() + Vec3::X * (0.3 * time as f32).sin();
@@ -132,6 +138,11 @@ fn of_one() {
             ])
             .into(),
         ),
+        ("constant force", ConstantForce(Vec3::new(0.3, 0.2, 0.0)).into()),
+        ("head for", HeadFor { direction: Vec3::Y, full: 0.5 }.into()),
+        ("slip through", SlipThrough::from(at(15.0, 12.0)).into()),
+        ("evade all", EvadeAll::default().into()),
+        ("avoid map", AvoidMap::new(rocks(), Seek { target: at(15.0, 12.0) }).into()),
         ("look where you go", WeightedSum(vec![(1.0, LookWhereYouGo.into()), (1.0, Wander::default().into())]).into()),
     ]);
 }

@@ -4,7 +4,7 @@ use glam::DVec2;
 use proptest::prelude::*;
 use throng::motion::{Integrator, Locomotion, Vehicle};
 use throng::perceive::Instructions;
-use throng::steer::{Flocking, Rule, Who};
+use throng::steer::{Branch, Flocking, Rule, Separation, WeightedSum, Who};
 use throng::{Agent, Group, Settings, SubSteps, World};
 
 type One = ((f64, f64, f32), f32);
@@ -91,4 +91,74 @@ proptest! {
             }
         }
     }
+}
+
+/// OpenSteer's birds in a ball, in some order, each with a number of its own.
+fn birds(count: u32, order: impl Iterator<Item = u32>, steering: impl Into<Branch>, neighbours: usize) -> World {
+    let settings = Settings { step: 0.04, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
+    let mut world = World::new(settings).unwrap();
+    let vehicle = Vehicle { max_speed: 9.0, max_force: 27.0, locomotion: Locomotion::Banking, ..Vehicle::default() };
+    let group = Group { neighbours, neighbour_distance: 9.0, ..Group::vehicles(steering, vehicle) };
+    let group = world.add_group(group).unwrap();
+    for number in order {
+        // the same place for the same number: a spiral through the ball
+        let part = f64::from(number) / f64::from(count);
+        let (height, turn) = (2.0 * part - 1.0, 2.4 * f64::from(number));
+        let across = (1.0 - height * height).sqrt() * (0.3 + 0.7 * (7.0 * part).fract());
+        let agent = Agent {
+            number: Some(number),
+            position: DVec2::from_angle(turn) * across * 20.0,
+            altitude: (height * 20.0 + 30.0) as f32,
+            heading: Some((turn % 6.0 - 3.0) as f32),
+            group,
+            radius: 0.5,
+            preferred_speed: 9.0,
+            max_speed: 9.0,
+            max_acceleration: f32::INFINITY,
+            ..Agent::default()
+        };
+        world.add_agent(agent).unwrap();
+    }
+    world
+}
+
+#[test]
+fn neither_the_order_of_birds_nor_threads_nor_a_saved_state_matter() {
+    let count = 3000;
+    let flock = |order: Vec<u32>| birds(count, order.into_iter(), Flocking::default(), Group::EVERYBODY);
+    let mut world = flock((0..count).collect());
+    let mut shuffled = flock((0..count).map(|k| k * 1777 % count).collect());
+    let threads = |count| rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap();
+    threads(1).install(|| (0..40).for_each(|_| world.step()));
+    threads(3).install(|| (0..40).for_each(|_| shuffled.step()));
+    assert_eq!(world.state_hash(), shuffled.state_hash());
+    let mut loaded = flock((0..count).collect());
+    loaded.load(&world.save()).unwrap();
+    (0..10).for_each(|_| (world.step(), loaded.step()).0);
+    assert!(world.save() == loaded.save());
+    let order = (0..count as usize).fold(glam::Vec3::ZERO, |sum, row| sum + world.agents().attitude[row].basis.forward);
+    assert!(order.length() > 1.0 && world.agents().climb.uniform().is_none(), "they fly");
+}
+
+#[test]
+fn who_looks_at_everybody_sees_whom_those_see_who_look_at_very_many() {
+    // no plain flock: everybody is asked alone, and sees the nearest first
+    let steering = || WeightedSum(vec![(1.0, Flocking::default().into()), (0.3, Separation::default().into())]);
+    let mut all = birds(400, 0..400, steering(), Group::EVERYBODY);
+    let mut many = birds(400, 0..400, steering(), 1000);
+    for _ in 0..30 {
+        all.step();
+        many.step();
+    }
+    assert_eq!(all.state_hash(), many.state_hash());
+    let (all, many) = (all.summary(), many.summary());
+    assert_eq!((all.least_separation, all.overlaps), (many.least_separation, many.overlaps));
+    assert!(all.overlaps > 0, "some come too near");
+}
+
+#[test]
+fn those_who_avoid_look_at_the_nearest() {
+    let mut world = World::new(Settings::default()).unwrap();
+    let error = world.add_group(Group { neighbours: Group::EVERYBODY, ..Group::default() }).unwrap_err();
+    assert!(error.to_string().contains("everybody for those who avoid nobody"), "{error}");
 }

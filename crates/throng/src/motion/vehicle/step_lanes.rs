@@ -69,6 +69,7 @@ fn from_words(words: &[f32; WORDS]) -> Attitude {
 pub(crate) struct Stepping {
     vehicle: Vehicle,
     seconds: f32,
+    urgency: f32,
     smoothing: f32,
     roll: f32,
     bend: f32,
@@ -82,6 +83,7 @@ impl Stepping {
         plain.then(|| Self {
             vehicle: *vehicle,
             seconds,
+            urgency: vehicle.urgency(seconds),
             smoothing: part_in(seconds, vehicle.smoothing),
             roll: part_in(seconds, ROLL_TIME),
             bend: part_in(seconds, CURVATURE_TIME),
@@ -95,7 +97,7 @@ impl Stepping {
         let (vehicle, seconds) = (&self.vehicle, splat(self.seconds));
         let ground = vehicle.locomotion == Locomotion::Ground;
         let flat = |v: Vec3s<S>| if ground { Vec3s { z: splat(0.0), ..v } } else { v };
-        let force = flat(force).clamp_length_max(splat(vehicle.max_force));
+        let force = self.circling(simd, before, flat(force)).clamp_length_max(splat(vehicle.max_force));
         let acceleration = force.over(splat(vehicle.mass));
         let acceleration = before.attitude.acceleration.lerp(simd, acceleration, self.smoothing);
         let wish = flat(before.velocity + acceleration * seconds).clamp_length_max(splat(vehicle.max_speed));
@@ -119,6 +121,29 @@ impl Stepping {
             Motions { position, velocity, attitude: Attitudes { forward, side, up, acceleration, ..before.attitude } };
         let curvature = self.curvature(simd, before, &after);
         Motions { attitude: Attitudes { curvature, ..after.attitude }, ..after }
+    }
+
+    /// As [`circling`](super::limit) one by one.
+    #[inline(always)]
+    fn circling<S: Simd>(&self, simd: S, before: &Motions<S>, force: Vec3s<S>) -> Vec3s<S> {
+        let vehicle = &self.vehicle;
+        if vehicle.min_speed == 0.0 {
+            return force;
+        }
+        let splat = |value: f32| S::f32s::splat(simd, value);
+        let (zero, forward) = (splat(0.0), before.attitude.forward);
+        let least = (splat(vehicle.min_speed) - before.velocity.dot(forward)).min(zero) * splat(vehicle.mass)
+            / splat(self.seconds);
+        let leads_to = before.velocity + force.over(splat(self.urgency));
+        let circles = force.dot(forward).simd_lt(least) & leads_to.dot(forward).simd_lt(zero);
+        if !circles.any_true() {
+            return force;
+        }
+        let most = force.clamp_length_max(splat(vehicle.max_force));
+        let (some, aside) = most.reject_from_normalized(forward).try_normalize(simd);
+        let aside = Vec3s::select(some, aside, before.attitude.side);
+        let part = (most.dot(most) - least * least).max(zero).sqrt();
+        Vec3s::select(circles, forward * least + aside * part, force)
     }
 
     /// The side and the up of the basis after it.
