@@ -14,7 +14,7 @@ fn a_wrong_behaviour_is_named_with_its_place() {
             "seek, flee, arrive, pursue, evade, offset_pursuit, shadow, interpose, keep_station, dock, wander, fractal_wander, \
              explore, forage, face, look_where_you_go, fear, head_for, constant_force, evade_all, slip_through, follow_flow, move_forward, target_speed, tether, separation, \
              alignment, cohesion, match_velocity, flocking, boids, avoid_neighbours, close_avoidance, unaligned_avoidance, \
-             queue, follow_leader, keep_formation, weighted_sum, running_sum, priority, dithering, allocation, switch, \
+             queue, follow_leader, keep_formation, avoid_obstacles, whiskers, contain, follow_path, stay_on_path, follow_wall, hide, crowd_path, queue_at_door, weighted_sum, running_sum, priority, dithering, allocation, switch, \
              amortised, hold, irregular, limited, stop_and_wait, custom"
         ),
     );

@@ -139,7 +139,14 @@ fn of_one() {
             .into(),
         ),
         ("constant force", ConstantForce(Vec3::new(0.3, 0.2, 0.0)).into()),
-        ("head for", HeadFor { direction: Vec3::Y, full: 0.5 }.into()),
+        (
+            "head for",
+            WeightedSum(vec![
+                (1.0, HeadFor { direction: Vec3::Y, full: 0.5 }.into()),
+                (1.0, TargetSpeed { speed: 1.2 }.into()),
+            ])
+            .into(),
+        ),
         ("slip through", SlipThrough::from(at(15.0, 12.0)).into()),
         ("evade all", EvadeAll::default().into()),
         ("avoid map", AvoidMap::new(rocks(), Seek { target: at(15.0, 12.0) }).into()),

@@ -14,13 +14,14 @@ use glam::Vec3;
 /// ```
 /// use glam::Vec3;
 /// use throng::space::surface::{SeenFrom, Sphere};
-/// use throng::steer::{Barriers, Behaviour, Hide, Reason, Target, View, Why};
+/// use throng::steer::{Barriers, Behaviour, Hide, Reason, Target, Told, View, Why};
 ///
 /// let tree = Sphere::new(Vec3::X * 3.0, 1.0)?;
 /// let hide = Hide { gap: 0.3, ..Hide::new(Target::Point(Vec3::X * 9.0), Barriers::default().with(tree, SeenFrom::Outside)) };
 /// let mut told = Vec::new();
 /// hide.steer(&View::default(), &mut [0.0; 5], &mut Why::asked(&mut told)).expect("it is elsewhere");
-/// let Reason::Aim(place) = told[0].reason else { panic!("it says where") };
+/// let aims = |told: &Told| if let Reason::Aim(place) = told.reason { Some(place) } else { None };
+/// let place = told.iter().find_map(aims).expect("it says where");
 /// assert!(place.distance(Vec3::X * 1.5) < 1e-4);
 /// # Ok::<(), throng::Error>(())
 /// ```
