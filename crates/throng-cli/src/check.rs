@@ -20,7 +20,7 @@ pub fn check(args: &SceneArgs, out: &mut Out) -> Result<(), Failure> {
     let Loaded { name, scene, notes, .. } = &loaded;
     let title = if scene.title.is_empty() { String::new() } else { format!(": {}", scene.title) };
     out.line(format_args!("{name}{title}"))?;
-    people(&built, out)?;
+    people(scene, &built, out)?;
     place(&built, out)?;
     game(scene, &world, out)?;
     let overlapping = world.overlapping();
@@ -42,7 +42,7 @@ fn game(scene: &Scene, world: &World, out: &mut Out) -> Result<(), Failure> {
     out.line(format_args!("  rules      {rules}, which count {}", figures.join(", ")))
 }
 
-fn people(built: &Built, out: &mut Out) -> Result<(), Failure> {
+fn people(scene: &Scene, built: &Built, out: &mut Out) -> Result<(), Failure> {
     let entering = if built.entering > 0 { format!(", {} of them enter later", built.entering) } else { String::new() };
     out.line(format_args!("  agents     {}{entering}", built.agents))?;
     for group in &built.groups {
@@ -57,8 +57,18 @@ fn people(built: &Built, out: &mut Out) -> Result<(), Failure> {
     ];
     let some = kinds.iter().filter(|(n, _)| *n > 0);
     let kinds: Vec<String> = some.map(|(n, what)| format!("{n} {what}{}", if *n == 1 { "" } else { "s" })).collect();
-    let kinds = if kinds.is_empty() { "none: everybody stays".to_owned() } else { kinds.join(", ") };
+    let kinds = if kinds.is_empty() { format!("none: {}", without_goals(scene)) } else { kinds.join(", ") };
     out.line(format_args!("  goals      {kinds}"))
+}
+
+/// What those do who have no goals.
+fn without_goals(scene: &Scene) -> &'static str {
+    let mut steers = scene.groups.iter().map(|group| group.steer.is_some());
+    match (steers.clone().any(|steers| steers), steers.all(|steers| steers)) {
+        (_, true) => "everybody goes as they steer",
+        (true, false) => "who steers goes as they steer, everybody else stays",
+        (false, false) => "everybody stays",
+    }
 }
 
 fn place(built: &Built, out: &mut Out) -> Result<(), Failure> {

@@ -23,7 +23,7 @@ const GROUPS: &[(&str, Scenes)] = groups! {
     "steering": "seek-flee", "pursue-evade", "offset-pursuit", "arrival", "wander", "unaligned-avoidance", "queueing", "leader-following",
         "flocking", "boids", "interpose", "shadow", "docking", "explore", "formation", "noise", "multiple-pursuit", "low-speed-turn",
         "one-turning", "capture-the-flag", "soccer", "map-drive",
-        "flock-pedestrians", "obstacle-avoidance", "path-following", "wall-following", "containment", "flow-field", "crowd-path", "hide",
+        "flock-pedestrians", "leader-pedestrians", "path-pedestrians", "context-steering", "obstacle-avoidance", "path-following", "wall-following", "containment", "flow-field", "crowd-path", "hide",
         "pedestrians", "walking-an-eight";
     // the flocks of OpenSteer's demo, each with its own constraints
     "flocks": "boids-open", "boids-in-sphere", "boids-between-spheres", "boids-in-sphere-spheres", "boids-spheres",

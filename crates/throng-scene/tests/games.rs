@@ -118,6 +118,23 @@ fn a_program_brings_rules_of_its_own_and_expects_what_they_count() {
 }
 
 #[test]
+fn behaviours_change_when_a_figure_does() {
+    let switch = "switch = { first = \"wait\", states = { go.of.target_speed.speed = 1, wait = { of.target_speed.speed = 0, \
+                  exits = [{ to = \"go\", when.figure = { of = \"ticks\", at_least = 3 } }] } } }";
+    let mut scene: Scene = PLAIN.replace("wander = {}", switch).parse().unwrap();
+    scene.rulebook.add("clock", |_| Ok(Clock(1.0)));
+    assert_eq!(scene.to_toml().unwrap().parse::<Scene>().unwrap(), scene);
+    let (mut world, _) = scene.build().unwrap();
+    let went: Vec<bool> = (0..5)
+        .map(|_| {
+            world.step();
+            world.agents().velocity[0].length() > 0.0
+        })
+        .collect();
+    assert_eq!(went, [false, false, false, true, true], "after three");
+}
+
+#[test]
 fn what_is_wrong_with_a_game_is_named() {
     let error = |text: &str, clock: bool| {
         let mut scene: Scene = text.parse().unwrap();
@@ -137,6 +154,9 @@ fn what_is_wrong_with_a_game_is_named() {
         figure.to_string().contains("there is no figure `tocks`") && figure.to_string().contains("keep: ticks"),
         "{figure}"
     );
+    let exits = "switch = { first = \"a\", states.a = { of.wander = {}, exits = [{ to = \"a\", when.figure = { of = \"tocks\" } }] } }";
+    let condition = error(&PLAIN.replace("wander = {}", exits), true);
+    assert!(condition.to_string().contains("group `they`: there is no figure `tocks`"), "{condition}");
     let none = error(&PLAIN.replace("rules = \"clock\"\n", ""), true);
     assert!(none.to_string().contains("rules = \"NAME\""), "{none}");
     for (name, misses) in [("soccer", "there is no group `red`"), ("map-drive", "path `route`")] {

@@ -164,6 +164,11 @@ fn what_is_said_is_so() {
         steer::Forage { food: goal, range: 5.0, wander: steer::Wander::default().into() },
     );
     assert_steers("face = { target = \"goal\" }", steer::Face { target: goal });
+    assert_steers("match_orientation = { with = \"goal\" }", steer::MatchOrientation { with: goal });
+    assert_steers(
+        "takeoff = { from = [103, 54], to = [104.5, 54], rise = 5, gravity = 10 }",
+        steer::Dock { place: PLACE, direction: Vec3::X * 1.5, speed: 1.5, time: None },
+    );
     assert_steers("fear = { range = 9, fades = 4 }", steer::Fear { range: 9.0, fades: 4.0 });
     assert_steers("move_forward = { part = 0.5 }", steer::MoveForward { part: 0.5 });
     assert_steers("target_speed = { speed = 0.5 }", steer::TargetSpeed { speed: 0.5 });
@@ -229,6 +234,13 @@ fn combinations_nest() {
     assert_steers(
         "irregular = { angle = 0, speed = 0.5, noise = { period = 3, octaves = 1, gain = 0.25, turbulent = true }, of.wander = {} }",
         steer::Irregular { angle: 0.0, speed: 0.5, noise, of: wander() },
+    );
+    let keen = steer::ContextSteering::new(vec![(2.0, wander()), (1.0, seek())]);
+    let parts = "of = [{ weight = 2, of.wander = {} }, { of.seek = { target = \"goal\" } }]";
+    assert_steers(&format!("context_steering = {{ {parts} }}"), keen.clone());
+    assert_steers(
+        &format!("context_steering = {{ {parts}, directions = 8, horizon = 3, who = \"sheep\" }}"),
+        steer::ContextSteering { directions: 8, horizon: 3.0, who: Who::Group(1), ..keen },
     );
     use steer::Condition;
     let near = Neighbourhood { most: 3, ..Neighbourhood::default() };

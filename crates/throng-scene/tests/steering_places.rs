@@ -1,9 +1,9 @@
 //! What scenes say of steering about walls and paths becomes what the library has.
 
-use glam::{DVec2, Vec3};
+use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
 use throng::space::surface::{Barrier, Surface};
-use throng::space::{Pathway, Way};
+use throng::space::{Pathway, Raster, Way};
 use throng::steer::{self, Barriers, Branch, Target, Whisker};
 use throng_scene::{Kind, Plan, Scene};
 
@@ -85,6 +85,25 @@ fn what_is_not_said_is_the_librarys_default() {
     assert_steers("crowd_path = { path = \"beat\" }", steer::crowd_path(beat().into()));
     let door = Target::Point(Vec3::X);
     assert_steers("queue_at_door = { door = [101, 50] }", steer::queue_at_door(Target::Goal, door, everything()));
+}
+
+/// Solid within half a cell of the ground's edges, the pillar and the wall; the dome is a cage.
+#[test]
+fn a_map_has_what_is_solid_or_beyond_a_cage() {
+    let near = |low: Vec2, high: Vec2, at: Vec2| at.distance(at.clamp(low, high)) < 0.5;
+    let solid = |at: Vec2| {
+        let square = near(Vec2::new(4.0, -6.0), Vec2::new(6.0, -4.0), at);
+        let wall = near(Vec2::new(-8.0, -8.0), Vec2::new(-5.0, -8.0), at);
+        square || wall || at.distance(Vec2::new(-5.0, 5.0)) < 1.5 || at.abs().max_element() > 9.5 || at.length() > 7.5
+    };
+    let map = Raster::of(Vec2::splat(-10.75), Vec2::splat(11.25), 1.0, solid).unwrap();
+    let drive = steer::AvoidMap::new(Arc::new(map), steer::Wander::default());
+    let corners = "min = [89.25, 39.25], max = [111.25, 61.25]";
+    assert_steers(&format!("avoid_map = {{ {corners}, of.wander = {{}} }}"), drive.clone());
+    assert_steers(
+        &format!("avoid_map = {{ {corners}, horizon = 3, margin = 0.5, curved = false, of.wander = {{}} }}"),
+        steer::AvoidMap { seconds: 3.0, margin: 0.5, curved: false, ..drive },
+    );
 }
 
 #[test]

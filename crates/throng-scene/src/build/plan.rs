@@ -7,13 +7,14 @@ use super::goals::Goals;
 use super::ground::{self, Wrong};
 use super::movers;
 use super::place::{Ground, middle};
+use super::rules;
 use super::size::Size;
-use super::steer::{Around, Making, Named};
+use super::steer::{Around, Making};
 use super::surface;
 use crate::error::Error;
 use crate::file::Problem;
 use crate::geometry::{DVec2, Solid, bounds};
-use crate::scene::{Group, Mover, Scene};
+use crate::scene::{Cast, Group, Mover, Scene};
 use std::sync::Arc;
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Surface};
@@ -33,6 +34,8 @@ pub struct Plan {
     pub paths: Vec<Arc<Pathway>>,
     /// The groups, in the scene's order, then one for everything that moves by itself.
     pub groups: Vec<throng::Group>,
+    /// The rules of the scene's game, if it is one.
+    pub rules: Option<Arc<dyn throng::Rules>>,
     /// All goals.
     pub goals: Vec<throng::Goal>,
     /// All journeys.
@@ -141,20 +144,42 @@ impl Scene {
         let surfaces = surface::surfaces(self, settings.origin)?;
         let paths = surface::paths(self, settings.origin)?;
         let around = Around::new(self, settings.origin, (&surfaces, &paths), (&walkable, &obstacles))?;
-        let groups = self.shared(&agents, settings.origin, &around)?;
-        Ok(Plan { settings, walkable, obstacles, surfaces, paths, groups, goals, journeys, scripts, agents, bounds })
+        let first = |group| agents.partition_point(|agent| agent.group < group) as u32;
+        let names: Vec<String> = self.names().collect();
+        let named = names.iter().enumerate().map(|(i, name)| (name.as_str(), first(i)..first(i + 1)));
+        let named: Vec<_> = named.collect();
+        let cast = Cast { origin: settings.origin, obstacles: &obstacles, named: &named, paths: &around.paths };
+        let rules = rules::make(self, &cast)?;
+        let figures = rules.as_ref().map_or_else(Vec::new, |rules| rules.figures());
+        let groups = self.shared(&cast, &figures, &around)?;
+        let plan = Plan {
+            settings,
+            walkable,
+            obstacles,
+            surfaces,
+            paths,
+            groups,
+            rules,
+            goals,
+            journeys,
+            scripts,
+            agents,
+            bounds,
+        };
+        Ok(plan)
+    }
+
+    /// The names of the groups, then of the movers.
+    fn names(&self) -> impl Iterator<Item = String> {
+        let groups = self.groups.iter().enumerate().map(|(i, group)| Group::name_at(&group.name, i));
+        groups.chain(self.movers.iter().enumerate().map(|(i, mover)| Mover::name_at(&mover.name, i)))
     }
 
     /// What the agents of each group share, and those of everything that moves by itself.
-    fn shared(&self, agents: &[PlannedAgent], origin: DVec2, around: &Around) -> Result<Vec<throng::Group>, Problem> {
-        let names = self.groups.iter().enumerate().map(|(i, group)| Group::name_at(&group.name, i));
-        let names = names.chain(self.movers.iter().enumerate().map(|(i, mover)| Mover::name_at(&mover.name, i)));
-        let first = |group| agents.partition_point(|agent| agent.group < group) as u32;
-        let named = names.enumerate().map(|(i, name)| Named { name, numbers: first(i)..first(i + 1) });
-        let named: Vec<Named> = named.collect();
+    fn shared(&self, cast: &Cast, figures: &[String], around: &Around) -> Result<Vec<throng::Group>, Problem> {
         let one = |(i, group): (usize, &Group)| {
-            let making = Making { scene: self, origin, named: &named, around, group: i };
-            Ok(shared(group, named[i].name.clone(), making.steering()?, origin))
+            let making = Making { scene: self, cast, figures, around, group: i };
+            Ok(shared(group, cast.named[i].0.to_owned(), making.steering()?, cast.origin))
         };
         let groups: Vec<throng::Group> = self.groups.iter().enumerate().map(one).collect::<Result<_, Problem>>()?;
         Ok(groups.into_iter().chain(movers::groups(self)).collect())

@@ -1,24 +1,23 @@
 //! The rules of a scene's game.
 
 use super::limits::{Limit, check, check_some};
-use super::plan::Plan;
-use super::world::Built;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::{Cast, FigureExpect, Scene};
-use throng::World;
+use std::sync::Arc;
+use throng::{Rules, World};
+
+/// The rules of the scene's game, if it is one.
+pub(super) fn make(scene: &Scene, cast: &Cast) -> Result<Option<Arc<dyn Rules>>, Problem> {
+    let Some(name) = &scene.rules else { return Ok(None) };
+    let made = scene.rulebook.make(name, cast).ok_or_else(|| unknown(scene, name))?;
+    made.map(Some).map_err(|error| unfit(scene, &error))
+}
 
 /// Lets the game begin, if there is one; and is there what is expected of it?
-pub(super) fn begin(scene: &Scene, plan: &Plan, built: &Built, world: &mut World) -> Result<(), Problem> {
-    if let Some(name) = &scene.rules {
-        let named: Vec<_> = built.groups.iter().map(|group| (group.name.as_str(), group.numbers.clone())).collect();
-        let paths: Vec<_> = scene.paths.iter().map(|path| path.name.as_str()).zip(plan.paths.iter().cloned()).collect();
-        let cast = Cast { origin: plan.settings.origin, obstacles: &plan.obstacles, named: &named, paths: &paths };
-        let made = scene.rulebook.make(name, &cast).ok_or_else(|| unknown(scene, name))?;
-        made.and_then(|rules| world.set_rules(rules)).map_err(|error| {
-            let message = format!("the rules `{name}` do not fit the scene: {error}");
-            Problem::new(&Path::of("rules"), Kind::World, message)
-        })?;
+pub(super) fn begin(scene: &Scene, rules: Option<Arc<dyn Rules>>, world: &mut World) -> Result<(), Problem> {
+    if let Some(rules) = rules {
+        world.set_rules(rules).map_err(|error| unfit(scene, &error))?;
     }
     let path = Path::of("expect");
     let figures = scene.expect.figure.iter().enumerate();
@@ -33,6 +32,12 @@ fn unknown(scene: &Scene, name: &str) -> Problem {
     problem.hint(format!("there are: {}; programs add theirs to Scene::rulebook", known.join(", ")))
 }
 
+fn unfit(scene: &Scene, error: &throng::Error) -> Problem {
+    let name = scene.rules.as_deref().unwrap_or_default();
+    let message = format!("the rules `{name}` do not fit the scene: {error}");
+    Problem::new(&Path::of("rules"), Kind::World, message)
+}
+
 /// Checks what is expected of a figure.
 fn figure(scene: &Scene, world: &World, path: &Path, said: &FigureExpect) -> Result<(), Problem> {
     check_some(&path.key("at_least"), said.at_least, Limit::Finite)?;
@@ -41,11 +46,16 @@ fn figure(scene: &Scene, world: &World, path: &Path, said: &FigureExpect) -> Res
     if world.figure(&said.of).is_some() {
         return Ok(());
     }
-    let known: Vec<&str> = world.figures().map(|(name, _)| name).collect();
-    let problem = Problem::new(&path.key("of"), Kind::UnknownKey, format!("there is no figure `{}`", said.of));
-    Err(match (&scene.rules, known.is_empty()) {
+    let known: Vec<String> = world.figures().map(|(name, _)| name.to_owned()).collect();
+    Err(no_figure(scene, &path.key("of"), &said.of, &known))
+}
+
+/// No figure has this name.
+pub(super) fn no_figure(scene: &Scene, at: &Path, name: &str, known: &[String]) -> Problem {
+    let problem = Problem::new(at, Kind::UnknownKey, format!("there is no figure `{name}`"));
+    match (&scene.rules, known.is_empty()) {
         (None, _) => problem.hint("figures are kept by rules: say which, rules = \"NAME\""),
         (Some(rules), true) => problem.hint(format!("the rules `{rules}` keep none")),
         (Some(rules), false) => problem.hint(format!("the rules `{rules}` keep: {}", known.join(", "))),
-    })
+    }
 }

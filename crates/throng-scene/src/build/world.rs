@@ -97,7 +97,7 @@ impl Scene {
         }
         self.check_long_bodies(&world, &built)?;
         world.face_ways(&unturned);
-        super::rules::begin(self, &plan, &built, &mut world).map_err(|problem| self.explain(problem))?;
+        super::rules::begin(self, plan.rules, &mut world).map_err(|problem| self.explain(problem))?;
         Ok((world, built))
     }
 

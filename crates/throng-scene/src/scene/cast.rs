@@ -81,7 +81,8 @@ impl Cast<'_> {
         self.paths.iter().find(|(known, _)| *known == name).map(|(_, path)| path.clone())
     }
 
-    fn find(&self, name: &str) -> Result<(usize, &Range<u32>), Error> {
+    /// The group or mover of a name: its position, and the numbers of its agents.
+    pub(crate) fn find(&self, name: &str) -> Result<(usize, &Range<u32>), Error> {
         let found = self.named.iter().enumerate().find(|(_, (known, _))| *known == name);
         found.map(|(index, (_, numbers))| (index, numbers)).ok_or_else(|| Error::NoGroup { name: name.to_owned() })
     }

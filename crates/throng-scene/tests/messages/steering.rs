@@ -11,11 +11,12 @@ fn a_wrong_behaviour_is_named_with_its_place() {
         &format!(
             "a.toml:6:7: `sek` is not one of the choices here\n  6 | steer.sek = {{ target = \"goal\" }}\n    |       ^^^\n  \
              hint: did you mean `seek`? the choices here are: {}",
-            "seek, flee, arrive, pursue, evade, offset_pursuit, shadow, interpose, keep_station, dock, wander, fractal_wander, \
-             explore, forage, face, look_where_you_go, fear, head_for, constant_force, evade_all, slip_through, follow_flow, move_forward, target_speed, tether, separation, \
-             alignment, cohesion, match_velocity, flocking, boids, avoid_neighbours, close_avoidance, unaligned_avoidance, \
-             queue, follow_leader, keep_formation, avoid_obstacles, whiskers, contain, follow_path, stay_on_path, follow_wall, hide, crowd_path, queue_at_door, weighted_sum, running_sum, priority, dithering, allocation, switch, \
-             amortised, hold, irregular, limited, stop_and_wait, custom"
+            "seek, flee, arrive, pursue, evade, offset_pursuit, shadow, interpose, keep_station, dock, takeoff, wander, \
+             fractal_wander, explore, forage, face, match_orientation, look_where_you_go, fear, head_for, constant_force, evade_all, \
+             slip_through, follow_flow, move_forward, target_speed, tether, separation, alignment, cohesion, match_velocity, flocking, boids, \
+             avoid_neighbours, close_avoidance, unaligned_avoidance, queue, follow_leader, keep_formation, avoid_obstacles, \
+             avoid_map, whiskers, contain, follow_path, stay_on_path, follow_wall, hide, crowd_path, queue_at_door, \
+             weighted_sum, running_sum, priority, dithering, allocation, context_steering, switch, amortised, hold, irregular, limited, stop_and_wait, custom"
         ),
     );
     assert_message(
@@ -49,6 +50,36 @@ a.toml:6:33: group `walkers`: steer.cohesion.near.angle is 270, but must be from
 a.toml:6:25: group `walkers`: steer.wander.rate is inf, but must be a finite number of at most 100,000,000 in size
   6 | steer.wander = { rate = inf }
     |                         ^^^",
+    );
+}
+
+#[test]
+fn what_cannot_be_is_named() {
+    assert_message(
+        &steers("steer.takeoff = { from = [0, 0], to = [9, 0], rise = 3 }"),
+        Kind::Conflict,
+        r"
+a.toml:6:17: group `walkers`: who rises at 3 m/s and runs at 1.8 m/s at most cannot leap there
+  6 | steer.takeoff = { from = [0, 0], to = [9, 0], rise = 3 }
+    |                 ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  hint: set a greater rise, or a `to` nearer to `from`, not above it",
+    );
+    assert_message(
+        &steers("steer.avoid_map = { min = [0, 0], max = [9e4, 9e4], of.wander = {} }"),
+        Kind::Count,
+        r"
+a.toml:6:19: group `walkers`: a map of 90000 by 90000 cells; there must be 1 to 1000000 in all
+  6 | steer.avoid_map = { min = [0, 0], max = [9e4, 9e4], of.wander = {} }
+    |                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  hint: set min and max, corners, or a greater cell",
+    );
+    assert_message(
+        &steers("steer.context_steering = { of = [{ of.wander = {} }], directions = 3 }"),
+        Kind::OutOfRange,
+        r"
+a.toml:6:68: group `walkers`: steer.context_steering.directions is 3, but must be from 4 to 64
+  6 | steer.context_steering = { of = [{ of.wander = {} }], directions = 3 }
+    |                                                                    ^",
     );
 }
 

@@ -226,7 +226,7 @@ fn conditions_hold_when_they_should() {
         let mut last = None;
         for step in 0..steps {
             let dice = Dice { step, ..Dice::default() };
-            let view = View { neighbours: &neighbours, dice, seconds: 0.1, ..View::default() };
+            let view = View { neighbours: &neighbours, figures: &[0.0, 3.0], dice, seconds: 0.1, ..View::default() };
             last = machine.steer(&view, &mut memory, &mut Why::default());
         }
         last.expect("it always says something").force == Vec3::Y
@@ -238,6 +238,9 @@ fn conditions_hold_when_they_should() {
     assert!(holds(Condition::Crowded(here, 1), 1) && !holds(Condition::Crowded(here, 2), 1));
     assert!(!holds(Condition::Done, 3) && holds(Condition::Not(Box::new(Condition::Done)), 1));
     assert!(!holds(Condition::Chance(0.0), 50) && holds(Condition::Chance(2.0), 50));
+    assert!(holds(Condition::Figure(1, 3.0, f64::INFINITY), 1) && holds(Condition::Figure(1, 2.0, 3.0), 1));
+    assert!(!holds(Condition::Figure(0, 1.0, 9.0), 1) && !holds(Condition::Figure(2, 0.0, 9.0), 1));
+    assert!(Condition::Figure(0, 2.0, 1.0).check().is_err());
     let both = vec![Condition::Crowded(here, 1), Condition::Done];
     assert!(holds(Condition::Any(both.clone()), 1) && !holds(Condition::All(both), 1));
 }

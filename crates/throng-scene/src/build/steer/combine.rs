@@ -1,6 +1,7 @@
 //! Ways to combine behaviours, and to cure them.
 
-use super::super::limits::{Limit, check_some};
+use super::super::limits::{Limit, check, check_some};
+use super::super::rules::no_figure;
 use super::single::noise;
 use super::{Make, Making, angle, or};
 use crate::error::Kind;
@@ -47,10 +48,18 @@ impl Making<'_> {
             }
             Condition::Done(_) => steer::Condition::Done,
             Condition::Chance(rate) => steer::Condition::Chance(*rate as f32),
+            Condition::Figure(counted) => self.counted(counted, &at.key("figure"))?,
             Condition::Not(condition) => steer::Condition::Not(self.condition(condition, &at.key("not"))?.into()),
             Condition::All(conditions) => steer::Condition::All(all(conditions, &at.key("all"))?),
             Condition::Any(conditions) => steer::Condition::Any(all(conditions, &at.key("any"))?),
         })
+    }
+
+    fn counted(&self, Counted { of, at_least, at_most }: &Counted, at: &Path) -> Result<steer::Condition, Problem> {
+        let index = self.figures.iter().position(|known| known == of);
+        let index = index.ok_or_else(|| no_figure(self.scene, &at.key("of"), of, self.figures))?;
+        let bounds = (at_least.unwrap_or(f64::NEG_INFINITY), at_most.unwrap_or(f64::INFINITY));
+        Ok(steer::Condition::Figure(index, bounds.0, bounds.1))
     }
 }
 
@@ -89,6 +98,23 @@ impl Make for Allocation {
     fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
         let parts = making.branches(&self.of, &at.key("of"))?;
         Ok(steer::Allocation { budget: or(self.budget, 1.0), parts }.into())
+    }
+}
+
+impl Make for ContextSteering {
+    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
+        let standard = steer::ContextSteering::new(making.weighted(&self.of, &at.key("of"))?);
+        if let Some(directions) = self.directions {
+            check(&at.key("directions"), directions as f64, Limit::Between(4.0, 64.0))?;
+        }
+        Ok(steer::ContextSteering {
+            directions: self.directions.map_or(standard.directions, |directions| directions as usize),
+            horizon: or(self.horizon, standard.horizon),
+            who: making.who(self.who.as_ref(), &at.key("who"))?,
+            barriers: making.barriers(&self.what, at)?,
+            ..standard
+        }
+        .into())
     }
 }
 

@@ -186,7 +186,7 @@ impl Make for KeepFormation {
                 Pattern::Circle => steer::Pattern::Circle,
                 Pattern::Grid => steer::Pattern::Grid,
             },
-            count: self.count.map_or(making.named[making.group].numbers.len(), |count| count as usize),
+            count: self.count.map_or(making.cast.named[making.group].1.len(), |count| count as usize),
             spacing: self.spacing as f32,
             slowing_distance: or(self.slowing_distance, SLOWING_DISTANCE),
         }

@@ -9,6 +9,7 @@ mod group;
 mod place;
 mod single;
 mod slip;
+mod takeoff;
 mod target;
 mod vehicle;
 
@@ -16,30 +17,20 @@ pub(super) use around::Around;
 pub(super) use check::check_steering;
 pub(super) use vehicle::{vehicle, wrap_around};
 
-use super::{ground, surface};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::games;
-use crate::geometry::DVec2;
 use crate::scene::steer::{Custom, Steer};
 use crate::scene::{Cast, Group, Scene};
-use std::ops::Range;
 use throng::steer::Branch;
-
-/// Those whom behaviours can name: a group or a mover, and the numbers of its agents.
-#[derive(Debug)]
-pub(super) struct Named {
-    pub name: String,
-    pub numbers: Range<u32>,
-}
 
 /// What behaviours are made with.
 pub(super) struct Making<'a> {
     pub scene: &'a Scene,
-    /// What places are relative to.
-    pub origin: DVec2,
-    /// Groups and movers, in the world's order.
-    pub named: &'a [Named],
+    /// Whom behaviours can name, and what places are relative to.
+    pub cast: &'a Cast<'a>,
+    /// The names of the figures of the rules.
+    pub figures: &'a [String],
     /// Surfaces, paths and what is solid.
     pub around: &'a Around<'a>,
     /// The group whose behaviour it is, by its position.
@@ -76,11 +67,13 @@ impl Making<'_> {
             Steer::Interpose(of) => ("interpose", of),
             Steer::KeepStation(of) => ("keep_station", of),
             Steer::Dock(of) => ("dock", of),
+            Steer::Takeoff(of) => ("takeoff", of),
             Steer::Wander(of) => ("wander", of),
             Steer::FractalWander(of) => ("fractal_wander", of),
             Steer::Explore(of) => ("explore", of),
             Steer::Forage(of) => ("forage", of),
             Steer::Face(of) => ("face", of),
+            Steer::MatchOrientation(of) => ("match_orientation", of),
             Steer::LookWhereYouGo(of) => ("look_where_you_go", of),
             Steer::Fear(of) => ("fear", of),
             Steer::HeadFor(of) => ("head_for", of),
@@ -104,6 +97,7 @@ impl Making<'_> {
             Steer::FollowLeader(of) => ("follow_leader", of),
             Steer::KeepFormation(of) => ("keep_formation", of),
             Steer::AvoidObstacles(of) => ("avoid_obstacles", of),
+            Steer::AvoidMap(of) => ("avoid_map", of),
             Steer::Whiskers(of) => ("whiskers", of),
             Steer::Contain(of) => ("contain", of),
             Steer::FollowPath(of) => ("follow_path", of),
@@ -117,6 +111,7 @@ impl Making<'_> {
             Steer::Priority(of) => ("priority", of),
             Steer::Dithering(of) => ("dithering", of),
             Steer::Allocation(of) => ("allocation", of),
+            Steer::ContextSteering(of) => ("context_steering", of),
             Steer::Switch(of) => ("switch", of),
             Steer::Amortised(of) => ("amortised", of),
             Steer::Hold(of) => ("hold", of),
@@ -134,13 +129,8 @@ impl Making<'_> {
 
 impl Make for Custom {
     fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
-        let behaviours = &making.scene.behaviours;
-        let named: Vec<_> = making.named.iter().map(|named| (named.name.as_str(), named.numbers.clone())).collect();
-        let paths = surface::paths(making.scene, making.origin)?;
-        let paths: Vec<_> = making.scene.paths.iter().map(|path| path.name.as_str()).zip(paths).collect();
-        let obstacles = ground::obstacles(making.scene)?;
-        let cast = Cast { origin: making.origin, obstacles: &obstacles, named: &named, paths: &paths };
-        let made = behaviours.make(&self.0, &cast).or_else(|| games::behaviours().make(&self.0, &cast));
+        let (behaviours, cast) = (&making.scene.behaviours, making.cast);
+        let made = behaviours.make(&self.0, cast).or_else(|| games::behaviours().make(&self.0, cast));
         let made = made.map(|made| {
             let refused = |error| Problem::new(at, Kind::World, format!("behaviour `{}`: {error}", self.0));
             made.map_err(refused)

@@ -1,12 +1,13 @@
 //! Behaviours that ask the world's geometry: obstacles, containers, walls, paths.
 
-use super::super::limits::{Limit, check_some};
-use super::{Make, Making, angle, or};
+use super::super::limits::{Limit, check, check_some};
+use super::{Make, Making, angle, or, refused};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::steer::*;
+use glam::{Vec2, Vec3};
 use std::sync::Arc;
-use throng::space::{Pathway, Way};
+use throng::space::{Pathway, Raster, Way};
 use throng::steer::{self, Barriers, Branch};
 
 /// The fan of whiskers where no rays are said: lengths, metres, and the angle to the sides, radians.
@@ -16,7 +17,7 @@ const STAYS: f32 = 1.0;
 
 impl Making<'_> {
     /// What a behaviour asks; everything if nothing is said.
-    fn barriers(&self, what: &Option<What>, at: &Path) -> Result<Barriers, Problem> {
+    pub(super) fn barriers(&self, what: &Option<What>, at: &Path) -> Result<Barriers, Problem> {
         let what = what.clone().unwrap_or_default();
         let named = what.0.iter().enumerate().map(|(i, name)| {
             let at = at.key("what");
@@ -76,6 +77,37 @@ impl Make for AvoidObstacles {
             seconds: or(self.horizon, standard.seconds),
             gap: or(self.gap, standard.gap),
             keeps: or(self.keeps, standard.keeps),
+            ..standard
+        }
+        .into())
+    }
+}
+
+/// Width of the cells of a map, where nothing is said, metres.
+const CELL: f64 = 1.0;
+/// The most cells of a map.
+const MOST_CELLS: f64 = 1e6;
+
+impl Make for AvoidMap {
+    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
+        let cell = self.cell.unwrap_or(CELL);
+        check(&at.key("cell"), cell, Limit::Positive)?;
+        let [low, high] = [("min", self.min), ("max", self.max)]
+            .map(|(key, corner)| making.place(corner.into(), &at.key(key)).map(Vec3::truncate));
+        let (low, high) = (low?, high?);
+        let cells = ((high - low).as_dvec2() / cell).ceil();
+        if !(cells.min_element() >= 1.0 && cells.element_product() <= MOST_CELLS) {
+            let message = format!("a map of {} by {} cells; there must be 1 to {MOST_CELLS} in all", cells.x, cells.y);
+            return Err(Problem::new(at, Kind::Count, message).hint("set min and max, corners, or a greater cell"));
+        }
+        let (barriers, near) = (making.barriers(&self.what, at)?, 0.5 * cell as f32);
+        let solid = |place: Vec2| barriers.ahead(place.extend(0.0), Vec3::ZERO, near, 0.0).is_some();
+        let map = Raster::of(low, high, cell as f32, solid).map_err(|error| refused(at, &error))?;
+        let standard = steer::AvoidMap::new(Arc::new(map), making.branch(&self.of, &at.key("of"))?);
+        Ok(steer::AvoidMap {
+            seconds: or(self.horizon, standard.seconds),
+            margin: or(self.margin, standard.margin),
+            curved: self.curved.unwrap_or(standard.curved),
             ..standard
         }
         .into())

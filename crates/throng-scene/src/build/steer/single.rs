@@ -158,6 +158,12 @@ impl Make for Face {
     }
 }
 
+impl Make for MatchOrientation {
+    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
+        Ok(steer::MatchOrientation { with: making.target(&self.with, &at.key("with"))? }.into())
+    }
+}
+
 impl Make for LookWhereYouGo {
     fn make(&self, _: &Making, _: &Path) -> Result<Branch, Problem> {
         Ok(steer::LookWhereYouGo.into())

@@ -1,12 +1,13 @@
 //! Places, agents and groups that behaviours name.
 
 use super::super::limits::{HIGHEST, Limit, check};
-use super::{Making, Named};
+use super::Making;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
 use crate::scene::steer::{Member, Position, Target, Who};
 use glam::Vec3;
+use std::ops::Range;
 use throng::GroupId;
 
 impl Making<'_> {
@@ -14,7 +15,7 @@ impl Making<'_> {
     pub fn place(&self, place: Position, at: &Path) -> Result<Vec3, Problem> {
         let [x, y, z] = place.0;
         check(&at.index(2), z, Limit::Between(0.0, HIGHEST))?;
-        Ok((DVec2::new(x, y) - self.origin).as_vec2().extend(z as f32))
+        Ok((DVec2::new(x, y) - self.cast.origin).as_vec2().extend(z as f32))
     }
 
     /// Whom or what a behaviour steers by.
@@ -40,7 +41,8 @@ impl Making<'_> {
 
     /// The number of an agent.
     fn member(&self, member: &Member, at: &Path) -> Result<u32, Problem> {
-        let (_, Named { name, numbers }) = self.named(&member.group, &at.key("group"))?;
+        let name = &member.group;
+        let (_, numbers) = self.named(name, &at.key("group"))?;
         let number = u32::try_from(member.agent).ok().and_then(|k| numbers.start.checked_add(k));
         number.filter(|number| numbers.contains(number)).ok_or_else(|| {
             let message = format!("there is no agent {} in `{name}`", member.agent);
@@ -52,10 +54,10 @@ impl Making<'_> {
         })
     }
 
-    /// The group or mover of a name, and its position.
-    fn named(&self, name: &str, at: &Path) -> Result<(usize, &Named), Problem> {
-        self.named.iter().enumerate().find(|(_, named)| named.name == name).ok_or_else(|| {
-            let names: Vec<&str> = self.named.iter().map(|named| named.name.as_str()).collect();
+    /// The group or mover of a name: its position, and the numbers of its agents.
+    fn named(&self, name: &str, at: &Path) -> Result<(usize, &Range<u32>), Problem> {
+        self.cast.find(name).map_err(|_| {
+            let names: Vec<&str> = self.cast.named.iter().map(|(name, _)| *name).collect();
             let message = format!("there is no group `{name}`");
             Problem::new(at, Kind::UnknownKey, message).hint(format!("there is: {}", names.join(", ")))
         })

@@ -1,6 +1,6 @@
 //! Ways to combine behaviours, and to cure them.
 
-use super::{Near, Noise, Steer, Target, Who, parameters};
+use super::{Near, Noise, Steer, Target, What, Who, parameters};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize, de};
@@ -37,6 +37,20 @@ parameters! {
         /// The parts, the most important first.
         of: Vec<Steer>,
     }
+    /// Goes in the one direction of many that is the most interesting less its danger.
+    ContextSteering {
+        /// The parts: what is interesting.
+        of: Vec<Weighted>,
+        /// How many directions it weighs all round; those who fly as many again above and below. Without it, 16. Limit: 4
+        /// to 64.
+        directions: Option<u64>,
+        /// In how many seconds a touch is no danger yet. Without it, 2. Limit: > 0.
+        horizon: Option<f64>,
+        /// Who is in the way. Without it, anybody.
+        who: Option<Who>,
+        /// What is in the way. Without it, everything.
+        what: Option<What>,
+    }
     /// One behaviour at a time: a state machine.
     Switch {
         /// The name of the state it begins in.
@@ -72,6 +86,15 @@ parameters! {
         near: Option<Near>,
         /// How many at least.
         least: u64,
+    }
+    /// Bounds of a figure of the rules.
+    Counted {
+        /// The name of the figure.
+        of: String,
+        /// At least so much. Without it, however little.
+        at_least: Option<f64>,
+        /// At most so much. Without it, however much.
+        at_most: Option<f64>,
     }
     /// Nothing to say.
     #[derive(Default)]
@@ -164,6 +187,8 @@ pub enum Condition {
     Done(Nothing),
     /// By chance, so many times a second on average. Limit: >= 0.
     Chance(f64),
+    /// A figure of the rules is within bounds.
+    Figure(Counted),
     /// The other does not hold.
     Not(Box<Condition>),
     /// All hold.

@@ -69,6 +69,8 @@ pub enum Steer {
     KeepStation(KeepStation),
     /// To a place, in a direction, at a speed, at a time (Reynolds 1999, "arrival").
     Dock(Dock),
+    /// A run-up to a leap, as gdx-ai's jump.
+    Takeoff(Takeoff),
     /// Strolls about (Reynolds 1999).
     Wander(Wander),
     /// Strolls about by noise (Reynolds 1999).
@@ -79,6 +81,8 @@ pub enum Steer {
     Forage(Forage),
     /// Turns to a target, and leaves it to others where to go.
     Face(Face),
+    /// Faces as somebody else does.
+    MatchOrientation(MatchOrientation),
     /// Turns to where it goes.
     LookWhereYouGo(LookWhereYouGo),
     /// Away from what happened, until it is forgotten.
@@ -125,6 +129,8 @@ pub enum Steer {
     KeepFormation(KeepFormation),
     /// Round what is in the way (Reynolds 1999).
     AvoidObstacles(AvoidObstacles),
+    /// By a map of what is solid, as OpenSteer's cars drive.
+    AvoidMap(AvoidMap),
     /// Away from what its whiskers touch, as gdx-ai does.
     Whiskers(Whiskers),
     /// On one side of a surface (Reynolds 1999).
@@ -151,6 +157,8 @@ pub enum Steer {
     Dithering(Dithering),
     /// What there is of force is granted to the first, then to the next (Reynolds 1987).
     Allocation(Allocation),
+    /// In the direction that is the most interesting less its danger (Fray 2015).
+    ContextSteering(ContextSteering),
     /// One at a time: a state machine.
     Switch(Switch),
     /// Asked only every so often.

@@ -1,6 +1,7 @@
 //! Behaviours that ask the world's geometry: obstacles, containers, walls, paths.
 
-use super::{Target, parameters};
+use super::{Steer, Target, parameters};
+use crate::scene::Point;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::borrow::Cow;
@@ -19,6 +20,27 @@ parameters! {
         gap: Option<f64>,
         /// How many seconds it keeps to a side of an obstacle that is no longer in the way. Without it, 1.5. Limit: >= 0.
         keeps: Option<f64>,
+    }
+    /// Does what a part would, and turns and brakes by a map of what is solid: for fast vehicles that turn in wide circles.
+    AvoidMap {
+        /// What is solid. Without it, everything.
+        what: Option<What>,
+        /// The least corner of the map; beyond its rim everything is solid.
+        min: Point,
+        /// The greatest corner.
+        max: Point,
+        /// Width of its square cells, metres; a cell is solid where something is nearer to its middle than half of that.
+        /// Without it, 1. Limit: > 0, at most 1,000,000 cells in all.
+        cell: Option<f64>,
+        /// How many seconds ahead it looks at its top speed. Without it, 2.1. Limit: > 0.
+        horizon: Option<f64>,
+        /// How much farther than its body its corridor reaches to either side at its top speed, metres. Without it, 1.5.
+        /// Limit: >= 0.
+        margin: Option<f64>,
+        /// Whether it expects to go on along the arc that it is on; else straight ahead. Without it, `true`.
+        curved: Option<bool>,
+        /// What it would do.
+        of: Box<Steer>,
     }
     /// Turns away from what its whiskers touch.
     #[derive(Default)]

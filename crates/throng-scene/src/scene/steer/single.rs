@@ -93,6 +93,17 @@ parameters! {
         /// When, seconds since the start. Without it, as soon as it can. Limit: >= 0.
         time: Option<f64>,
     }
+    /// Runs up to a place, in the direction and at the speed at which who takes off there lands at another.
+    Takeoff {
+        /// Where it takes off.
+        from: Position,
+        /// Where it lands.
+        to: Position,
+        /// How fast it rises when it takes off, m/s. Limit: enough to come as high as it lands.
+        rise: f64,
+        /// By how much it falls faster every second, m/s². Without it, 9.81. Limit: > 0.
+        gravity: Option<f64>,
+    }
     /// Strolls about: turns now to this, now to that side.
     #[derive(Default)]
     Wander {
@@ -135,6 +146,11 @@ parameters! {
     Face {
         /// Whom or what.
         target: Target,
+    }
+    /// Faces as somebody else does.
+    MatchOrientation {
+        /// As whom.
+        with: Target,
     }
     /// Turns to where it goes: nothing to say.
     #[derive(Default)]

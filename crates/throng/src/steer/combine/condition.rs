@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::steer::{Neighbourhood, Target, View};
 
-/// Something that holds or not, for one agent in one step. Limit: numbers >= 0.
+/// Something that holds or not, for one agent in one step. Limit: numbers >= 0, but those of figures.
 ///
 /// ```
 /// use throng::steer::{Condition, Target, Who};
@@ -26,6 +26,9 @@ pub enum Condition {
     Done,
     /// By chance, so many times a second on average.
     Chance(f32),
+    /// A [figure](View::figures) of the world's rules, by its index, is from the first number to the second. Limit: the
+    /// first is not greater.
+    Figure(usize, f64, f64),
     /// The other does not hold.
     Not(Box<Condition>),
     /// All hold.
@@ -57,6 +60,9 @@ impl Condition {
             Self::Crowded(near, least) => near.of(view).take(*least).count() == *least,
             Self::Done => standing.done,
             Self::Chance(rate) => view.dice.draw(0) < 1.0 - libm::expf(-rate * view.seconds),
+            Self::Figure(index, least, most) => {
+                view.figures.get(*index).is_some_and(|figure| (*least..=*most).contains(figure))
+            }
             Self::Not(condition) => !part(0, condition),
             Self::All(conditions) => conditions.iter().enumerate().all(|(index, one)| part(index, one)),
             Self::Any(conditions) => conditions.iter().enumerate().any(|(index, one)| part(index, one)),
@@ -73,6 +79,9 @@ impl Condition {
                 Error::unless(*least >= 0.0, "number of a condition", *least, "0 or more")
             }
             Self::Crowded(near, _) => near.check(),
+            Self::Figure(_, least, most) => {
+                Error::unless(least <= most, "most of a figure", *most, "the least or more")
+            }
             Self::Done => Ok(()),
             Self::Not(condition) => condition.check(),
             Self::All(conditions) | Self::Any(conditions) => conditions.iter().try_for_each(Self::check),

@@ -4,7 +4,7 @@
 use super::{AvoidObstacles, Barriers, FollowPath};
 use crate::steer::{
     Arrive, Branch, CloseAvoidance, Condition, MoveForward, Neighbourhood, Priority, Queue, Separation, State, Switch,
-    Target, WeightedSum, Who,
+    Target, UnalignedAvoidance, WeightedSum, Who,
 };
 
 /// How near others are from whom those in a crowd keep away, metres.
@@ -48,7 +48,9 @@ pub fn queue_at_door(goal: Target, door: Target, walls: Barriers) -> Branch {
     let through = Condition::Nearer(door, 0.5);
     let states =
         vec![State { behaviour: go(door), exits: vec![(through, 1)] }, State { behaviour: go(goal), exits: vec![] }];
-    among_others(Switch(states))
+    // who is sent along the wall meets others head on
+    let apart = UnalignedAvoidance { horizon: 1.0, ..UnalignedAvoidance::default() };
+    among_others(WeightedSum(vec![(1.0, Switch(states).into()), (1.0, apart.into())]))
 }
 
 /// The same apart from who is near, and no faster than who is right ahead.

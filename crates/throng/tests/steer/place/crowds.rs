@@ -65,7 +65,6 @@ fn a_crowd_queues_at_a_door() {
             off = stage.actors.iter().map(|actor| nearest(&walls, actor.motion.position)).fold(off, f32::min);
         });
         let through = stage.actors.iter().filter(|actor| actor.motion.position.x > 5.5).count();
-        // who is sent along the wall meets others head on now and then, and only a guard keeps those apart
-        assert!(through == 20 && off > 0.0 && least > 0.5 * RADIUS, "{through} {off} {least}");
+        assert!(through == 20 && off > 0.0 && least > 1.6 * RADIUS, "{through} {off} {least}");
     }
 }
