@@ -119,7 +119,10 @@ impl Contact {
         } else {
             let mut image = Image::new(self.size.0, self.size.1, PAPER);
             raster::draw(&mut image, &mut typeface, &marks);
-            stills.iter_mut().zip(places).for_each(|((painter, frame), corner)| image.lay(painter.paint(frame), corner));
+            stills
+                .iter_mut()
+                .zip(places)
+                .for_each(|((painter, frame), corner)| image.lay(painter.paint(frame), corner));
             Picture::Pixels(image)
         };
         picture.write(self.output)
@@ -205,6 +208,9 @@ mod tests {
         let sections = [section("", 2), section("b", 4)];
         let tops = tops(&sections, &cells(&sections, 2), (100.0, 1.0));
         let row = 100.0 + CAPTION;
-        assert_eq!(tops, [MARGIN, MARGIN + row + HEADING, MARGIN + 2.0 * row + HEADING, 1.5 * MARGIN + 3.0 * row + HEADING]);
+        assert_eq!(
+            tops,
+            [MARGIN, MARGIN + row + HEADING, MARGIN + 2.0 * row + HEADING, 1.5 * MARGIN + 3.0 * row + HEADING]
+        );
     }
 }

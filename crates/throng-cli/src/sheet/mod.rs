@@ -11,8 +11,8 @@ use crate::out::{Out, complain};
 use crate::progress::Progress;
 use crate::threads::Workers;
 use args::SheetArgs;
-use still::{Look, still};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use still::{Look, still};
 use throng_draw::Contact;
 
 /// Runs the scenes to their moments and draws them.
@@ -36,8 +36,8 @@ pub fn sheet(args: &SheetArgs, out: &mut Out) -> Result<(), Failure> {
         progress.show(done as f64 / count as f64, || format!("{done} of {count} scenes"));
         still
     };
-    let stills = Workers::new(args.threads.count(), count)?.map(scenes, work).into_iter().collect();
+    let stills = Workers::new(args.threads.count(), count)?.map(scenes, work);
     progress.done();
-    contact.finish(stills?)?;
+    contact.finish(stills.into_iter().collect::<Result<_, Failure>>()?)?;
     out.line(format_args!("wrote {}", args.output.display()))
 }
