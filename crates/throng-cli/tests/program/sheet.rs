@@ -23,7 +23,7 @@ fn three_scenes_have_three_panels_of_one_size_with_their_names() {
     let svg = read(folder.path(), "a.svg");
     let panels = "<svg x=";
     assert_eq!(values(&svg, panels, "width"), ["277"; 3], "three side by side");
-    assert_eq!(values(&svg, panels, "height"), ["208"; 3]);
+    assert_eq!(values(&svg, panels, "height"), ["207"; 3], "four to three");
     assert!(values(&svg, panels, "y").iter().all(|y| *y == values(&svg, panels, "y")[0]));
     let texts: Vec<&str> = svg.lines().filter(|line| line.starts_with("<text")).collect();
     assert_eq!(texts.len(), 6, "a name and a time each, and nothing within the panels: {texts:?}");
