@@ -6,6 +6,7 @@ use crate::compare::{COMPARE, COMPARE_SHORT, CompareArgs};
 use crate::explain::args::{self as explain, ExplainArgs};
 use crate::look::LookArgs;
 use crate::options::{EndArgs, FilmArgs, ThreadArgs};
+use crate::sheet::args::{self as sheet, SheetArgs};
 use crate::source::SceneArgs;
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
@@ -27,6 +28,7 @@ Examples:
   throng compare circle -o c.html    the local models side by side
   throng check plan.toml             is it right, and what would it do?
   throng show doorway                a picture of the start, doorway.png
+  throng sheet                       a still of each scene of the gallery, sheet.png
   throng explain circle --agent 3    why agent 3 goes where it goes, circle-agent-3.svg
   throng bench                       how long steps take on this machine
 
@@ -59,6 +61,12 @@ pub enum Command {
     /// Draws the start of a scene
     #[command(after_help = SHOW)]
     Show(ShowArgs),
+    /// Draws a contact sheet: a still of each of many scenes, with its name
+    ///
+    /// Runs every scene up to a moment that tells what it is about, several at a time, and draws them side by side,
+    /// under the headings of the gallery's groups. Without names, the whole gallery.
+    #[command(after_help = sheet::EXAMPLES, after_long_help = sheet::EXAMPLES)]
+    Sheet(SheetArgs),
     /// Draws why one agent goes where it goes: its velocity space at one moment
     #[command(after_help = explain::SHORT, after_long_help = explain::LONG)]
     Explain(Box<ExplainArgs>),

@@ -22,6 +22,7 @@ mod recorder;
 mod report;
 mod run;
 mod schema;
+mod sheet;
 mod show;
 mod source;
 mod threads;
@@ -47,6 +48,7 @@ fn main() -> ExitCode {
         Command::List(args) => list::list(args, &mut out),
         Command::Check(args) => check::check(args, &mut out),
         Command::Show(args) => show::show(args, &mut out),
+        Command::Sheet(args) => sheet::sheet(args, &mut out),
         Command::Explain(args) => explain::explain(args, &mut out),
         Command::Schema => schema::schema(&mut out),
         Command::Completions(args) => completions::completions(args, &mut out),

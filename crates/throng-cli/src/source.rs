@@ -22,7 +22,7 @@ pub struct SceneArgs {
 }
 
 /// What of a scene is changed.
-#[derive(Args, Debug)]
+#[derive(Args, Debug, Default)]
 pub struct Changes {
     /// The seed of everything random, instead of the scene's
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]

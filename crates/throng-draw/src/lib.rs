@@ -1,13 +1,15 @@
 //! Pictures and video of worlds.
 //!
 //! [`Film`] turns the moments of a recording into a file of the kind its name says: MP4 or GIF, PNG or SVG, a folder of
-//! PNG files, or any other video that an installed ffmpeg writes; a [`Sheet`] shows several recordings side by side.
+//! PNG files, or any other video that an installed ffmpeg writes; a [`Sheet`] shows several recordings side by side, and a
+//! [`Contact`] sheet a still of each of many.
 //! [`Painter`] paints single moments into memory, with the look that [`Style`] describes; [`Figure`] draws why one
 //! agent goes where it goes; [`sink`] holds the kinds of output for pictures of any origin.
 
 mod annotate;
 mod camera;
 mod color;
+mod contact;
 mod error;
 mod figure;
 mod film;
@@ -34,6 +36,7 @@ mod trail;
 pub use annotate::{Annotation, Annotations};
 pub use camera::{Camera, WorldBox};
 pub use color::{Color, PALETTE, palette, ramp, wheel};
+pub use contact::{Contact, Section};
 pub use error::Error;
 pub use figure::Figure;
 pub use film::{Film, Still};

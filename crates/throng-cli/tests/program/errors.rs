@@ -288,6 +288,7 @@ const CASES: &[Case] = &[
     Case { what: "An agent that is not there", files: &[], command: "throng explain circle --agent 99", code: 2 },
     Case { what: "A measurement of nobody", files: &[], command: "throng bench --agents 0", code: 2 },
     Case { what: "A work that does not exist", files: &[], command: "throng bench crosing", code: 2 },
+    Case { what: "A contact sheet of nothing there is", files: &[], command: "throng sheet wals", code: 2 },
     Case { what: "An option that does not exist", files: &[], command: "throng run circle --frames 10", code: 2 },
 ];
 

@@ -11,3 +11,4 @@ mod interrupt;
 mod mistakes;
 mod run;
 mod shared;
+mod sheet;

@@ -390,6 +390,7 @@ fn check_view(view: &View) -> Checked {
         check_camera(&path.key("camera"), camera)?;
     }
     check_some(&path.key("fps"), view.fps, Limit::Between(0.001, 1000.0))?;
+    check_some(&path.key("moment"), view.moment, Limit::NotNegative)?;
     check_some(&path.key("trails"), view.trails, Limit::NotNegative)
 }
 

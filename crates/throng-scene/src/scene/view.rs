@@ -28,6 +28,10 @@ pub struct View {
     /// Width and height of the picture, pixels. Limit: 16 to 16384 each.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub size: Option<[u32; 2]>,
+    /// The moment that tells what the scene is about, for contact sheets, seconds. Without it, a third of
+    /// `expect.within` or, without that, of `time.limit`. Limit: >= 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moment: Option<f64>,
     /// Pictures a second of video. Limit: 0.001 to 1000.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fps: Option<f64>,

@@ -1,0 +1,43 @@
+//! Which scenes stand on a sheet.
+
+use crate::failure::Failure;
+use crate::source::{Changes, Loaded};
+use std::path::{Path, PathBuf};
+use throng_draw::Section;
+use throng_scene::gallery;
+
+/// The scenes that `names` are, and their sections: a group of the gallery has one of its own, scenes named one by one
+/// share one without a heading. Without names, the whole gallery.
+///
+/// # Errors
+/// A name is none of a group or a scene, or a file is no scene.
+pub fn pick(names: &[PathBuf]) -> Result<(Vec<Section>, Vec<Loaded>), Failure> {
+    let all: Vec<PathBuf> = gallery::groups().map(|(group, _)| group.into()).collect();
+    let (mut sections, mut scenes): (Vec<Section>, Vec<Loaded>) = (Vec::new(), Vec::new());
+    for name in if names.is_empty() { &all } else { names } {
+        let group = gallery::groups().find(|(group, _)| name.as_path() == Path::new(group));
+        let (heading, members) = match group {
+            Some((group, members)) => (group, members.map(PathBuf::from).collect()),
+            None => ("", vec![name.clone()]),
+        };
+        let loaded = members.iter().map(|member| load(member)).collect::<Result<Vec<Loaded>, Failure>>()?;
+        let names = loaded.iter().map(|loaded| loaded.name.clone());
+        match sections.last_mut() {
+            Some(last) if last.heading.is_empty() && heading.is_empty() => last.names.extend(names),
+            _ => sections.push(Section { heading: heading.into(), names: names.collect() }),
+        }
+        scenes.extend(loaded);
+    }
+    Ok((sections, scenes))
+}
+
+/// Reads a scene; to a name that is none of the gallery, the groups are told as well.
+fn load(path: &Path) -> Result<Loaded, Failure> {
+    Changes::default().load(path).map_err(|failure| match failure {
+        Failure::Error(text) if !path.exists() && path.extension().is_none() => {
+            let groups: Vec<&str> = gallery::groups().map(|(group, _)| group).collect();
+            Failure::Error(format!("{text}; groups: {}", groups.join(", ")))
+        }
+        other => other,
+    })
+}

@@ -1,0 +1,66 @@
+//! A scene at the moment that tells what it is about.
+
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::look::{ColorArg, LookArgs};
+use crate::moment;
+use crate::source::Loaded;
+use throng_draw::{Painter, Style};
+use throng_record::Frame;
+use throng_scene::Scene;
+
+/// Of a run that nobody chose a moment of, this much is over.
+const TELLING: f64 = 1.0 / 3.0;
+/// How long trails are that nobody chose, seconds.
+const TRAILS: f64 = 3.0;
+
+/// What all stills have in common.
+pub struct Look {
+    /// Width and height, pixels.
+    pub panel: (u32, u32),
+    /// The moment, if it is the same of all.
+    pub at: Option<f64>,
+    /// How long trails are, if they are the same in all, seconds.
+    pub trails: Option<f64>,
+}
+
+/// Runs the scene to its moment, or to its end where that comes first: a painter that has followed it, and where
+/// everybody is.
+///
+/// # Errors
+/// The scene cannot be built, or it was interrupted.
+pub fn still(loaded: &Loaded, look: &Look) -> Result<(Painter, Frame), Failure> {
+    let scene = &loaded.scene;
+    let (mut world, built) = loaded.build()?;
+    let style = Style { legend: false, ..style(scene, look).style(scene, built.bounds)? };
+    let mut frame = Frame::default();
+    moment::capture(&world, &mut frame);
+    let mut painter = Painter::new(&moment::setting(&world, &built, loaded.title()), &style, &frame)?;
+    let end = look.at.unwrap_or_else(|| telling(scene));
+    while world.time() + 0.5 * scene.time.step < end && !scene.time.over(&world) {
+        if interrupt::asked() {
+            return Err(Failure::Interrupted);
+        }
+        painter.follow(&frame);
+        world.step();
+        moment::capture(&world, &mut frame);
+    }
+    painter.follow(&frame);
+    Ok((painter, frame))
+}
+
+/// The moment that tells what a scene is about, seconds.
+fn telling(scene: &Scene) -> f64 {
+    scene.view.moment.unwrap_or_else(|| TELLING * scene.expect.within.unwrap_or(scene.time.limit))
+}
+
+fn style(scene: &Scene, look: &Look) -> LookArgs {
+    LookArgs {
+        size: Some(look.panel),
+        camera: None,
+        projection: None,
+        trails: look.trails.or(scene.view.trails).or(Some(TRAILS)),
+        color: ColorArg::Group,
+        no_headings: false,
+    }
+}

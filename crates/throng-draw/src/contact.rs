@@ -1,0 +1,216 @@
+//! A contact sheet: stills of many recordings on one picture, each with its name, section by section.
+
+use crate::image::Image;
+use crate::mark::{Anchor, Mark, Stroke};
+use crate::picture::Picture;
+use crate::sink::Kind;
+use crate::text::Type;
+use crate::{Color, Error, Painter, Theme, raster, svg};
+use glam::Vec2;
+use std::path::Path;
+use throng_record::{Frame, Output};
+
+/// What the panels lie on.
+const PAPER: Color = Color::rgb(0xfdfcfa);
+/// Panels are this wide in units of [`Contact::unit`]; type and gaps have the sizes that suit it.
+const PANEL: f32 = 250.0;
+const MARGIN: f32 = 18.0;
+const GAP: f32 = 12.0;
+/// Between the top of a row that has headings and its panels.
+const HEADING: f32 = 34.0;
+/// Below a panel.
+const CAPTION: f32 = 30.0;
+
+/// A heading and the names of the panels under it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Section {
+    /// The heading; empty for none.
+    pub heading: String,
+    /// The names of its panels.
+    pub names: Vec<String>,
+}
+
+/// A contact sheet on its way to a file: [`create`](Self::create) says how large its panels are,
+/// [`finish`](Self::finish) takes a painter of that size for each, and what it is to paint.
+///
+/// ```
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("sheet.png");
+/// use throng_draw::{Contact, Painter, Section, Style};
+/// use throng_record::{Frame, Setting};
+/// let sections = [Section { heading: "letters".into(), names: vec!["a".into(), "b".into()] }];
+/// let contact = Contact::create(&path, &sections, 800, 2)?;
+/// let (width, height) = contact.panel();
+/// let style = Style { width, height, legend: false, ..Style::default() };
+/// let still = || Painter::new(&Setting::default(), &style, &Frame::default()).map(|painter| (painter, Frame::default()));
+/// contact.finish(vec![still()?, still()?])?;
+/// assert!(path.exists());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Contact {
+    kind: Kind,
+    output: Output,
+    size: (u32, u32),
+    panel: (u32, u32),
+    /// Everything scales with this: 1 for panels [`PANEL`] pixels wide.
+    unit: f32,
+    /// Name and upper left corner of each panel.
+    places: Vec<(String, (u32, u32))>,
+    /// Headings, and where their type begins.
+    headings: Vec<(String, Vec2)>,
+}
+
+impl Contact {
+    /// Begins `path`, a `.png` or `.svg` `width` pixels wide with `columns` panels side by side. A section begins a row
+    /// of its own, unless all of it fits into what the section before leaves of one.
+    ///
+    /// # Errors
+    /// The ending of the name is another, the folder is missing or cannot be written to, or panels or the sheet are too
+    /// small or too large.
+    pub fn create(path: impl AsRef<Path>, sections: &[Section], width: u32, columns: usize) -> Result<Self, Error> {
+        let path = path.as_ref();
+        let kind = Kind::of(path)?;
+        if !matches!(kind, Kind::Png | Kind::Svg) {
+            return Err(Error::Still { path: path.to_path_buf() });
+        }
+        let columns = columns.max(1);
+        let share = width as f32 / columns as f32;
+        let unit = (share / (PANEL + GAP)).clamp(0.6, 2.5);
+        let side = ((width as f32 - (2.0 * MARGIN + (columns - 1) as f32 * GAP) * unit) / columns as f32).max(0.0);
+        let panel = (side as u32, (0.75 * side) as u32);
+        Error::check_size(panel.0, panel.1)?;
+        let cells = cells(sections, columns);
+        let tops = tops(sections, &cells, (panel.1 as f32, unit));
+        let x = |column: usize| (MARGIN * unit + column as f32 * (side + GAP * unit)).round();
+        let (mut places, mut headings) = (Vec::new(), Vec::new());
+        for (section, cells) in sections.iter().zip(&cells) {
+            if let (Some(&(row, column)), false) = (cells.first(), section.heading.is_empty()) {
+                headings.push((section.heading.clone(), Vec2::new(x(column), tops[row] - 12.0 * unit)));
+            }
+            let places_of = |&(row, column): &(usize, usize)| (x(column) as u32, tops[row] as u32);
+            places.extend(section.names.iter().cloned().zip(cells.iter().map(places_of)));
+        }
+        let size = (width, tops.last().copied().unwrap_or_default() as u32);
+        Error::check_size(size.0, size.1)?;
+        Ok(Self { kind, output: Output::create(path)?, size, panel, unit, places, headings })
+    }
+
+    /// Width and height of a panel, pixels.
+    pub fn panel(&self) -> (u32, u32) {
+        self.panel
+    }
+
+    /// Draws the panels, in the order of their names, and completes the file.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    ///
+    /// # Panics
+    /// There are not as many as there are names.
+    pub fn finish(self, mut stills: Vec<(Painter, Frame)>) -> Result<(), Error> {
+        assert_eq!(stills.len(), self.places.len(), "a still for each name");
+        let mut typeface = Type::new();
+        let marks = self.marks(&stills, &typeface);
+        let places = self.places.iter().map(|(_, corner)| *corner);
+        let picture = if self.kind == Kind::Svg {
+            let panels = stills.iter().zip(places).map(|((painter, frame), corner)| (painter, frame, corner));
+            Picture::Vector(svg::sheet(self.size, PAPER, &marks, panels))
+        } else {
+            let mut image = Image::new(self.size.0, self.size.1, PAPER);
+            raster::draw(&mut image, &mut typeface, &marks);
+            stills
+                .iter_mut()
+                .zip(places)
+                .for_each(|((painter, frame), corner)| image.lay(painter.paint(frame), corner));
+            Picture::Pixels(image)
+        };
+        picture.write(self.output)
+    }
+
+    /// The type, and a line round each panel.
+    fn marks(&self, stills: &[(Painter, Frame)], typeface: &Type) -> Vec<Mark> {
+        let theme = Theme::light();
+        let (unit, (width, height)) = (self.unit, (self.panel.0 as f32, self.panel.1 as f32));
+        let text = |text, at, anchor, size: f32, color| Mark::Text { text, at, anchor, size: size * unit, color };
+        let heading = |(heading, at): &(String, Vec2)| text(heading.clone(), *at, Anchor::Start, 19.0, theme.quiet);
+        let mut marks: Vec<Mark> = self.headings.iter().map(heading).collect();
+        for ((name, (x, y)), (_, frame)) in self.places.iter().zip(stills) {
+            let (low, high) = (Vec2::new(*x as f32, *y as f32), Vec2::new(*x as f32 + width, *y as f32 + height));
+            let (a, b) = (low - 0.5, high + 0.5);
+            let points = vec![a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)];
+            let stroke = Stroke::plain(1.0, theme.outside);
+            marks.push(Mark::Line { points, closed: true, stroke });
+            let (time, baseline) = (format!("{:.0} s", frame.time), high.y + 19.0 * unit);
+            let room = width - typeface.width(&time, 13.0 * unit) - 8.0 * unit;
+            let name = typeface.clip(name, 15.0 * unit, room);
+            marks.push(text(name, Vec2::new(low.x, baseline), Anchor::Start, 15.0, theme.text));
+            marks.push(text(time, Vec2::new(high.x, baseline), Anchor::End, 13.0, theme.quiet));
+        }
+        marks
+    }
+}
+
+/// Row and column of each panel of each section.
+fn cells(sections: &[Section], columns: usize) -> Vec<Vec<(usize, usize)>> {
+    let mut next = 0;
+    let place = |section: &Section| {
+        if next % columns + section.names.len() > columns {
+            next = next.next_multiple_of(columns);
+        }
+        let first = next;
+        next += section.names.len();
+        (first..next).map(|k| (k / columns, k % columns)).collect()
+    };
+    sections.iter().map(place).collect()
+}
+
+/// Where the panels of each row begin, and at the end the height of everything; `scale` is the height of a panel and
+/// the unit of the rest.
+fn tops(sections: &[Section], cells: &[Vec<(usize, usize)>], scale: (f32, f32)) -> Vec<f32> {
+    let (height, unit) = scale;
+    let rows = cells.iter().flatten().map(|(row, _)| row + 1).max().unwrap_or(0);
+    let begins = |row: usize| {
+        let mut sections = sections.iter().zip(cells).filter(|(section, _)| !section.heading.is_empty());
+        sections.any(|(_, cells)| cells.first().is_some_and(|cell| cell.0 == row))
+    };
+    let mut y = MARGIN * unit;
+    let mut tops = Vec::new();
+    for row in 0..rows {
+        y += if begins(row) { HEADING * unit } else { 0.0 };
+        tops.push(y.round());
+        y += height + CAPTION * unit;
+    }
+    tops.push((y + 0.5 * MARGIN * unit).round());
+    tops
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn section(heading: &str, count: usize) -> Section {
+        Section { heading: heading.into(), names: (0..count).map(|k| k.to_string()).collect() }
+    }
+
+    #[test]
+    fn a_section_shares_a_row_only_if_all_of_it_fits() {
+        let sections = [section("a", 2), section("b", 1), section("c", 4), section("d", 3)];
+        let cells = cells(&sections, 3);
+        assert_eq!(cells[0], [(0, 0), (0, 1)]);
+        assert_eq!(cells[1], [(0, 2)]);
+        assert_eq!(cells[2], [(1, 0), (1, 1), (1, 2), (2, 0)]);
+        assert_eq!(cells[3], [(3, 0), (3, 1), (3, 2)]);
+    }
+
+    #[test]
+    fn only_rows_with_headings_have_room_for_them() {
+        let sections = [section("", 2), section("b", 4)];
+        let tops = tops(&sections, &cells(&sections, 2), (100.0, 1.0));
+        let row = 100.0 + CAPTION;
+        assert_eq!(
+            tops,
+            [MARGIN, MARGIN + row + HEADING, MARGIN + 2.0 * row + HEADING, 1.5 * MARGIN + 3.0 * row + HEADING]
+        );
+    }
+}
