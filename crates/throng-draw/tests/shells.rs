@@ -63,11 +63,11 @@ fn plan() -> Style {
 fn from_above_solids_are_filled_and_containers_are_outlines() {
     let look = looker(&place(), &plan());
     let Theme { ground, obstacle, .. } = Theme::light();
-    // a rim of the bowl may lie over it
+    // lines of the bowl may lie over both
     assert!(apart(look([-3.0, 1.0, 0.0]), obstacle) < 10, "the ball");
     assert_eq!(look([4.0, 1.0, 0.0]), obstacle, "the box");
     assert_eq!(look([4.9, 2.4, 0.0]), obstacle, "to its corner");
-    assert_eq!(look([-3.0, 2.5, 0.0]), ground, "in the bowl");
+    assert!(apart(look([-3.0, 2.5, 0.0]), ground) < 10, "in the bowl");
     assert_eq!(look([0.5, 3.0, 0.0]), ground, "beside everything");
     assert!((0..100).any(|k| apart(look([-0.1 + 0.002 * f64::from(k) - 0.05, 1.0, 0.0]), ground) > 60), "its rim");
     let tube = look([1.0, -4.5, 0.0]);
