@@ -44,8 +44,8 @@ const SETTLING: f32 = 0.5;
 /// Once it is over by this many metres, at rest: else it tries again.
 const TOLERANCE: f32 = 0.1;
 /// How plans for when to be there grow, until one is good.
-const LONGER: f32 = 1.15;
-const PLANS: usize = 60;
+const LONGER: f32 = 1.05;
+const PLANS: usize = 160;
 
 impl Behaviour for Dock {
     /// Seconds until it is there: 0 before there is a plan, negative once it is there. How hard it brakes at the end.
@@ -113,8 +113,10 @@ impl Dock {
     fn soonest(&self, view: &View<'_>) -> f32 {
         let vehicle = &view.vehicle;
         let most = PLANNED * vehicle.max_force / vehicle.mass;
-        // where it starts or ends faster, it may be so fast between
-        let fastest = 1.001 * (PLANNED * vehicle.max_speed).max(view.motion.speed()).max(self.speed);
+        // where it ends faster it may be as fast as it can be between: to be held to the speed of the end, or little more, makes
+        // long loops; where it starts faster, as fast as that
+        let top = if self.speed > PLANNED * vehicle.max_speed { 1.0 } else { PLANNED };
+        let fastest = 1.001 * (top * vehicle.max_speed).max(view.motion.speed()).max(self.speed);
         let can = |time: &f32| {
             let end = self.end(view, self.braking(view, *time));
             let powers = end.powers(view, *time);
