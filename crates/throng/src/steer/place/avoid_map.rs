@@ -105,21 +105,23 @@ impl Behaviour for AvoidMap {
         let [left, kept] = own else { return None };
         *left = (*left - view.seconds).max(0.0);
         let wish = self.of.steer_as(0, view, &mut rest, why);
+        let (side, forward) = (view.motion.basis.side, view.forward());
+        let (hint, gain) = wish.map_or((0.0, 0.0), |wish| (wish.force.dot(side), wish.force.dot(forward)));
         let scan = self.scan(view, why);
         let nearest = scan.free[0].min(scan.free[1]);
         let speed = view.motion.speed();
         let brakes = RESERVE * BRAKES * view.vehicle.max_braking();
-        let stops = (2.0 * brakes * (nearest - view.radius).max(0.0)).sqrt().max(SLOW * view.vehicle.max_speed);
+        let stops = (2.0 * brakes * (nearest - view.radius).max(0.0)).sqrt();
+        // what it has just avoided it does not turn back to
+        let back = if *left > 0.0 { (hint * *kept).min(0.0) * *kept } else { 0.0 };
+        let wish = wish.map(|wish| Steering { force: wish.force - side * back, ..wish });
         if nearest.is_infinite() {
             // between two walls it does not race
             let narrow = scan.room[0].max(scan.room[1]) < 1.0 && speed > 0.5 * view.vehicle.max_speed;
-            *left = 0.0;
-            return if narrow { Some(self.at_speed(view, 0.0, 0.5 * view.vehicle.max_speed)) } else { wish };
+            return if narrow { Some(self.at_speed(view, 0.0, 0.5 * view.vehicle.max_speed, 0.0)) } else { wish };
         }
-        let (side, forward) = (view.motion.basis.side, view.forward());
-        let hint = wish.map_or(0.0, |wish| wish.force.dot(side));
         if nearest > FAR * scan.reach {
-            let along = self.at_speed(view, 0.0, stops).force.dot(forward);
+            let along = self.at_speed(view, 0.0, stops, 0.0).force.dot(forward);
             // what it cannot do anyway must not drown the brakes
             let force = wish.map_or(Vec3::ZERO, |wish| wish.force.clamp_length_max(view.vehicle.max_force));
             return Some((force + forward * (along - force.dot(forward)).min(0.0)).into());
@@ -130,7 +132,7 @@ impl Behaviour for AvoidMap {
         }
         // as much to the side as it is near
         let urgency = (1.5 * (1.0 - nearest / scan.reach)).clamp(0.3, 1.0);
-        Some(self.at_speed(view, *kept * urgency, stops))
+        Some(self.at_speed(view, *kept * urgency, stops, gain))
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -189,15 +191,19 @@ impl AvoidMap {
         }
     }
 
-    /// Turns by a part of its force, and goes no faster than a speed; nor stops.
-    fn at_speed(&self, view: &View<'_>, side: f32, most: f32) -> Steering {
-        let speed = view.motion.speed();
-        let least = SLOW * view.vehicle.max_speed;
-        let to = speed.min(most).max(least);
-        let along = view.reach(view.velocity() + view.forward() * (to - speed)).force;
-        let along = along.clamp_length_max(BRAKES * view.vehicle.max_force);
-        let across = view.motion.basis.side * (side * GRIP * view.vehicle.max_force);
-        (along + across).into()
+    /// Turns by a part of its force, and goes no faster than a speed, to which it gains by no more than a force; nor stops. The
+    /// force turns with it, as a rudder's does: one that stayed as it is for a long step would make it faster.
+    fn at_speed(&self, view: &View<'_>, side: f32, most: f32, gain: f32) -> Steering {
+        let (speed, forward, vehicle) = (view.motion.speed(), view.forward(), &view.vehicle);
+        let least = SLOW * vehicle.max_speed;
+        let brakes = BRAKES * vehicle.max_force;
+        let gain = if speed < least { brakes } else { gain.clamp(0.0, brakes) };
+        let along = view.reach(view.velocity() + forward * (most.max(least) - speed)).force.dot(forward);
+        let per_newton = view.seconds / vehicle.mass;
+        let (sin, cos) = libm::sincosf(side * GRIP * vehicle.max_force * per_newton / speed.max(least));
+        let ahead = forward * cos + view.motion.basis.side * sin;
+        let change = ahead * (speed + along.clamp(-brakes, gain) * per_newton) - view.velocity();
+        (change / per_newton).into()
     }
 }
 
