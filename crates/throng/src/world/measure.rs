@@ -44,22 +44,26 @@ impl World {
         let guarded = step.guarded.uniform() != Some(false);
         let discs_only = step.long.is_empty();
         let measure = |measured: &mut Measured, first: usize| {
+            // listed before anybody is looked at, so that nothing is waited for one by one
+            let (mut pairs, mut count) = ([(0, 0); PAIRS], 0);
+            for (row, close) in
+                near.close_from(step.grid.order(), first).filter(|&(row, _)| !step.rest.sleeps(row as usize / WORD))
+            {
+                // of those who can't touch yet the nearest that was perceived
+                let close = if guarded { &close[..1] } else { close };
+                for &other in close {
+                    if count == PAIRS {
+                        measured.pairs(agents, &pairs, (discs_only, guarded));
+                        count = 0;
+                    }
+                    pairs[count] = (row, other);
+                    count += 1;
+                }
+            }
+            measured.pairs(agents, &pairs[..count], (discs_only, guarded));
             let part = first / WORD;
             if step.rest.sleeps(part) {
                 return;
-            }
-            let rows = first..agents.len().min(first + WORD);
-            for row in ones(near.with_close(rows)).map(|at| first + at) {
-                let close = near.close_to(row);
-                if !guarded {
-                    close.iter().for_each(|&other| measured.pair(agents, row, other as usize, discs_only));
-                }
-                // those who can't touch yet: the nearest that was perceived
-                if let Some(nearest) = close.first().map(|&nearest| nearest as usize)
-                    && (!discs_only || measured.is_near(agents, row, nearest))
-                {
-                    measured.separation(agents, row, nearest);
-                }
             }
             for row in ones(contacts.touching(part)).map(|at| first + at) {
                 contacts.of(row).iter().for_each(|&other| measured.pair(agents, row, other as usize, discs_only));
@@ -93,6 +97,17 @@ impl Measured {
     /// Whether nobody overlaps.
     pub fn no_overlap(&self) -> bool {
         self.overlaps == 0
+    }
+
+    /// Notes the separation of pairs that were perceived, and how many overlap where nobody is guarded.
+    fn pairs(&mut self, agents: &Columns, pairs: &[(u32, u32)], (discs_only, guarded): (bool, bool)) {
+        for (row, other) in pairs.iter().map(|&(row, other)| (row as usize, other as usize)) {
+            if !discs_only || self.is_near(agents, row, other) {
+                let separation = self.separation(agents, row, other);
+                let counts = !guarded && agents.number[row] < agents.number[other];
+                self.overlaps += u64::from(counts && separation < TOUCH);
+            }
+        }
     }
 
     /// Notes the separation of two, and whether they overlap: once, for the one with the lower number.
@@ -142,6 +157,9 @@ impl Measured {
         }
     }
 }
+
+/// Pairs that are looked at together.
+const PAIRS: usize = 128;
 
 /// Bodies that are nearer than this overlap; less is rounding.
 const TOUCH: f64 = 1.0 - 1e-4;

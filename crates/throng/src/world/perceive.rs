@@ -3,10 +3,10 @@
 use super::World;
 use crate::SubSteps;
 use crate::agent::{Columns, Group};
-use crate::parallel::{self, Lists};
+use crate::lanes::ones;
+use crate::parallel::{self, Lists, WORD};
 use crate::perceive::{Grid, MOST_NEIGHBOURS, Near};
 use glam::Vec2;
-use std::ops::Range;
 
 /// Part of the smallest radius (half of the narrower side of who is no disc) that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
 const FREE_MOVE: f32 = 0.25;
@@ -208,19 +208,14 @@ impl Neighbours {
         self.places.resize(rows, 0);
     }
 
-    /// Of 64 rows or fewer those of whom somebody may come close enough to be measured, as bits.
-    #[inline]
-    pub(super) fn with_close(&self, rows: Range<usize>) -> u64 {
-        let close = |&place: &u32| self.close[place as usize] != 0;
-        self.places[rows].iter().rev().fold(0, |bits, place| bits << 1 | u64::from(close(place)))
-    }
-
-    /// Rows of the neighbours of a row that may come close enough to be measured, nearest first.
-    #[inline]
-    pub(super) fn close_to(&self, row: usize) -> &[u32] {
+    /// Of 64 places of the grid, or fewer, from one on, the rows near which somebody may come close enough to be measured,
+    /// each with the rows of those, nearest first.
+    pub(super) fn close_from<'a>(&'a self, order: &'a [u32], first: usize) -> impl Iterator<Item = (u32, &'a [u32])> {
+        let places = first..self.close.len().min(first + WORD);
+        let bits = self.close[places.clone()].iter().rev().fold(0, |bits, &close| bits << 1 | u64::from(close != 0));
         // how many they are is known without a look at the list
-        let place = self.places[row] as usize;
-        &self.lists[place * (self.most + 1) + 1..][..self.close[place].into()]
+        let list = |place: usize| &self.lists[place * (self.most + 1) + 1..][..self.close[place].into()];
+        ones(bits).map(move |at| (order[first + at], list(first + at)))
     }
 
     /// Rows of the neighbours of a row, nearest first.
