@@ -89,6 +89,15 @@ impl Goal {
         }
     }
 
+    /// How far from the middle a place can be that counts as there, metres: a little more than that.
+    pub(crate) fn reach(&self) -> f32 {
+        let farthest = |corners: &[DVec2]| {
+            let middle = self.middle();
+            corners.iter().map(|corner| corner.distance(middle)).fold(0.0, f64::max) as f32
+        };
+        1.0001 * self.tolerance().or_else(|| self.corners().map(farthest)).unwrap_or(f32::INFINITY)
+    }
+
     /// From a place to the point straight on, and the distance that counts as there; `None` for an area.
     pub fn offset(&self, from: DVec3) -> Option<(DVec3, f32)> {
         match self {

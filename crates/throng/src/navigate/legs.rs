@@ -12,6 +12,8 @@ pub(crate) struct Leg {
     pub middle: DVec2,
     /// The distance that counts as there; `None` for an area.
     pub tolerance: Option<f32>,
+    /// Who is farther from the middle than this is not there.
+    pub reach: f32,
     /// The altitude to be at there; `None`: any.
     pub altitude: Option<f64>,
     /// Whether the journey ends there.
@@ -42,6 +44,7 @@ impl Legs {
                 goal: stop.goal,
                 middle: goal.middle(),
                 tolerance: goal.tolerance(),
+                reach: goal.reach(),
                 altitude: goal.altitude(),
                 is_last: !journey.repeat && leg + 1 == journey.stops.len(),
             }

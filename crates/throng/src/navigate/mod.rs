@@ -32,7 +32,7 @@ mod visible;
 pub use area::Area;
 pub use error::{NavError, Ring, Unreachable};
 pub use goal::{Goal, Journey, Stop};
-pub(crate) use legs::Legs;
+pub(crate) use legs::{Leg, Legs};
 pub use mesh::NavMesh;
 pub(crate) use meshes::Asked;
 pub use meshes::Meshes;

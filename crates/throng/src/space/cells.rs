@@ -61,6 +61,12 @@ impl Cells {
         row * self.columns + column
     }
 
+    /// The corners of a cell, lower left and upper right.
+    pub fn square(&self, cell: usize) -> (DVec2, DVec2) {
+        let low = self.low + DVec2::new((cell % self.columns) as f64, (cell / self.columns) as f64) * self.width;
+        (low, low + self.width)
+    }
+
     /// The rows of cells that a box touches, each with its lower side.
     pub fn rows_of(&self, from: DVec2, to: DVec2) -> impl Iterator<Item = (f64, usize)> + use<> {
         let (low, width) = (self.low.y, self.width);

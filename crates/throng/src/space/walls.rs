@@ -63,6 +63,8 @@ pub struct Walls {
     discs: Vec<Disc>,
     /// The walls within `REACH` of each cell: edges, then discs (numbered on).
     cells: Cells,
+    /// How far the nearest of those is from anywhere in the cell, at least; infinite where there are none.
+    clearance: Vec<f32>,
 }
 
 /// How far from a cell the walls lie that it lists, metres: what pedestrians look for needs one cell only.
@@ -182,8 +184,32 @@ impl Walls {
         for item in 0..count {
             self.touch(&cells, item, &mut pairs);
         }
+        let mut clearance = vec![f32::INFINITY; cells.columns * cells.rows];
+        for &(cell, item) in &pairs {
+            // less what places of cells are rounded by
+            let gap = (self.gap(cells.square(cell as usize), item as usize) - 1e-3) as f32;
+            clearance[cell as usize] = clearance[cell as usize].min(gap);
+        }
         cells.fill(pairs);
-        self.cells = cells;
+        (self.cells, self.clearance) = (cells, clearance);
+    }
+
+    /// How far an item is from a square; 0 or less if it reaches into it.
+    fn gap(&self, (low, high): (DVec2, DVec2), item: usize) -> f64 {
+        let to_square = |p: DVec2| p.distance(p.clamp(low, high));
+        let Some(edge) = self.edges.get(item) else {
+            let disc = &self.discs[item - self.edges.len()];
+            return to_square(disc.center) - disc.radius;
+        };
+        let (bottom, top) = (edge.start.y.min(edge.end.y), edge.start.y.max(edge.end.y));
+        let (left, right) = edge.span((low.y, high.y));
+        if bottom <= high.y && top >= low.y && left <= high.x && right >= low.x {
+            return 0.0;
+        }
+        // apart, the ends of one of them are nearest
+        let corners = [low, high, DVec2::new(low.x, high.y), DVec2::new(high.x, low.y)];
+        let of_corners = corners.map(|corner| edge.nearest(corner).distance(corner));
+        of_corners.into_iter().fold(to_square(edge.start).min(to_square(edge.end)), f64::min)
     }
 
     /// Notes the cells that an item is within reach of: row by row, for long slanting edges.
@@ -213,7 +239,10 @@ impl Walls {
         // a cell on the way to each of them, short of it by what cells reach, lists it
         let away = range - REACH;
         if away <= 0.0 {
-            self.near_in(self.cells.cell_of(from), from, range, near);
+            let cell = self.cells.cell_of(from);
+            if f64::from(self.clearance[cell]) <= range {
+                self.near_in(cell, from, range, near);
+            }
         } else {
             for cell in self.cells.touched(from - away, from + away) {
                 self.near_in(cell, from, range, near);
@@ -256,7 +285,7 @@ impl Walls {
 
     /// Whether it shows at a glance that no wall is within `range` of `from`.
     pub fn are_far(&self, from: DVec2, range: f64) -> bool {
-        range <= REACH && (self.is_empty() || self.cells.items(self.cells.cell_of(from)).is_empty())
+        range <= REACH && (self.is_empty() || f64::from(self.clearance[self.cells.cell_of(from)]) > range)
     }
 
     /// Distance from `p` to the nearest wall, at most `range`; infinite if there is none within it.

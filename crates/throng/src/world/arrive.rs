@@ -9,7 +9,7 @@ use glam::DVec2;
 /// Seconds without progress after which twice the distance to a point that others have taken is near enough.
 const CONTENT_TIME: f32 = 3.0;
 /// Metres beyond the gap before an area in a wall that count as there.
-const GAP_TOLERANCE: f64 = 0.05;
+pub(super) const GAP_TOLERANCE: f64 = 0.05;
 
 impl World {
     pub(super) fn stop(&self, row: usize, leg: u32) -> Option<crate::Stop> {

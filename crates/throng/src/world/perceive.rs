@@ -203,7 +203,6 @@ impl Neighbours {
         self.lists.clear();
         self.lists.resize(1, 0);
         self.close.clear();
-        self.close.resize(1, 0);
         self.places.clear();
         self.places.resize(rows, 0);
     }
@@ -211,8 +210,8 @@ impl Neighbours {
     /// Of 64 places of the grid, or fewer, from one on, the rows near which somebody may come close enough to be measured,
     /// each with the rows of those, nearest first.
     pub(super) fn close_from<'a>(&'a self, order: &'a [u32], first: usize) -> impl Iterator<Item = (u32, &'a [u32])> {
-        let places = first..self.close.len().min(first + WORD);
-        let bits = self.close[places.clone()].iter().rev().fold(0, |bits, &close| bits << 1 | u64::from(close != 0));
+        let counts = self.close[first.min(self.close.len())..].iter().take(WORD);
+        let bits = counts.rev().fold(0, |bits, &close| bits << 1 | u64::from(close != 0));
         // how many they are is known without a look at the list
         let list = |place: usize| &self.lists[place * (self.most + 1) + 1..][..self.close[place].into()];
         ones(bits).map(move |at| (order[first + at], list(first + at)))

@@ -1,10 +1,11 @@
 //! Planning ways: for those who have none, and for those whose way no longer holds. Everybody else keeps theirs.
 
 use super::World;
+use super::arrive::GAP_TOLERANCE;
 use super::build::direction;
 use super::way::{Shown, Way};
 use crate::agent::{AgentId, Status};
-use crate::navigate::{Asked, Goal, Heading, Meshes, Route, Travel, Turn};
+use crate::navigate::{Asked, Goal, Heading, Leg, Meshes, Route, Travel, Turn};
 use crate::parallel;
 use glam::{DVec2, DVec3, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -112,7 +113,8 @@ impl World {
         let at = self.world_position(row);
         let straight = travel.is_straight();
         let mut towards = leg.map_or(-at, |leg| leg.middle - at).as_vec2();
-        let mut along = towards.length();
+        let distance = towards.length();
+        let mut along = distance;
         if !straight {
             along = self.follow(row, travel, at).unwrap_or(along);
             towards = travel.aim().map_or(towards, |aim| (aim - at).as_vec2());
@@ -131,10 +133,11 @@ impl World {
         let direction = if waits { Vec2::ZERO } else { towards.normalize_or_zero() };
         let tolerance = leg.and_then(|leg| leg.tolerance);
         let stops = tolerance.is_some() && leg.is_some_and(|leg| leg.is_last);
-        // in the open, with nobody there yet, who is farther than it can get
-        let is_far = |tolerance: f32| remaining * 0.9999 > tolerance + self.agents.max_speed[row] * seconds * 1.01;
+        // with nobody there yet, who is farther than it can get
+        let counts = |leg: &Leg| leg.reach + travel.gap() + GAP_TOLERANCE as f32;
+        let is_far = |leg: &Leg| distance * 0.9999 > counts(leg) + self.agents.max_speed[row] * seconds * 1.01;
         let taken = id.is_some_and(|id| self.step.arrivals[id.index()] > 0);
-        let may_arrive = taken || !straight || tolerance.is_none_or(|tolerance| !is_far(tolerance));
+        let may_arrive = taken || !leg.is_some_and(is_far);
         let is_plain = travel.is_plain() && tolerance.is_some();
         Way::walking(id, direction, remaining).stopping(stops).changing(may_arrive).plain(is_plain)
     }
