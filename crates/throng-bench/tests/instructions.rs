@@ -16,13 +16,15 @@ const WARM_UP: u32 = 5;
 const STEPS: u32 = 5;
 
 /// What is counted: a work, how many people, and whether the guard is on.
-const COUNTED: [(&str, usize, bool); 6] = [
+const COUNTED: [(&str, usize, bool); 8] = [
     ("crossing", 2_000, false),
     ("crossing", 2_000, true),
     ("crossing-manners", 1_000, true),
     ("density-4", 500, true),
     ("at-rest", 1_000, true),
     ("rooms", 100, true),
+    ("flock", 1_000, false),
+    ("flock-dense", 500, false),
 ];
 
 /// What valgrind counts, by this name.

@@ -2,13 +2,14 @@
 
 use super::World;
 use super::avoid_lanes::LaneScratch;
-use super::velocities::set;
+use super::velocities::{Rows, set};
 use crate::avoid::{LocalModel, NearDisc, NearEdge, Neighbour, Outline, View, Workspace, margin};
 use crate::motion::{Limits, follow, limit};
 use crate::parallel;
 use crate::random::{Dice, Purpose, unit};
 use crate::space::{Core, Disc, Edge, NearWalls};
 use glam::{DVec2, Vec2, Vec3};
+use std::ops::Range;
 
 /// How much of the avoiding, beyond its half, falls on who has more way to go to the same goal, and on who rests or
 /// steps aside.
@@ -59,6 +60,11 @@ impl World {
         let mut scratch = std::mem::take(&mut self.step.avoiding);
         wishes.resize(self.agents.len(), self.in_space_now());
         let world = &*self;
+        if world.vehicles_limit_all() {
+            parallel::ranges(wishes.rows(), |rows, wishes| world.wish_as_preferred(rows, wishes));
+            (self.step.wishes, self.step.avoiding) = (wishes, scratch);
+            return;
+        }
         let common = world.common(seconds);
         parallel::ranges_with(wishes.rows(), &mut scratch, |scratch, rows, wishes| {
             let Scratch { sight, workspace, lanes } = scratch;
@@ -69,6 +75,19 @@ impl World {
             });
         });
         (self.step.wishes, self.step.avoiding) = (wishes, scratch);
+    }
+
+    /// Whether everybody steers and nobody avoids others: vehicles have limited all.
+    fn vehicles_limit_all(&self) -> bool {
+        self.all_steer() && self.groups_in_use().all(|group| !group.model.avoids())
+    }
+
+    /// As [`wish`](Self::wish), where that is what is preferred.
+    fn wish_as_preferred(&self, rows: Range<usize>, (ground, climb): Rows<'_>) {
+        ground.copy_from_slice(&self.step.preferred.ground[rows.clone()]);
+        for (row, climb) in rows.zip(climb.all) {
+            *climb = self.stays_down(row, self.step.preferred.at(row)).z;
+        }
     }
 
     /// The velocity that an agent will have but for the guard.

@@ -31,6 +31,9 @@ impl World {
     /// Notes how close bodies came to each other and to walls.
     pub(super) fn measure(&mut self) {
         let Self { agents, step, walls, tally, .. } = self;
+        if step.rest.is_everybodys() {
+            return;
+        }
         let before = Measured {
             least_separation: tally.least_separation,
             least_wall_separation: tally.least_wall_separation,

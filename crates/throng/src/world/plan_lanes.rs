@@ -1,5 +1,5 @@
-//! Many look at once where they are on their ways, a lane an agent: those who walk straight to a point on the ground. The
-//! same bits as [one by one](super::plan), where everybody else looks.
+//! Many look at once where they are on their ways, a lane an agent: those who walk straight to a point on the ground, and
+//! those who steer and have no way. The same bits as [one by one](super::plan), where everybody else looks.
 
 use super::World;
 use super::way::{MAY_CHANGE, Shown, Way};
@@ -70,7 +70,7 @@ impl World {
         let agents = &self.agents;
         let rows = start..start + travels.len();
         let (mut towards, mut tolerance, mut keys) = ([[0.0; LANES]; 2], [0.0; LANES], [0; LANES]);
-        let mut left = 0;
+        let (mut left, mut goes_nowhere) = (0, 0);
         for ((lane, row), travel) in rows.clone().enumerate().zip(&*travels) {
             let leg = self.legs.of(agents.journey[row], travel.leg);
             match leg.and_then(|leg| Some((leg, leg.tolerance?))) {
@@ -84,6 +84,12 @@ impl World {
                         Way::walking(Some(leg.goal), Vec2::ZERO, 0.0).stopping(leg.is_last).changing(taken).plain(true);
                     keys[lane] = way.key();
                 }
+                None if leg.is_none() && agents.status[row] == Status::Walking => {
+                    // who steers needs no way
+                    set(&mut towards, lane, agents.velocity[row]);
+                    keys[lane] = Way::walking(None, Vec2::ZERO, 0.0).key();
+                    goes_nowhere |= 1 << lane;
+                }
                 _ => left |= 1 << lane,
             }
         }
@@ -92,10 +98,11 @@ impl World {
         }
         let splat = |value: f32| S::f32s::splat(simd, value);
         let towards: Vec2s<S> = Vec2s::load(simd, &towards);
-        let remaining = towards.dot(towards).sqrt();
+        let nowhere = S::mask32s::from_bitmask(simd, goes_nowhere);
+        let remaining = nowhere.select(splat(0.0), towards.dot(towards).sqrt());
         let direction = towards.normalize_or_zero(simd);
         let gets = agents.max_speed.lanes(simd, rows.clone()) * splat(seconds) * splat(1.01);
-        let far = (remaining * splat(0.9999)).simd_gt(load(simd, &tolerance) + gets).to_bitmask();
+        let far = (remaining * splat(0.9999)).simd_gt(load(simd, &tolerance) + gets).to_bitmask() | goes_nowhere;
         let mut all_keys = 0;
         for lane in ones(!left & ((1 << rows.len()) - 1)) {
             let key = keys[lane] | if far >> lane & 1 == 0 { MAY_CHANGE } else { 0 };
