@@ -140,8 +140,12 @@ fn what_is_said_is_so() {
             ..steer::Contain::on_side(surfaces[0].surface.clone(), surfaces[0].seen_from)
         },
     );
-    let back = steer::FollowPath { way: Way::Backward, seconds: 2.0, slowing_distance: 3.0, ..beat().into() };
-    assert_steers("follow_path = { path = \"beat\", way = \"backward\", horizon = 2, slowing_distance = 3 }", back);
+    let back =
+        steer::FollowPath { way: Way::Backward, seconds: 2.0, slowing_distance: 3.0, inner: 0.5, ..beat().into() };
+    assert_steers(
+        "follow_path = { path = \"beat\", way = \"backward\", horizon = 2, slowing_distance = 3, inner = 0.5 }",
+        back,
+    );
     assert_steers(
         "stay_on_path = { path = \"beat\", horizon = 0 }",
         steer::StayOnPath { path: Arc::new(beat()), seconds: 0.0 },

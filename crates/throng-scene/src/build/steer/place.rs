@@ -155,8 +155,10 @@ impl Make for Contain {
 impl Make for FollowPath {
     fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
         let follow = making.follow(&self.path, self.way, self.horizon, at)?;
-        let slowing_distance = or(self.slowing_distance, follow.slowing_distance);
-        Ok(steer::FollowPath { slowing_distance, ..follow }.into())
+        check_some(&at.key("inner"), self.inner, Limit::Between(0.0, 1.0))?;
+        let (slowing_distance, inner) =
+            (or(self.slowing_distance, follow.slowing_distance), or(self.inner, follow.inner));
+        Ok(steer::FollowPath { slowing_distance, inner, ..follow }.into())
     }
 }
 

@@ -83,6 +83,9 @@ parameters! {
         horizon: Option<f64>,
         /// How far from the end of a path that is no ring it begins to slow down, metres. Without it, 1. Limit: >= 0.
         slowing_distance: Option<f64>,
+        /// Part of the path's radius within which it is led back when it is about to leave the path. Without it, 1: it keeps
+        /// to the edge that bends lead it to. Limit: 0 to 1.
+        inner: Option<f64>,
     }
     /// Comes back to a path that it is about to leave, whichever way it goes.
     StayOnPath {

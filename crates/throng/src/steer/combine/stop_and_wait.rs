@@ -57,7 +57,9 @@ impl Behaviour for StopAndWait {
             let (least, most) = self.wait;
             *left = least + (most - least) * view.dice.draw(0);
         }
-        Some(Steering { facing: said.and_then(|said| said.facing), ..view.reach(Vec3::ZERO) })
+        // as hard as its vehicle can
+        let stop = view.velocity() * -(view.vehicle.mass / view.seconds);
+        Some(Steering { force: stop, facing: said.and_then(|said| said.facing) })
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -20,7 +20,7 @@ use std::sync::Arc;
 /// use throng::steer::{Behaviour, FollowPath, View, Why};
 ///
 /// let path = Pathway::new(&[Vec3::Y * -5.0, Vec3::ZERO, Vec3::X * 9.0], 1.0, false)?;
-/// let steer = |follow: FollowPath| follow.steer(&View::default(), &mut [0.0; 2], &mut Why::default());
+/// let steer = |follow: FollowPath| follow.steer(&View::default(), &mut [0.0; 3], &mut Why::default());
 /// assert!(steer(FollowPath::from(path.clone())).expect("it stands").force.x > 0.0);
 /// let back = FollowPath { way: Way::Backward, ..FollowPath::from(path) };
 /// assert!(steer(back).expect("it stands").force.y < 0.0);
@@ -36,6 +36,9 @@ pub struct FollowPath {
     pub seconds: f32,
     /// How far from the end of an open path it begins to slow down, metres. Limit: >= 0.
     pub slowing_distance: f32,
+    /// Part of the radius within which who is about to leave the path is led back. 1: it is left alone as soon as it stays on
+    /// the path, and so keeps to the edge that bends lead it to, as in the paper; less: it comes farther in. Limit: 0 to 1.
+    pub inner: f32,
 }
 
 impl From<Pathway> for FollowPath {
@@ -46,7 +49,7 @@ impl From<Pathway> for FollowPath {
 
 impl From<Arc<Pathway>> for FollowPath {
     fn from(path: Arc<Pathway>) -> Self {
-        Self { path, way: Way::Forward, seconds: 0.5, slowing_distance: 1.0 }
+        Self { path, way: Way::Forward, seconds: 0.5, slowing_distance: 1.0, inner: 1.0 }
     }
 }
 
@@ -54,13 +57,13 @@ impl From<Arc<Pathway>> for FollowPath {
 const SLOW: f32 = 0.5;
 
 impl Behaviour for FollowPath {
-    /// Whether it knows how far along the path it is, and how far, metres.
+    /// Whether it knows how far along the path it is, and how far, metres; whether it is being led back.
     fn memory(&self) -> usize {
-        2
+        3
     }
 
     fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
-        let [known, along] = memory else { return None };
+        let [known, along, led_back] = memory else { return None };
         let path = &*self.path;
         let reach = view.vehicle.max_speed * self.seconds;
         let known_along = (*known > 0.0).then_some(*along);
@@ -86,14 +89,20 @@ impl Behaviour for FollowPath {
             return Some(view.reach(approach(view, offset, Vec3::ZERO, self.slowing_distance)));
         }
         let then = path.nearest_near(future, now.along, reach);
-        if then.outside <= 0.0 && self.walked(now.along, then.along) > 0.0 {
-            return None;
+        let beside = future.distance(then.point);
+        let leaves = if *led_back > 0.0 { beside > self.inner * (beside - then.outside) } else { then.outside > 0.0 };
+        *led_back = f32::from(leaves);
+        match self.walked(now.along, then.along) > 0.0 {
+            _ if leaves => view.seek(aim, why),
+            true => None,
+            // who stands, or goes the other way, goes along it from where it is
+            false => view.seek(aim + (view.position() - now.point), why),
         }
-        view.seek(aim, why)
     }
 
     fn check(&self) -> Result<(), Error> {
         Error::unless_positive("horizon", self.seconds)?;
+        Error::unless((0.0..=1.0).contains(&self.inner), "inner part of the path", self.inner, "from 0 to 1")?;
         Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")
     }
 }

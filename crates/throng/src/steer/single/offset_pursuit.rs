@@ -7,7 +7,9 @@ use glam::Vec3;
 
 /// Passes a quarry at a distance, as in a strafing run, or to look at it.
 ///
-/// It aims beside where the quarry will be, on the side on which it is itself; who comes straight at it passes on the right.
+/// It aims at the distance beside where the quarry will be, to the side to which it goes already; who comes straight at it
+/// passes on the right.
+/// Once past it there is nothing to correct, until it is some distances away: then it comes back for another pass.
 ///
 /// ```
 /// use throng::steer::{OffsetPursuit, Prediction, Target};
@@ -23,14 +25,43 @@ pub struct OffsetPursuit {
     pub distance: f32,
 }
 
+/// From this many distances on it comes for another pass.
+const AWAY: f32 = 4.0;
+/// Within this many distances of where the quarry will be it is past it once it gets no nearer.
+const BESIDE: f32 = 2.0;
+
 impl Behaviour for OffsetPursuit {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    /// Whether it is past the quarry, and not yet on its way back.
+    fn memory(&self) -> usize {
+        1
+    }
+
+    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        let [past] = memory else { return None };
         let quarry = self.quarry.find(view)?;
         let future = quarry.position_in(self.prediction.of_quarry(view, &quarry));
         why.note(|| Reason::Expects(future));
-        let across = view.motion.basis.lateral(view.to(future));
-        let away = if across.length() > 1e-3 * self.distance { -across } else { -view.motion.basis.side };
-        view.seek(future + away.normalize_or(Vec3::ZERO) * self.distance, why)
+        let offset = view.to(future);
+        let distance = offset.length();
+        let towards = offset / distance.max(f32::MIN_POSITIVE);
+        let across = |v: Vec3| v - towards * v.dot(towards);
+        let side = view.passable(across(view.forward()));
+        let side = if side.length() > 1e-3 { side } else { view.passable(across(-view.motion.basis.side)) };
+        let beside = side.normalize_or_zero();
+        // along the tangent of the sphere of that radius
+        let sine = (self.distance / distance.max(f32::MIN_POSITIVE)).min(1.0);
+        let left = (distance * distance - self.distance * self.distance).max(0.0).sqrt();
+        let aim = view.position() + (towards * (1.0 - sine * sine).sqrt() + beside * sine) * left.max(self.distance);
+        if distance > AWAY * self.distance {
+            *past = 0.0;
+        } else if distance <= BESIDE * self.distance && offset.dot(view.velocity() - quarry.velocity) < 0.0 {
+            *past = 1.0;
+        }
+        if *past > 0.0 {
+            return None;
+        }
+        why.note(|| Reason::Aim(aim));
+        view.turn(view.to(aim))
     }
 
     fn check(&self) -> Result<(), Error> {
