@@ -46,9 +46,6 @@ pub struct Route {
     /// Where the agent looked last.
     looked: Option<DVec2>,
     lost: bool,
-    /// The next corner, if there is one.
-    #[serde(skip_serializing)]
-    aim: Option<DVec2>,
     /// Length of the way from the next corner on, metres.
     #[serde(skip_serializing)]
     beyond: f64,
@@ -82,7 +79,7 @@ struct Saved {
 
 impl From<Saved> for Route {
     fn from(Saved { corners, next, looked, lost }: Saved) -> Self {
-        let mut route = Self { corners, next, looked, lost, aim: None, beyond: 0.0, guess: Guess::default() };
+        let mut route = Self { corners, next, looked, lost, beyond: 0.0, guess: Guess::default() };
         route.go_on_to(next);
         route
     }
@@ -97,17 +94,17 @@ impl Route {
     /// What to head for from `position`. Call it every step; once it says [`Heading::Lost`] it says so until it is
     /// replaced.
     pub fn advance(&mut self, mesh: &NavMesh, position: DVec2) -> Heading {
-        let Some(aim) = self.aim else { return Heading::Lost };
+        let Some(&aim) = self.corners.get(self.next as usize) else { return Heading::Lost };
         let near = !self.is_last() && position.distance_squared(aim) < NEAR * NEAR;
         let moved = self.looked.is_none_or(|last| last.distance_squared(position) >= LOOK * LOOK);
         if !self.lost && (near || moved) {
             self.looked = Some(position);
             self.look(mesh, position);
         }
-        match self.aim {
-            Some(aim) if !self.lost && self.is_last() => Heading::End(aim),
-            Some(aim) if !self.lost => Heading::Corner(aim),
-            _ => Heading::Lost,
+        match self.corners[self.next as usize] {
+            _ if self.lost => Heading::Lost,
+            aim if self.is_last() => Heading::End(aim),
+            aim => Heading::Corner(aim),
         }
     }
 
@@ -147,7 +144,6 @@ impl Route {
     fn go_on_to(&mut self, corner: u32) {
         self.next = corner;
         let ahead = self.corners.get(corner as usize..).unwrap_or_default();
-        self.aim = ahead.first().copied();
         self.beyond = ahead.array_windows().map(|[a, b]| a.distance(*b)).sum();
     }
 
@@ -170,6 +166,6 @@ impl Route {
 
     /// Length of the way still ahead from `position`, metres.
     pub fn remaining(&self, position: DVec2) -> f64 {
-        self.aim.map_or(0.0, |corner| corner.distance(position) + self.beyond)
+        self.corners().next().map_or(0.0, |corner| corner.distance(position) + self.beyond)
     }
 }
