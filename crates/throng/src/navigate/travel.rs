@@ -75,7 +75,7 @@ struct Rare {
     /// Its way to the stop, unless it is straight.
     route: Option<Route>,
     /// Its way to where it waits until others have passed.
-    refuge: Option<Route>,
+    refuge: Option<Box<Route>>,
     /// What it heads for now, world coordinates.
     aim: DVec2,
     /// Metres still to rise on the way, negative to sink; 0 for those whose goal is on the ground.
@@ -202,12 +202,12 @@ impl Travel {
     /// The route it follows, unless it goes straight: to the stop, or to where it waits until others have passed.
     pub fn route(&self) -> Option<&Route> {
         let rare = self.rare.as_ref()?;
-        rare.refuge.as_ref().or(rare.route.as_ref())
+        rare.refuge.as_deref().or(rare.route.as_ref())
     }
 
     pub(crate) fn route_mut(&mut self) -> Option<&mut Route> {
         let rare = self.rare.as_mut()?;
-        rare.refuge.as_mut().or(rare.route.as_mut())
+        rare.refuge.as_deref_mut().or(rare.route.as_mut())
     }
 
     /// Whether, while the agent stands, where it is on its way stays as it is.
@@ -257,7 +257,7 @@ impl Travel {
     /// Steps aside, to the end of a route.
     pub(crate) fn step_aside(&mut self, route: Route) {
         self.take(Turn::Aside);
-        self.rare_mut().refuge = Some(route);
+        self.rare_mut().refuge = Some(Box::new(route));
     }
 
     /// Whatever its turn was, it is free. Who was aside needs another way.
