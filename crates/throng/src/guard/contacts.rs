@@ -2,13 +2,15 @@
 
 use super::Bodies;
 use super::lists::Lists;
-use crate::perceive::Grid;
+use crate::perceive::{Grid, Near};
 use crate::space::{NearWalls, Walls};
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// For each body, the others and the walls within its reach and theirs.
+/// For each body, the others and the walls within its reach and theirs; but two who are both in a pile do not count: so a
+/// step costs no more than there are bodies, however many begin in one spot.
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
-    others: Lists,
+    others: Lists<Vec<Near>>,
     /// Nothing, or the number of edges, the edges, the discs.
     walls: Lists<NearWalls>,
     /// Bodies and those that tell them of contacts they do not look for.
@@ -29,6 +31,11 @@ pub struct Seen<'a> {
 /// Ranges are a little wider than the sums, for the rounding of squares.
 const PAD: f32 = 1.0001;
 
+/// As many discs of its size can touch a disc: who overlaps more others than this, by more than touching, is in a *pile*.
+const PILE: usize = 6;
+/// Part of the least radius within which, beyond its own, a centre is that tells of a pile: who is there overlaps.
+const DEEP: f32 = 0.8;
+
 /// How bodies find each other: everybody looks as far as is needed for all who are not larger than usual or than they
 /// are; the few who are larger tell.
 #[derive(Clone, Copy)]
@@ -38,11 +45,14 @@ struct Search<'a> {
     grid: &'a Grid,
     /// Size of everybody and range within which two touch, if all are alike.
     alike: Option<(f32, f32)>,
+    /// The least radius.
+    least: f32,
 }
 
 impl<'a> Search<'a> {
     fn new(bodies: &'a Bodies<'a>, numbers: &'a [u32], grid: &'a Grid) -> Self {
-        let mut search = Self { bodies, numbers, grid, alike: None };
+        let least = bodies.radii.values().iter().copied().fold(f32::INFINITY, f32::min);
+        let mut search = Self { bodies, numbers, grid, alike: None, least };
         let Bodies { altitudes, cores, radii, reach, positions, .. } = bodies;
         let uniform = cores.uniform().and(radii.uniform()).and(reach.uniform()).and(altitudes.uniform());
         if uniform.is_some() && !positions.is_empty() {
@@ -110,6 +120,38 @@ impl<'a> Search<'a> {
         let above = if discs { bodies.altitudes[b] - bodies.altitudes[a] } else { 0.0 };
         distance_squared + above * above <= range * range
     }
+
+    /// Whether `row` is in a pile.
+    fn is_piled(
+        &self,
+        row: usize,
+        meets: &impl Fn(usize, usize) -> bool,
+        seen: Option<Seen<'_>>,
+        found: &mut Vec<Near>,
+    ) -> bool {
+        let Bodies { positions, altitudes, radii, .. } = self.bodies;
+        let reach = radii[row] + DEEP * self.least;
+        // most have seen enough to tell
+        if let Some(Seen { nearest, range, all }) = seen {
+            match nearest.get(PILE) {
+                Some(&next) => {
+                    let near = positions[row].distance_squared(positions[next as usize]) < reach * reach;
+                    if !near || altitudes.uniform().is_some() {
+                        return near;
+                    }
+                }
+                None if all && range > reach => return false,
+                None => {}
+            }
+        }
+        let overlaps = |near: &mut Near| {
+            let other = near.row as usize;
+            near.distance_squared += (altitudes[row] - altitudes[other]).powi(2);
+            other != row && near.distance_squared < reach * reach && meets(row, other)
+        };
+        self.grid.nearest(positions[row], PILE + 1, reach, overlaps, found);
+        found.len() > PILE
+    }
 }
 
 impl Contacts {
@@ -128,14 +170,19 @@ impl Contacts {
         let search = Search::new(bodies, numbers, grid);
         let (usual, largest) = self.tell(search, &meets);
         let told = &self.told;
+        let piles = AtomicBool::new(false);
         self.others.fill(
             bodies.positions.len(),
             |part| bodies.rest(part),
-            |(), row, others| {
-                let start = others.len();
+            |near, row, others| {
+                let (start, seen) = (others.len(), seen(row));
+                if search.is_piled(row, &meets, seen, near) {
+                    piles.store(true, Ordering::Relaxed);
+                    return;
+                }
                 let size = search.size(row);
                 let reach = (size + largest) * (PAD * PAD);
-                let all = seen(row).is_some_and(|seen| search.take(row, reach, seen, others));
+                let all = seen.is_some_and(|seen| search.take(row, reach, seen, others));
                 if !all {
                     others.truncate(start);
                     search.look(row, size.max(usual), |other| {
@@ -153,7 +200,21 @@ impl Contacts {
                 }
             },
         );
+        if piles.into_inner() {
+            self.answer(numbers);
+        }
         self.collect_walls(bodies, walls);
+    }
+
+    /// Has everybody in a pile know those who know them: who are not in a pile.
+    fn answer(&mut self, numbers: &[u32]) {
+        self.told.clear();
+        for row in 0..numbers.len() {
+            let unknown = |&&other: &&u32| !self.others.of(other as usize).contains(&(row as u32));
+            self.told.extend(self.others.of(row).iter().filter(unknown).map(|&other| (other, row as u32)));
+        }
+        self.told.sort_unstable();
+        self.others.add(&self.told, |other| numbers[other as usize]);
     }
 
     /// Has those who are larger than usual tell those whom they can touch; gives the usual size, and the largest.

@@ -51,6 +51,28 @@ impl<S: Default + Send> Lists<S> {
         });
     }
 
+    /// Adds items to the lists of rows, sorted by row, and sorts these lists.
+    pub fn add(&mut self, told: &[(u32, u32)], rank: impl Fn(u32) -> u32) {
+        let part_of = |row: u32| row as usize / WORD;
+        for mut told in told.chunk_by(|a, b| part_of(a.0) == part_of(b.0)) {
+            let part = &mut self.parts[part_of(told[0].0)];
+            let mut items = Vec::with_capacity(part.items.len() + told.len());
+            let mut from = 0;
+            for (at, end) in part.starts[1..].iter_mut().enumerate() {
+                let start = items.len();
+                items.extend(&part.items[from..*end as usize]);
+                let (own, others) = told.split_at(told.partition_point(|&(row, _)| row as usize % WORD <= at));
+                told = others;
+                items.extend(own.iter().map(|&(_, item)| item));
+                items[start..].sort_unstable_by_key(|&item| rank(item));
+                part.some |= u64::from(items.len() > start) << at;
+                from = *end as usize;
+                *end = items.len() as u32;
+            }
+            part.items = items;
+        }
+    }
+
     /// Leaves nobody a list.
     pub fn clear(&mut self) {
         self.parts.clear();

@@ -34,6 +34,9 @@
 //!    kept, in `f64`. A clamped result is checked against its cell after rounding; if rounding took it out it is
 //!    shortened, and failing that the agent stands.
 //!
+//! Only a bad start can have somebody overlap more than six others by more than touching. Two who are both in such a *pile*
+//! (`contacts.rs`) are not held apart: they walk out of it through each other, as their models have them, until fewer overlap.
+//!
 //! The heading of a disc touches nobody: the guard leaves it alone. Two who are both unguarded are not held apart, nor
 //! is one who is unguarded held off walls.
 //!

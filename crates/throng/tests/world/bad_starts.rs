@@ -79,6 +79,25 @@ fn a_heap_parts_smoothly_and_for_good() {
     }
 }
 
+/// However many begin in one place, they get out of it at the speed at which they walk: the guard does not hold them there.
+#[test]
+fn a_pile_dissolves() {
+    for (case, step) in [1.0 / 30.0, 0.1, 0.4].into_iter().enumerate() {
+        let mut world = heap(case as u64, 400, 0.3, step, SubSteps::Auto);
+        let mut last = Snapshot::of(&world);
+        assert!(brute(&world).len() > 60_000);
+        run_for(&mut world, 12.0, |world| {
+            let then = Snapshot::of(world);
+            for (row, (from, to)) in last.positions.iter().zip(&then.positions).enumerate() {
+                let speed = from.distance(*to) / world.settings().step;
+                assert!(speed <= f64::from(world.agents().max_speed[row]) + 0.02, "a shove of {speed} m/s");
+            }
+            last = then;
+        });
+        assert_eq!(brute(&world), [], "case {case}");
+    }
+}
+
 #[test]
 fn two_in_one_place_with_one_goal_both_arrive() {
     for (case, angle) in [0.0, 1.0, 2.5, 4.4].into_iter().enumerate() {

@@ -103,7 +103,7 @@ fn assert_same(a: &[History; 2], b: &[History; 2], label: &str) {
 /// purpose, check that both builds print the same new values, put them here, and say so in the changelog.
 #[test]
 fn the_same_bits_on_every_machine_and_in_every_build() {
-    const GOLDEN: [u64; 2] = [0x488c_d016_47a5_972b, 0xac99_349b_7f8e_e26c];
+    const GOLDEN: [u64; 2] = [0x488c_d016_47a5_972b, 0x1b23_bf7f_7096_51ce];
     let hashes = [busy(0), packed(0)].map(|mut world| {
         for _ in 0..240 {
             world.step();
