@@ -247,25 +247,25 @@ impl<'a, S: Simd> Tile<'a, S> {
     /// Lets all lanes look at packed places; tells which of them have somebody in exactly their place.
     #[inline(always)]
     fn look(&self, places: &[u32], sums: &mut [Sum<S>; 3], close: &mut Vec<(u32, u32)>) -> u64 {
-        let Self { simd, flock, position, forward, sights, .. } = self;
+        let Self { simd, flock, forward, sights, .. } = self;
         let simd = *simd;
         let splat = |value: f32| S::f32s::splat(simd, value);
-        let (zero, one) = (splat(0.0), splat(1.0));
-        let reach = splat(self.reach_squared);
-        let own = S::u32s::from_fn(simd, |lane| (self.start + lane) as u32);
+        let one = splat(1.0);
         let close_squared = splat(flock.close * flock.close);
         let [apart, along, together] = *sights;
         // sums are kept in registers: nothing is called from here on
         let [mut separation, mut alignment, mut cohesion] = *sums;
-        let (mut any_close, mut count) = ([0; MOST], 0);
+        // nobody could foretell who is: first those are sorted out, without a branch
+        let (mut all_near, mut count) = ([0; MOST], 0);
         for &place in places {
+            all_near[count] = place;
+            count += usize::from(self.near(place).0.any_true());
+        }
+        let all_near = &all_near[..count];
+        let (mut any_close, mut count) = ([0; MOST], 0);
+        for &place in all_near {
             let bird = &flock.birds.all[place as usize];
-            let offset = Vec3s::splat(simd, bird.position) - *position;
-            let distance_squared = offset.dot(offset);
-            let near = distance_squared.simd_le(reach) & !own.simd_eq(S::u32s::splat(simd, place));
-            if !near.any_true() {
-                continue;
-            }
+            let (near, offset, distance_squared) = self.near(place);
             any_close[count] = place;
             count += usize::from((near & distance_squared.simd_le(close_squared)).any_true());
             if !flock.counts(bird) {
@@ -278,17 +278,29 @@ impl<'a, S: Simd> Tile<'a, S> {
                 & ahead.simd_ge(splat(apart.cosine) * distance_squared);
             let belongs = always | (near & in_sight);
             if belongs.any_true() {
-                separation.add(belongs, offset * (splat(-1.0) / distance_squared), one, zero);
+                separation.add(belongs, offset * (splat(-1.0) / distance_squared), one);
             }
             let in_sight = distance_squared.simd_le(splat(along.range_squared))
                 & ahead.simd_ge(splat(along.cosine) * distance_squared);
-            alignment.add(always | (near & in_sight), Vec3s::splat(simd, bird.forward), one, zero);
+            alignment.add(always | (near & in_sight), Vec3s::splat(simd, bird.forward), one);
             let in_sight = distance_squared.simd_le(splat(together.range_squared))
                 & ahead.simd_ge(splat(together.cosine) * distance_squared);
-            cohesion.add(always | (near & in_sight), offset, one, zero);
+            cohesion.add(always | (near & in_sight), offset, one);
         }
         *sums = [separation, alignment, cohesion];
         if count > 0 { self.note_close(&any_close[..count], close) } else { 0 }
+    }
+
+    /// Which lanes somebody is near to, its offsets, and the squares of their lengths.
+    #[inline(always)]
+    fn near(&self, place: u32) -> (S::mask32s, Vec3s<S>, S::f32s) {
+        let simd = self.simd;
+        let offset = Vec3s::splat(simd, self.flock.birds.all[place as usize].position) - self.position;
+        let distance_squared = offset.dot(offset);
+        let own = S::u32s::from_fn(simd, |lane| (self.start + lane) as u32);
+        let another = !own.simd_eq(S::u32s::splat(simd, place));
+        let near = distance_squared.simd_le(S::f32s::splat(simd, self.reach_squared)) & another;
+        (near, offset, distance_squared)
     }
 
     /// Notes which lanes are close to these places; tells which of them are exactly there.
@@ -345,9 +357,8 @@ impl<'a, S: Simd> Tile<'a, S> {
 impl<S: Simd> Sum<S> {
     /// Adds to those that belong.
     #[inline(always)]
-    fn add(&mut self, belongs: S::mask32s, v: Vec3s<S>, one: S::f32s, zero: S::f32s) {
-        let v = Vec3s::select(belongs, v, Vec3s { x: zero, y: zero, z: zero });
-        self.sum = self.sum + v;
-        self.count += belongs.select(one, zero);
+    fn add(&mut self, belongs: S::mask32s, v: Vec3s<S>, one: S::f32s) {
+        self.sum = Vec3s::select(belongs, self.sum + v, self.sum);
+        self.count = belongs.select(self.count + one, self.count);
     }
 }
