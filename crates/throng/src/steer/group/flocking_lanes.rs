@@ -123,7 +123,10 @@ fn forces<S: Simd>(
     let mut start = places.start;
     while start < places.end {
         let most = (start + S::f32s::LEN).min(places.end).min(flock.lattice.end_of_row(start));
-        let end = start + 1 + x[start + 1..most].iter().take_while(|&&other| other - x[start] <= longest).count();
+        // all of a row lie by their x
+        let from = S::f32s::from_slice(simd, &x[start..start + S::f32s::LEN]);
+        let side_by_side = (from - S::f32s::splat(simd, x[start])).simd_le(S::f32s::splat(simd, longest));
+        let end = most.min(start + side_by_side.to_bitmask().trailing_ones() as usize);
         let own = &flock.birds.all[start..end];
         let belongs = |lanes: u64, bird: &Bird| lanes << 1 | u64::from(bird.group == flock.group);
         let lanes = own.iter().rev().fold(0, belongs);
@@ -277,9 +280,7 @@ impl<'a, S: Simd> Tile<'a, S> {
             let in_sight = distance_squared.simd_le(splat(apart.range_squared))
                 & ahead.simd_ge(splat(apart.cosine) * distance_squared);
             let belongs = always | (near & in_sight);
-            if belongs.any_true() {
-                separation.add(belongs, offset * (splat(-1.0) / distance_squared), one);
-            }
+            separation.add(belongs, offset * (splat(-1.0) / distance_squared), one);
             let in_sight = distance_squared.simd_le(splat(along.range_squared))
                 & ahead.simd_ge(splat(along.cosine) * distance_squared);
             alignment.add(always | (near & in_sight), Vec3s::splat(simd, bird.forward), one);
