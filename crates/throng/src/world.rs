@@ -42,7 +42,7 @@ use crate::perceive::{Grid, Instructions, Near, Pack};
 use crate::space::{Place, Walls};
 use crate::steer::{Event, Neighbour};
 use crate::summary::{Counts, Ended, Summary, Tally};
-use glam::DVec2;
+use glam::{DVec2, Vec2};
 use play::Game;
 use schedule::Schedule;
 use serde::{Deserialize, Serialize};
@@ -152,6 +152,8 @@ struct StepMemory {
     preferred: Velocities,
     avoiding: Vec<avoid::Scratch>,
     wishes: Velocities,
+    /// Wishes by places of the grid.
+    by_place: Vec<Vec2>,
     targets: Vec<Pose>,
     reach: Column<f32>,
     guarded: Column<bool>,

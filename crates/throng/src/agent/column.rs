@@ -218,6 +218,15 @@ impl Column<f32> {
             None => from_side_by_side(simd, &self.values[rows]),
         }
     }
+
+    /// The values of some rows, at most a vector, a lane a row.
+    #[inline(always)]
+    pub(crate) fn lanes_of<S: Simd>(&self, simd: S, rows: &[u32]) -> S::f32s {
+        match self.uniform() {
+            Some(value) => S::f32s::splat(simd, value),
+            None => S::f32s::from_fn(simd, |lane| rows.get(lane).map_or(0.0, |&row| self.values[row as usize])),
+        }
+    }
 }
 
 impl<T: Value> Index<usize> for Column<T> {

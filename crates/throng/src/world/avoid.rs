@@ -1,8 +1,8 @@
 //! 3. What is safe: the local models choose velocities, bodies limit them.
 
-use super::World;
 use super::avoid_lanes::LaneScratch;
 use super::velocities::{Rows, set};
+use super::{StepMemory, World};
 use crate::avoid::{LocalModel, NearDisc, NearEdge, Neighbour, Outline, View, Workspace, margin};
 use crate::motion::{Limits, follow, limit};
 use crate::parallel;
@@ -58,23 +58,37 @@ impl World {
     pub(super) fn avoid(&mut self, seconds: f32) {
         let mut wishes = std::mem::take(&mut self.step.wishes);
         let mut scratch = std::mem::take(&mut self.step.avoiding);
+        let mut by_place = std::mem::take(&mut self.step.by_place);
         wishes.resize(self.agents.len(), self.in_space_now());
         let world = &*self;
         if world.vehicles_limit_all() {
             parallel::ranges(wishes.rows(), |rows, wishes| world.wish_as_preferred(rows, wishes));
-            (self.step.wishes, self.step.avoiding) = (wishes, scratch);
-            return;
-        }
-        let common = world.common(seconds);
-        parallel::ranges_with(wishes.rows(), &mut scratch, |scratch, rows, wishes| {
-            let Scratch { sight, workspace, lanes } = scratch;
-            let mut one = |row: usize| world.wish(row, seconds, sight, workspace);
-            world.step.rest.each(rows, wishes, |rows, mut wishes| match &common {
-                Some(common) => world.avoid_many(common, rows, lanes, wishes.0, &mut one),
-                None => rows.zip(0..).for_each(|(row, at)| set(&mut wishes, at, one(row))),
+        } else if let Some(common) = world.common(seconds) {
+            let Self { step: StepMemory { rest, grid, near, .. }, .. } = world;
+            by_place.resize(self.agents.len(), Vec2::ZERO);
+            // everybody's list of neighbours lies at its place
+            parallel::ranges_with(&mut by_place[..], &mut scratch, |scratch, places, wishes| {
+                let Scratch { sight, workspace, lanes } = scratch;
+                let mut one = |row: usize| world.wish(row, seconds, sight, workspace);
+                rest.each_place(grid.order(), places, wishes, |places, wishes| {
+                    world.avoid_many(&common, places, lanes, wishes, &mut one);
+                });
             });
-        });
-        (self.step.wishes, self.step.avoiding) = (wishes, scratch);
+            parallel::ranges(&mut wishes.ground[..], |rows, wishes| {
+                rest.each(rows, wishes, |rows, wishes| {
+                    let places = &near.places()[rows];
+                    wishes.iter_mut().zip(places).for_each(|(wish, &place)| *wish = by_place[place as usize]);
+                });
+            });
+        } else {
+            parallel::ranges_with(wishes.rows(), &mut scratch, |Scratch { sight, workspace, .. }, rows, wishes| {
+                world.step.rest.each(rows, wishes, |rows, mut wishes| {
+                    rows.zip(0..)
+                        .for_each(|(row, at)| set(&mut wishes, at, world.wish(row, seconds, sight, workspace)));
+                });
+            });
+        }
+        (self.step.wishes, self.step.avoiding, self.step.by_place) = (wishes, scratch, by_place);
     }
 
     /// Whether everybody steers and nobody avoids others: vehicles have limited all.

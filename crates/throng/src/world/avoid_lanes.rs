@@ -5,7 +5,7 @@ use super::World;
 use super::avoid::Sight;
 use super::way::{GOAL, WALKS};
 use crate::avoid::{Line, LocalModel, MOST, MOST_WALLS, MOST_WITH_WALLS, Orca, Own, Views, Workspace, choose, margin};
-use crate::lanes::{LANES, Vec2s, load, ones};
+use crate::lanes::{LANES, Vec2s, load, load_pairs, ones, set};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use glam::{Vec2, Vec3};
@@ -64,16 +64,17 @@ impl World {
         })
     }
 
-    /// The velocities that a range of rows will have but for the guard. Calls `left` for those that go one by one.
+    /// The velocities that those in a range of places of the grid will have but for the guard. Calls `left` for rows that go
+    /// one by one.
     pub(super) fn avoid_many(
         &self,
         common: &Common,
-        rows: Range<usize>,
+        places: Range<usize>,
         scratch: &mut LaneScratch,
         wishes: &mut [Vec2],
         left: impl FnMut(usize) -> Vec3,
     ) {
-        dispatch!(common.level, simd => self.many(simd, common, rows, scratch, wishes, left));
+        dispatch!(common.level, simd => self.many(simd, common, places, scratch, wishes, left));
     }
 
     #[inline(always)]
@@ -81,7 +82,7 @@ impl World {
         &self,
         simd: S,
         common: &Common,
-        rows: Range<usize>,
+        places: Range<usize>,
         scratch: &mut LaneScratch,
         wishes: &mut [Vec2],
         mut left: impl FnMut(usize) -> Vec3,
@@ -91,21 +92,18 @@ impl World {
             scratch.views.neighbours.iter_mut().for_each(|others| others.radii = [radii; LANES]);
         }
         let lanes = S::f32s::LEN;
-        let first = rows.start;
-        for start in rows.clone().step_by(lanes) {
-            let part = start..(start + lanes).min(rows.end);
-            let out = &mut wishes[start - first..part.end - first];
-            let mut missing = self.misfits(common, part.clone());
+        let rows = self.step.grid.order()[places.clone()].chunks(lanes);
+        for ((start, rows), out) in places.step_by(lanes).zip(rows).zip(wishes.chunks_mut(lanes)) {
+            let mut missing = self.misfits(common, rows);
             // lanes for a few are dearer than one by one
-            if 2 * missing.count_ones() as usize > part.len() {
-                part.zip(out).for_each(|(row, wish)| *wish = left(row).truncate());
+            if 2 * missing.count_ones() as usize > rows.len() {
+                rows.iter().zip(out).for_each(|(&row, wish)| *wish = left(row as usize).truncate());
                 continue;
             }
-            let own = self.own(simd, part.clone());
-            self.view_many(simd, common, part.clone(), &mut scratch.views);
+            let own = self.view_many(simd, common, (start, rows), &mut scratch.views);
             scratch.views.clear_walls();
             if !common.open {
-                missing |= self.see_walls_of_many(common, part.clone(), missing, scratch);
+                missing |= self.see_walls_of_many(common, rows, missing, scratch);
             }
             let LaneScratch { views, fallback, .. } = scratch;
             let chosen = if views.has_walls() {
@@ -114,31 +112,31 @@ impl World {
                 choose::<S, MOST>(simd, &common.orca, &own, views, common.step, fallback)
             };
             missing |= chosen.left;
-            let most = self.agents.max_acceleration.lanes(simd, part.clone()) * S::f32s::splat(simd, common.step);
+            let most = self.agents.max_acceleration.lanes_of(simd, rows) * S::f32s::splat(simd, common.step);
             let change = (chosen.velocity - own.velocity).clamp_length_max(most);
             (own.velocity + change).clamp_length_max(own.max_speed).put_side_by_side(out);
-            for lane in ones(missing & ((1 << part.len()) - 1)) {
-                out[lane] = left(start + lane).truncate();
+            for lane in ones(missing & ((1 << rows.len()) - 1)) {
+                out[lane] = left(rows[lane] as usize).truncate();
             }
         }
     }
 
-    /// Who of a range of rows goes by another model, as bits.
-    fn misfits(&self, common: &Common, rows: Range<usize>) -> u64 {
+    /// Who of some rows goes by another model, as bits.
+    fn misfits(&self, common: &Common, rows: &[u32]) -> u64 {
         if common.alike {
             return 0;
         }
-        let model = |row: usize| self.groups[self.agents.group[row].index()].model.as_orca();
-        rows.rev().fold(0, |misfits, row| misfits << 1 | u64::from(model(row) != Some(common.orca)))
+        let model = |row: u32| self.groups[self.agents.group[row as usize].index()].model.as_orca();
+        rows.iter().rev().fold(0, |misfits, &row| misfits << 1 | u64::from(model(row) != Some(common.orca)))
     }
 
-    /// Lets a range of rows but the missing see what walls leave them, and not see whom walls hide. Tells as bits for whom
-    /// these are too many.
-    fn see_walls_of_many(&self, common: &Common, rows: Range<usize>, missing: u64, scratch: &mut LaneScratch) -> u64 {
+    /// Lets some rows but the missing see what walls leave them, and not see whom walls hide. Tells as bits for whom these are
+    /// too many.
+    fn see_walls_of_many(&self, common: &Common, rows: &[u32], missing: u64, scratch: &mut LaneScratch) -> u64 {
         let LaneScratch { views, sight, workspace, .. } = scratch;
         let mut too_many = 0;
         for lane in ones(!missing & ((1 << rows.len()) - 1)) {
-            let row = rows.start + lane;
+            let row = rows[lane] as usize;
             let range = common.orca.wall_range(self.agents.radius[row], self.agents.max_speed[row]);
             if self.walls.are_far(self.agents.position[row].as_dvec2(), range.into()) {
                 continue;
@@ -162,29 +160,26 @@ impl World {
         too_many
     }
 
-    /// Those of a range of rows themselves.
+    /// What those from a place on see of their neighbours; gives them themselves.
     #[inline(always)]
-    fn own<S: Simd>(&self, simd: S, rows: Range<usize>) -> Own<S> {
-        let agents = &self.agents;
-        Own {
-            position: Vec2s::from_side_by_side(simd, &agents.position[rows.clone()]),
-            velocity: Vec2s::from_side_by_side(simd, &agents.velocity[rows.clone()]),
-            preferred: Vec2s::from_side_by_side(simd, &self.step.preferred.ground[rows.clone()]),
-            max_speed: agents.max_speed.lanes(simd, rows),
-        }
-    }
-
-    /// What a range of rows sees of its neighbours.
-    #[inline(always)]
-    fn view_many<S: Simd>(&self, simd: S, common: &Common, rows: Range<usize>, views: &mut Views) {
+    fn view_many<S: Simd>(
+        &self,
+        simd: S,
+        common: &Common,
+        (start, rows): (usize, &[u32]),
+        views: &mut Views,
+    ) -> Own<S> {
         let (agents, step) = (&self.agents, &self.step);
+        let (mut own_motion, mut preferred) = ([[0.0; 4]; LANES], [[0.0; LANES]; 2]);
         let (mut own_keys, mut keys) = ([0; LANES], [[0; LANES]; MOST]);
         let (mut count, mut most) = ([0.0; LANES], 0);
-        for (lane, row) in rows.clone().enumerate() {
-            let neighbours = step.near.of(row);
+        for (lane, &row) in rows.iter().enumerate() {
+            let own = &step.shown[row as usize];
+            (own_motion[lane], own_keys[lane]) = (own.motion, own.way.key());
+            set(&mut preferred, lane, step.preferred.ground[row as usize]);
+            let neighbours = step.near.at(start + lane);
             most = most.max(neighbours.len());
             count[lane] = neighbours.len() as f32;
-            own_keys[lane] = step.shown[row].way.key();
             for ((&other, others), keys) in neighbours.iter().zip(&mut views.neighbours).zip(&mut keys) {
                 let shown = &step.shown[other as usize];
                 others.motion[lane] = shown.motion;
@@ -205,8 +200,7 @@ impl World {
             views.there[index] = there.to_bitmask();
             let unlike = if common.equals { !equals & there } else { there };
             for lane in ones(unlike.to_bitmask()) {
-                let row = rows.start + lane;
-                let other = step.near.of(row)[index] as usize;
+                let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
                 let yields = self.yields(row, other);
                 let granted = self.granted(row, other, yields);
                 others.share[lane] = if common.equals { 0.5 + yields } else { self.share(row, other, yields) };
@@ -215,10 +209,13 @@ impl World {
             }
             if common.radius.is_none() {
                 for lane in ones(there.to_bitmask()) {
-                    let other = step.near.of(rows.start + lane)[index] as usize;
-                    others.radii[lane] = (agents.radius[rows.start + lane] + agents.radius[other]) * common.margin;
+                    let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
+                    others.radii[lane] = (agents.radius[row] + agents.radius[other]) * common.margin;
                 }
             }
         }
+        let [position, velocity] = load_pairs(simd, &own_motion);
+        let max_speed = agents.max_speed.lanes_of(simd, rows);
+        Own { position, velocity, preferred: Vec2s::load(simd, &preferred), max_speed }
     }
 }

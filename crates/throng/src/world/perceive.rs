@@ -220,8 +220,19 @@ impl Neighbours {
     /// Rows of the neighbours of a row, nearest first.
     #[inline]
     pub(super) fn of(&self, row: usize) -> &[u32] {
-        let list = &self.lists[self.places[row] as usize * (self.most + 1)..];
+        self.at(self.places[row] as usize)
+    }
+
+    /// Rows of the neighbours of whoever is at a place of the grid, nearest first.
+    #[inline]
+    pub(super) fn at(&self, place: usize) -> &[u32] {
+        let list = &self.lists[place * (self.most + 1)..];
         &list[1..=list[0] as usize]
+    }
+
+    /// At which place of the grid each row is.
+    pub(super) fn places(&self) -> &[u32] {
+        &self.places
     }
 }
 
