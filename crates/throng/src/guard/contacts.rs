@@ -133,15 +133,13 @@ impl<'a> Search<'a> {
         let reach = radii[row] + DEEP * self.least;
         // most have seen enough to tell
         if let Some(Seen { nearest, range, all }) = seen {
-            match nearest.get(PILE) {
-                Some(&next) => {
-                    let near = positions[row].distance_squared(positions[next as usize]) < reach * reach;
-                    if !near || altitudes.uniform().is_some() {
-                        return near;
-                    }
-                }
-                None if all && range > reach => return false,
-                None => {}
+            let is_deep = |&&other: &&u32| positions[row].distance_squared(positions[other as usize]) < reach * reach;
+            let deep = nearest.iter().take(PILE + 1).take_while(is_deep).count();
+            if deep > PILE && altitudes.uniform().is_some() {
+                return true;
+            }
+            if deep < nearest.len().min(PILE + 1) || deep <= PILE && all && range > reach {
+                return false;
             }
         }
         let overlaps = |near: &mut Near| {
