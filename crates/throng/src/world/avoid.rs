@@ -56,6 +56,9 @@ impl Sight {
 impl World {
     /// 3. What is safe: the local models choose velocities, bodies limit them.
     pub(super) fn avoid(&mut self, seconds: f32) {
+        if self.step.rest.is_everybodys() {
+            return;
+        }
         let mut wishes = std::mem::take(&mut self.step.wishes);
         let mut scratch = std::mem::take(&mut self.step.avoiding);
         let mut by_place = std::mem::take(&mut self.step.by_place);
