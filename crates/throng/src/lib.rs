@@ -27,6 +27,7 @@
 pub mod agent;
 pub mod avoid;
 mod error;
+pub mod field;
 pub mod guard;
 mod lanes;
 pub mod motion;

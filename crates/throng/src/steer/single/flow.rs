@@ -1,23 +1,12 @@
 //! Flow field following: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
 
 use crate::Error;
+use crate::field::Field;
 use crate::motion::Steering;
 use crate::steer::{Behaviour, Reason, View, Why};
 use glam::Vec3;
 use std::fmt;
 use std::sync::Arc;
-
-/// A velocity at every place and time: currents, wind, painted ways. Functions of a place and a time are such fields.
-pub trait FlowField: Send + Sync {
-    /// The velocity at a place, metres, and a time, seconds since the start; zero: the field says nothing there.
-    fn flow(&self, place: Vec3, time: f64) -> Vec3;
-}
-
-impl<F: Fn(Vec3, f64) -> Vec3 + Send + Sync> FlowField for F {
-    fn flow(&self, place: Vec3, time: f64) -> Vec3 {
-        self(place, time)
-    }
-}
 
 /// Goes with a flow: takes on the velocity of a field where it will be. Nothing to correct where the field says nothing.
 ///
@@ -31,14 +20,14 @@ impl<F: Fn(Vec3, f64) -> Vec3 + Send + Sync> FlowField for F {
 #[derive(Clone)]
 pub struct FollowFlow {
     /// The field.
-    pub field: Arc<dyn FlowField>,
+    pub field: Arc<dyn Field>,
     /// How many seconds ahead. Limit: >= 0.
     pub prediction: f32,
 }
 
 impl FollowFlow {
     /// Follows a field, so many seconds ahead.
-    pub fn new(field: impl FlowField + 'static, prediction: f32) -> Self {
+    pub fn new(field: impl Field + 'static, prediction: f32) -> Self {
         Self { field: Arc::new(field), prediction }
     }
 }
@@ -52,7 +41,7 @@ impl fmt::Debug for FollowFlow {
 impl Behaviour for FollowFlow {
     fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
         let place = view.motion.position_in(self.prediction);
-        let flow = view.passable(self.field.flow(place, view.time));
+        let flow = view.passable(self.field.velocity(place, view.time));
         why.note(|| Reason::Expects(place));
         why.note(|| Reason::Wishes(flow));
         (flow != Vec3::ZERO).then(|| view.reach(flow.clamp_length_max(view.vehicle.max_speed)))

@@ -36,7 +36,7 @@ pub use explore::Explore;
 pub use face::{Face, LookWhereYouGo, MatchOrientation};
 pub use fear::Fear;
 pub use flee::Flee;
-pub use flow::{FlowField, FollowFlow};
+pub use flow::FollowFlow;
 pub use forage::Forage;
 pub use forward::MoveForward;
 pub use fractal_wander::FractalWander;

@@ -1,0 +1,42 @@
+//! 2c. Where does the crowd flow: a velocity at every place and time.
+//!
+//! Anything that gives a velocity at a place is a [`Field`]: a function, velocities [sketched](Anchors) at some places. Who
+//! [follows a flow](crate::steer::FollowFlow) goes with one.
+
+mod anchors;
+mod hull;
+mod plate;
+
+pub use anchors::{Anchor, Anchors, Note, Sketch};
+pub use plate::Kernel;
+
+use glam::Vec3;
+use std::sync::Arc;
+
+/// A velocity at every place and time: currents, wind, sketched and painted ways. Functions of a place and a time are such
+/// fields.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::field::Field;
+/// // round the origin, once in 2 pi seconds
+/// let whirl = |place: Vec3, _: f64| Vec3::Z.cross(place);
+/// assert_eq!(whirl.velocity(Vec3::X * 2.0, 0.0), Vec3::Y * 2.0);
+/// ```
+pub trait Field: Send + Sync {
+    /// The velocity, m/s, at a place, metres from the world's origin, and a time, seconds since the start. Zero: the field says
+    /// nothing there.
+    fn velocity(&self, place: Vec3, time: f64) -> Vec3;
+}
+
+impl<F: Fn(Vec3, f64) -> Vec3 + Send + Sync> Field for F {
+    fn velocity(&self, place: Vec3, time: f64) -> Vec3 {
+        self(place, time)
+    }
+}
+
+impl Field for Arc<dyn Field> {
+    fn velocity(&self, place: Vec3, time: f64) -> Vec3 {
+        (**self).velocity(place, time)
+    }
+}

@@ -1,0 +1,128 @@
+//! Scattered velocities interpolated by radial basis functions: the linear system behind [`Anchors`](super::Anchors).
+
+use crate::Error;
+use glam::{DMat2, DVec2};
+use nalgebra::{DMatrix, Dyn, LU};
+
+/// How the influence of an anchor falls off with distance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub enum Kernel {
+    /// `r^2 log r` beside a linear field: of all fields that go through the anchors the one that bends least (thin plate).
+    /// Every anchor matters everywhere; fields that are linear, a rotation too, come out as they are.
+    #[default]
+    ThinPlate,
+    /// Wendland's `(1 - r)^4 (4 r + 1)`, `r` in parts of the reach: zero beyond it, so that an anchor matters near it only.
+    Wendland {
+        /// Metres, greater than 0.
+        reach: f64,
+    },
+}
+
+impl Kernel {
+    fn at(self, distance_squared: f64) -> f64 {
+        match self {
+            Self::ThinPlate if distance_squared > 0.0 => 0.5 * distance_squared * libm::log(distance_squared),
+            Self::ThinPlate => 0.0,
+            Self::Wendland { reach } => {
+                let r = distance_squared.sqrt() / reach;
+                let left = (1.0 - r).max(0.0);
+                left.powi(4) * (4.0 * r + 1.0)
+            }
+        }
+    }
+}
+
+/// A place with its own way to measure distances.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Center {
+    pub place: DVec2,
+    pub metric: DMat2,
+}
+
+/// Centres, and the factors of their system: new velocities need no new factors.
+#[derive(Clone, Debug)]
+pub(super) struct Plate {
+    kernel: Kernel,
+    centers: Vec<Center>,
+    /// Directions in which the linear part varies: as many as the centres span, none if there is no such part.
+    axes: Vec<DVec2>,
+    has_polynomial: bool,
+    factors: Option<LU<f64, Dyn, Dyn>>,
+    /// What each centre adds, then the constant and what each axis adds.
+    weights: Vec<DVec2>,
+}
+
+impl Plate {
+    /// The plate through centres that lie in places that differ, near the origin and not much more than 1 from it. With a
+    /// smoothing of more than zero it goes past them instead of through them.
+    pub fn new(kernel: Kernel, centers: Vec<Center>, axes: Vec<DVec2>, smoothing: f64) -> Result<Self, Error> {
+        let has_polynomial = kernel == Kernel::ThinPlate;
+        let axes = if has_polynomial { axes } else { Vec::new() };
+        let mut plate = Self { kernel, centers, axes, has_polynomial, factors: None, weights: Vec::new() };
+        let (count, size) = (plate.centers.len(), plate.size());
+        if count == 0 {
+            return Ok(plate);
+        }
+        let entry = |row: usize, column: usize| match (row < count, column < count) {
+            (true, true) => {
+                let value = plate.influence(column, plate.centers[row].place);
+                if row == column { value + smoothing } else { value }
+            }
+            (true, false) => plate.term(column - count, plate.centers[row].place),
+            (false, true) => plate.term(row - count, plate.centers[column].place),
+            (false, false) => 0.0,
+        };
+        // symmetric where nothing is stretched, but indefinite: so not by Cholesky. Plain loops, the same bits on every processor
+        let factors = DMatrix::from_fn(size, size, entry).lu();
+        if !factors.is_invertible() {
+            return Err(Self::unsolvable());
+        }
+        plate.factors = Some(factors);
+        Ok(plate)
+    }
+
+    fn size(&self) -> usize {
+        self.centers.len() + if self.has_polynomial { 1 + self.axes.len() } else { 0 }
+    }
+
+    /// What a centre adds at a place, over its weight.
+    fn influence(&self, center: usize, place: DVec2) -> f64 {
+        let Center { place: at, metric } = self.centers[center];
+        self.kernel.at((metric * (place - at)).length_squared())
+    }
+
+    /// A term of the linear part at a place.
+    fn term(&self, index: usize, place: DVec2) -> f64 {
+        index.checked_sub(1).map_or(1.0, |axis| self.axes[axis].dot(place))
+    }
+
+    /// Goes through these velocities, one a centre, or past them if it is smoothed.
+    pub fn go_through(&mut self, velocities: &[DVec2]) {
+        let Some(factors) = &self.factors else { return };
+        let right = |row: usize, column: usize| velocities.get(row).map_or(0.0, |v| v[column]);
+        let solved = factors.solve(&DMatrix::from_fn(self.size(), 2, right)).expect("the system is invertible");
+        self.weights.clear();
+        self.weights.extend(solved.row_iter().map(|row| DVec2::new(row[0], row[1])));
+    }
+
+    /// Whether rounding left it on these velocities, which it goes through.
+    pub fn check(&self, velocities: &[DVec2]) -> Result<(), Error> {
+        let largest = velocities.iter().map(|v| v.length()).fold(0.0, f64::max);
+        let off = |(center, v): (&Center, &DVec2)| self.velocity(center.place).distance(*v);
+        let exact = self.centers.iter().zip(velocities).map(off).all(|off| off <= 1e-6 * largest);
+        if exact { Ok(()) } else { Err(Self::unsolvable()) }
+    }
+
+    fn unsolvable() -> Error {
+        let why = "no field goes through them all: set them farther apart, stretch them less, or smooth more";
+        Error::Shape { what: "anchors of a field".into(), why: why.into() }
+    }
+
+    /// The velocity at a place.
+    pub fn velocity(&self, place: DVec2) -> DVec2 {
+        let (centers, terms) = self.weights.split_at(self.centers.len().min(self.weights.len()));
+        let near: DVec2 = (0..).zip(centers).map(|(center, &weight)| weight * self.influence(center, place)).sum();
+        near + (0..).zip(terms).map(|(term, &weight)| weight * self.term(term, place)).sum::<DVec2>()
+    }
+}

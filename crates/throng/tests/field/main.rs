@@ -1,0 +1,3 @@
+//! Fields: velocities at places and times.
+
+mod anchors;
