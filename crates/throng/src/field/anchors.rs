@@ -5,7 +5,7 @@ use super::Field;
 use super::hull::Hull;
 use super::plate::{Center, Kernel, Plate};
 use crate::Error;
-use glam::{DMat2, DVec2, Vec3};
+use glam::{DMat2, DVec2, Vec2, Vec3};
 
 /// Anchors a field has at most: the time that they take grows with the third power of their number.
 const MOST: usize = 4000;
@@ -102,7 +102,9 @@ pub enum Note {
 /// A field through velocities that are wanted at some places.
 ///
 /// Cost: making it grows with the third power of the number of anchors (1,000: 0.1 s), [changing a
-/// velocity](Self::set_velocity) with the second, asking for a velocity with the first.
+/// velocity](Self::set_velocity) with the second, asking for a velocity with the first. A crowd asks a field that was
+/// [sampled](super::Sampled) from it instead: that goes many places at once, in single precision (some mm/s off where anchors
+/// side by side contradict each other).
 ///
 /// ```
 /// use glam::DVec2;
@@ -207,8 +209,12 @@ impl Anchors {
     pub fn at(&self, place: DVec2) -> DVec2 {
         let offset = place - self.middle;
         let velocity = self.plate.velocity(offset / self.extent);
-        let left = self.sketch.fade.map_or(1.0, |fade| libm::exp(-(self.hull.distance(offset) / fade).powi(2)));
-        (velocity * left).clamp_length_max(self.sketch.max_speed)
+        (velocity * self.left(offset)).clamp_length_max(self.sketch.max_speed)
+    }
+
+    /// What of the velocity is left at an offset from the middle.
+    fn left(&self, offset: DVec2) -> f64 {
+        self.sketch.fade.map_or(1.0, |fade| libm::exp(-(self.hull.distance(offset) / fade).powi(2)))
     }
 
     /// Has the plate go through the mean velocity of each place.
@@ -230,6 +236,15 @@ impl Anchors {
 impl Field for Anchors {
     fn velocity(&self, place: Vec3, _: f64) -> Vec3 {
         self.at(place.truncate().as_dvec2()).as_vec2().extend(0.0)
+    }
+
+    fn row(&self, (first, step): (DVec2, f64), from: usize, _: f64, out: &mut [Vec2]) {
+        let offset = first - self.middle;
+        self.plate.row((offset / self.extent, step / self.extent), from, out);
+        for (velocity, index) in out.iter_mut().zip(from..) {
+            let left = self.left(offset + DVec2::X * (index as f64 * step)) as f32;
+            *velocity = (*velocity * left).clamp_length_max(self.sketch.max_speed as f32);
+        }
     }
 }
 

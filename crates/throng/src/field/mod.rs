@@ -6,11 +6,14 @@
 mod anchors;
 mod hull;
 mod plate;
+mod plate_lanes;
+mod sampled;
 
 pub use anchors::{Anchor, Anchors, Note, Sketch};
 pub use plate::Kernel;
+pub use sampled::Sampled;
 
-use glam::Vec3;
+use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
 
 /// A velocity at every place and time: currents, wind, sketched and painted ways. Functions of a place and a time are such
@@ -27,6 +30,16 @@ pub trait Field: Send + Sync {
     /// The velocity, m/s, at a place, metres from the world's origin, and a time, seconds since the start. Zero: the field says
     /// nothing there.
     fn velocity(&self, place: Vec3, time: f64) -> Vec3;
+
+    /// The velocities along the ground at places there that lie side by side: `first`, then each a step further towards +x, from the
+    /// one with this index on. Fields that are faster where they are asked for many may round otherwise than one by one, but in the
+    /// same way wherever they begin.
+    fn row(&self, (first, step): (DVec2, f64), from: usize, time: f64, out: &mut [Vec2]) {
+        for (out, index) in out.iter_mut().zip(from..) {
+            let place = first + DVec2::X * (index as f64 * step);
+            *out = self.velocity(place.as_vec2().extend(0.0), time).truncate();
+        }
+    }
 }
 
 impl<F: Fn(Vec3, f64) -> Vec3 + Send + Sync> Field for F {
@@ -38,5 +51,9 @@ impl<F: Fn(Vec3, f64) -> Vec3 + Send + Sync> Field for F {
 impl Field for Arc<dyn Field> {
     fn velocity(&self, place: Vec3, time: f64) -> Vec3 {
         (**self).velocity(place, time)
+    }
+
+    fn row(&self, row: (DVec2, f64), from: usize, time: f64, out: &mut [Vec2]) {
+        (**self).row(row, from, time, out);
     }
 }

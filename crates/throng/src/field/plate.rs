@@ -121,8 +121,26 @@ impl Plate {
 
     /// The velocity at a place.
     pub fn velocity(&self, place: DVec2) -> DVec2 {
-        let (centers, terms) = self.weights.split_at(self.centers.len().min(self.weights.len()));
-        let near: DVec2 = (0..).zip(centers).map(|(center, &weight)| weight * self.influence(center, place)).sum();
-        near + (0..).zip(terms).map(|(term, &weight)| weight * self.term(term, place)).sum::<DVec2>()
+        let weights = (0..).zip(self.weights());
+        weights.map(|(center, &weight)| weight * self.influence(center, place)).sum::<DVec2>() + self.linear(place)
+    }
+
+    /// The linear part at a place.
+    pub fn linear(&self, place: DVec2) -> DVec2 {
+        let terms = self.weights.get(self.centers.len()..).unwrap_or_default();
+        (0..).zip(terms).map(|(term, &weight)| weight * self.term(term, place)).sum()
+    }
+
+    /// What each centre adds, over its influence.
+    pub fn weights(&self) -> &[DVec2] {
+        self.weights.get(..self.centers.len()).unwrap_or_default()
+    }
+
+    pub fn centers(&self) -> &[Center] {
+        &self.centers
+    }
+
+    pub fn kernel(&self) -> Kernel {
+        self.kernel
     }
 }

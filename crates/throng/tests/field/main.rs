@@ -1,3 +1,4 @@
 //! Fields: velocities at places and times.
 
 mod anchors;
+mod sampled;
