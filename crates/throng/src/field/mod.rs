@@ -4,12 +4,14 @@
 //! [follows a flow](crate::steer::FollowFlow) goes with one.
 
 mod anchors;
+mod critical;
 mod hull;
 mod plate;
 mod plate_lanes;
 mod sampled;
 
 pub use anchors::{Anchor, Anchors, Note, Sketch};
+pub use critical::{Critical, CriticalPoint};
 pub use plate::Kernel;
 pub use sampled::Sampled;
 

@@ -1,4 +1,5 @@
 //! Fields: velocities at places and times.
 
 mod anchors;
+mod critical;
 mod sampled;
