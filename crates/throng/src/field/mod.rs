@@ -4,6 +4,7 @@
 //! [follows a flow](crate::steer::FollowFlow) goes with one.
 
 mod anchors;
+mod brush;
 mod critical;
 mod hull;
 mod plate;
@@ -11,6 +12,7 @@ mod plate_lanes;
 mod sampled;
 
 pub use anchors::{Anchor, Anchors, Note, Sketch};
+pub use brush::{Stamp, Stroke, erase};
 pub use critical::{Critical, CriticalPoint};
 pub use plate::Kernel;
 pub use sampled::Sampled;

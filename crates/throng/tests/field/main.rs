@@ -1,5 +1,6 @@
 //! Fields: velocities at places and times.
 
 mod anchors;
+mod brush;
 mod critical;
 mod sampled;
