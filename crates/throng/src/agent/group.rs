@@ -1,6 +1,7 @@
 //! What the agents of a group share.
 
 use crate::avoid::{LocalModel, Orca, Unavoiding};
+use crate::field::Governed;
 use crate::motion::{Locomotion, Vehicle, WrapAround};
 use crate::steer::Branch;
 use std::sync::Arc;
@@ -26,6 +27,10 @@ pub struct Group {
     pub queue: bool,
     /// Whether agents that block each other's ways agree who steps aside (MODELS 1.10, narrow places).
     pub resolve: bool,
+    /// A field that governs where its agents go, beside their own ways or in place of them. They neither make detours nor agree
+    /// who goes first: that they do not get on may be the field's doing. Not for those who steer: they [follow a
+    /// flow](crate::steer::FollowFlow).
+    pub field: Option<Governed>,
     /// What its agents steer by, instead of walking along their ways: the velocity that their vehicles come to have is
     /// the preferred one.
     pub steering: Option<Branch>,
@@ -90,6 +95,7 @@ impl Default for Group {
             detour: true,
             queue: true,
             resolve: true,
+            field: None,
             steering: None,
             vehicle: Vehicle::default(),
             wrap_around: None,

@@ -21,7 +21,7 @@ pub struct Anchor {
     /// Metres a second.
     pub velocity: DVec2,
     /// How many times as far it reaches along its velocity as across, as the strokes of a brush do; 1: as far in all directions.
-    /// Limit: 1 to 100.
+    /// Limit: 1 to 100; 1 for thin plates, which bend back and forth where they are stretched in several directions.
     pub stretch: f64,
 }
 
@@ -150,6 +150,11 @@ impl Anchors {
         )?;
         anchors.iter().try_for_each(Anchor::check)?;
         sketch.check()?;
+        if sketch.kernel == Kernel::ThinPlate {
+            let stretch = anchors.iter().map(|anchor| anchor.stretch).fold(1.0, f64::max);
+            let limit = "1 where the kernel is a thin plate: take one with a reach";
+            Error::unless(stretch == 1.0, "stretch of an anchor", stretch, limit)?;
+        }
         let middle = anchors.iter().map(|anchor| anchor.place).sum::<DVec2>() / anchors.len().max(1) as f64;
         let from_middle = || anchors.iter().map(|anchor| anchor.place - middle);
         let extent = from_middle().map(DVec2::length).fold(0.0, f64::max);

@@ -6,6 +6,7 @@
 mod anchors;
 mod brush;
 mod critical;
+mod governed;
 mod hull;
 mod plate;
 mod plate_lanes;
@@ -14,6 +15,7 @@ mod sampled;
 pub use anchors::{Anchor, Anchors, Note, Sketch};
 pub use brush::{Stamp, Stroke, erase};
 pub use critical::{Critical, CriticalPoint};
+pub use governed::Governed;
 pub use plate::Kernel;
 pub use sampled::Sampled;
 
@@ -61,3 +63,8 @@ impl Field for Arc<dyn Field> {
         (**self).row(row, from, time, out);
     }
 }
+
+/// `docs/fields.md`, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../../../docs/fields.md")]
+struct Page;

@@ -51,6 +51,8 @@ pub(super) struct Plate {
     factors: Option<LU<f64, Dyn, Dyn>>,
     /// What each centre adds, then the constant and what each axis adds.
     weights: Vec<DVec2>,
+    /// How many times as large all weights are together as the fastest velocity: how many digits are lost.
+    gain: f64,
 }
 
 impl Plate {
@@ -59,7 +61,7 @@ impl Plate {
     pub fn new(kernel: Kernel, centers: Vec<Center>, axes: Vec<DVec2>, smoothing: f64) -> Result<Self, Error> {
         let has_polynomial = kernel == Kernel::ThinPlate;
         let axes = if has_polynomial { axes } else { Vec::new() };
-        let mut plate = Self { kernel, centers, axes, has_polynomial, factors: None, weights: Vec::new() };
+        let mut plate = Self { kernel, centers, axes, has_polynomial, factors: None, weights: Vec::new(), gain: 0.0 };
         let (count, size) = (plate.centers.len(), plate.size());
         if count == 0 {
             return Ok(plate);
@@ -104,6 +106,14 @@ impl Plate {
         let solved = factors.solve(&DMatrix::from_fn(self.size(), 2, right)).expect("the system is invertible");
         self.weights.clear();
         self.weights.extend(solved.row_iter().map(|row| DVec2::new(row[0], row[1])));
+        let length = |all: &[DVec2]| all.iter().map(|v| v.length()).collect::<Vec<f64>>();
+        let fastest = length(velocities).into_iter().fold(f64::MIN_POSITIVE, f64::max);
+        self.gain = length(self.weights()).into_iter().sum::<f64>() / fastest;
+    }
+
+    /// How many times as large all weights are together as the fastest velocity: how many digits are lost.
+    pub fn gain(&self) -> f64 {
+        self.gain
     }
 
     /// Whether rounding left it on these velocities, which it goes through.

@@ -1,5 +1,5 @@
-//! A thin plate at many places at once, a lane a place: in `f32`, so less exact than [one by one](super::plate), but the same
-//! bits with every instruction set.
+//! A plate at many places at once, a lane a place: in `f32`, so less exact than [one by one](super::plate), but the same
+//! bits with every instruction set. Where single precision would not do it goes one by one.
 
 use super::plate::{Center, Kernel, Plate};
 use fearless_simd::prelude::*;
@@ -35,9 +35,16 @@ fn ln<S: Simd>(simd: S, x: S::f32s) -> S::f32s {
 /// A centre and its weight, in `f32`.
 type Single = (Vec2, Mat2, Vec2);
 
+/// Beyond this gain too few digits are left in single precision.
+const GAIN: f64 = 2e4;
+
 impl Plate {
     /// The velocities at places side by side: of those that lie from a first one on, a step apart, from an index on.
     pub fn row(&self, row: (DVec2, f64), from: usize, out: &mut [Vec2]) {
+        if self.gain() > GAIN {
+            let place = |index: usize| row.0 + DVec2::X * (index as f64 * row.1);
+            return out.iter_mut().zip(from..).for_each(|(out, index)| *out = self.velocity(place(index)).as_vec2());
+        }
         let weighted = self.weights().iter().zip(self.centers());
         let single =
             |(weight, center): (&DVec2, &Center)| (center.place.as_vec2(), center.metric.as_mat2(), weight.as_vec2());

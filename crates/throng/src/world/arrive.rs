@@ -1,7 +1,7 @@
 //! Arriving: who is there, who waits, who goes on, who leaves.
 
 use super::World;
-use crate::agent::{JourneyId, Status};
+use crate::agent::{GroupId, JourneyId, Status};
 use crate::navigate::{Goal, nearest_on_ring};
 use crate::summary::Ended;
 use glam::DVec2;
@@ -21,8 +21,17 @@ impl World {
         self.legs.of(self.agents.journey[row], leg).map(|leg| leg.middle)
     }
 
-    pub(super) fn first_status(&self, journey: JourneyId) -> Status {
-        if self.journeys[journey.index()].stops.is_empty() { Status::Arrived } else { Status::Walking }
+    pub(super) fn first_status(&self, group: GroupId, journey: JourneyId) -> Status {
+        let goes_somewhere = !self.journeys[journey.index()].stops.is_empty();
+        if goes_somewhere { Status::Walking } else { self.status_without_stop(group, journey) }
+    }
+
+    /// What somebody does who has no stop to go to: who steers goes on, and whom a field leads, if there never was any.
+    fn status_without_stop(&self, group: GroupId, journey: JourneyId) -> Status {
+        let group = &self.groups[group.index()];
+        let goes_nowhere = self.journeys[journey.index()].stops.is_empty();
+        let goes_on = group.steering.is_some() || group.field.is_some() && goes_nowhere;
+        if goes_on { Status::Walking } else { Status::Arrived }
     }
 
     /// Counts who has arrived at each goal.
@@ -114,8 +123,7 @@ impl World {
             Status::Waiting if agents.travel[row].wait() <= seconds => Status::Walking,
             Status::Walking => {
                 let Some(stop) = self.stop(row, agents.travel[row].leg) else {
-                    let steers = self.steering(row).is_some();
-                    return if steers { Status::Walking } else { Status::Arrived };
+                    return self.status_without_stop(agents.group[row], agents.journey[row]);
                 };
                 let (place, goal) = (self.world_place(row), &self.goals[stop.goal.index()]);
                 let near = || match (goal.offset(place), goal.corners()) {

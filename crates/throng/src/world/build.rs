@@ -62,6 +62,13 @@ impl World {
         Error::unless(counts, "neighbours", count as f64, "from 1 to 1000, or everybody for those who avoid nobody")?;
         Error::unless(group.keep_right.abs() <= 0.5, "keep right", group.keep_right, "from -0.5 to 0.5 rad")?;
         group.model.check()?;
+        if let Some(field) = &group.field {
+            field.check()?;
+            if group.steering.is_some() {
+                let why = "it steers, so no field can govern it beside that: let it follow the flow".into();
+                return Err(Error::Shape { what: "the group".into(), why });
+            }
+        }
         if let Some(steering) = &group.steering {
             steering.check()?;
             group.vehicle.check()?;
@@ -277,13 +284,12 @@ impl World {
         self.slots.rows[slot as usize] = row;
         let heading = self.first_heading(agent);
         self.agents.push(agent, self.settings.origin, slot, number, heading, now);
-        let steers = self.groups[agent.group.index()].steering.is_some();
-        if steers {
+        if self.groups[agent.group.index()].steering.is_some() {
             let (sin, cos) = libm::sincosf(heading);
             let basis = Basis::facing(Vec3::new(cos, sin, 0.0));
             self.agents.attitude.set(row as usize, Attitude { basis, ..Attitude::default() });
         }
-        let status = if steers { Status::Walking } else { self.first_status(agent.journey) };
+        let status = self.first_status(agent.group, agent.journey);
         self.agents.status[row as usize] = status;
         if status == Status::Arrived {
             self.agents.arrived.set(row as usize, now);

@@ -15,6 +15,8 @@ const RETURN_TIME: f32 = 0.5;
 pub(super) struct Manners {
     pub detour: bool,
     pub resolve: bool,
+    /// Whether a field has a say.
+    pub governed: bool,
     bias: f32,
     pub keep_right: Turned,
 }
@@ -22,7 +24,10 @@ pub(super) struct Manners {
 impl Manners {
     fn of(group: &Group) -> Self {
         let keep_right = Turned::by(group.keep_right);
-        Self { detour: group.detour, resolve: group.resolve, bias: group.keep_right, keep_right }
+        let governed = group.field.is_some();
+        // whom a field leads elsewhere is not blocked
+        let (detour, resolve) = (group.detour && !governed, group.resolve && !governed);
+        Self { detour, resolve, governed, bias: group.keep_right, keep_right }
     }
 }
 
@@ -42,7 +47,10 @@ impl World {
         let level = self.lanes_to_intend();
         let one = |row: usize, travel: &mut Travel| match world.scripted(row, now) {
             Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
-            None => world.preferred_velocity(row, travel, &manners[world.agents.group[row].index()], seconds),
+            None => {
+                let own = world.preferred_velocity(row, travel, &manners[world.agents.group[row].index()], seconds);
+                world.governed(row, own, now)
+            }
         };
         // who steers is asked afterwards
         let steers = self.all_steer();
@@ -67,6 +75,19 @@ impl World {
     /// Where the script of an agent is at a time, if it has one.
     pub(super) fn scripted(&self, row: usize, time: f64) -> Option<Keyframe> {
         Some(self.scripts[self.agents.script[row]?.index()].at(time))
+    }
+
+    /// What of a preferred velocity is left where a field governs too.
+    fn governed(&self, row: usize, own: Vec3, now: f64) -> Vec3 {
+        let Some(field) = &self.groups[self.agents.group[row].index()].field else { return own };
+        if !self.step.shown[row].way.walks() {
+            return own;
+        }
+        let place = self.agents.position[row].extend(self.agents.altitude[row]);
+        let blended = field
+            .blend(own.truncate(), self.agents.velocity[row], place, now)
+            .clamp_length_max(self.agents.max_speed[row]);
+        blended.extend(own.z)
     }
 
     fn preferred_velocity(&self, row: usize, travel: &mut Travel, manners: &Manners, seconds: f32) -> Vec3 {

@@ -69,7 +69,7 @@ impl World {
         for ((lane, row), travel) in rows.clone().enumerate().zip(&*travels) {
             let way = &self.step.shown[row].way;
             let manners = &manners[agents.group[row].index()];
-            let mut fit = way.is_plain() && way.direction != Vec2::ZERO;
+            let mut fit = way.is_plain() && way.direction != Vec2::ZERO && !manners.governed;
             // who neither agrees with others nor steps aside leaves its journey as it is
             if manners.detour || manners.resolve {
                 fit &= travel.is_plain();

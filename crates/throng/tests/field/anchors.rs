@@ -82,8 +82,12 @@ proptest! {
         let wide = extent(&all).max(1e-3);
         let kernel = reach.map_or(Kernel::ThinPlate, |reach| Kernel::Wendland { reach: reach * wide });
         // compact kernels that are stretched need not be solvable
-        let all = if reach.is_some() { plain(all) } else { all };
-        let field = field(&all, Sketch { kernel, ..Sketch::default() });
+        let all = if reach.is_some() && all.len() % 2 == 0 { all } else { plain(all) };
+        let stretched = all.iter().any(|anchor| anchor.stretch != 1.0);
+        let field = match Anchors::new(&all, Sketch { kernel, ..Sketch::default() }) {
+            Err(Error::Shape { .. }) if stretched => return Ok(()),
+            field => field.unwrap(),
+        };
         for anchor in &all {
             let off = field.at(anchor.place).distance(anchor.velocity);
             prop_assert!(off <= 1e-5 * anchor.velocity.length().max(0.1), "{off} m/s off at {anchor:?}");
@@ -106,6 +110,7 @@ proptest! {
     fn linear_fields_come_out_as_they_are(
         all in anchors(1..40), constant in vector(2.0), x in vector(0.5), y in vector(0.5), at in vector(2.0), smoothing in prop_oneof![Just(0.0), 0.0f64..10.0],
     ) {
+        let all = plain(all);
         let wide = extent(&all).max(1.0);
         let middle = all[0].place;
         let linear = |place: DVec2| constant + DMat2::from_cols(x, y) * (place - middle) / wide;
@@ -127,6 +132,7 @@ proptest! {
     /// Turned, shifted and enlarged anchors have the turned, shifted and enlarged field.
     #[test]
     fn a_field_turns_with_its_anchors(all in anchors(1..30), at in vector(1.5), angle in -3.1f64..3.1, shift in vector(500.0), scale in 0.1f64..10.0) {
+        let all = plain(all);
         let turn = DVec2::from_angle(angle);
         let move_to = |place: DVec2| (turn.rotate(place - all[0].place)) * scale + shift;
         let moved: Vec<Anchor> = all
@@ -159,6 +165,7 @@ proptest! {
     /// Beyond the hull the field falls by the distance from it, which is compared with a search over all edges.
     #[test]
     fn a_field_fades_outside_of_its_hull(all in anchors(3..30), at in vector(2.0), fade in 0.05f64..2.0) {
+        let all = plain(all);
         let wide = extent(&all);
         let at = all[0].place + at * wide;
         let whole = field(&all, Sketch::default()).at(at);
@@ -175,6 +182,7 @@ proptest! {
 
     #[test]
     fn nowhere_is_a_field_faster_than_it_may_be(all in anchors(1..30), at in vector(9.0), most in 0.1f64..2.0) {
+        let all = plain(all);
         let field = field(&all, Sketch { max_speed: most, ..Sketch::default() });
         let at = all[0].place + at * extent(&all);
         prop_assert!(field.at(at).length() <= most * (1.0 + 1e-12));
@@ -260,6 +268,7 @@ fn what_cannot_be_is_refused() {
     let fast = Anchor { velocity: DVec2::new(f64::INFINITY, 0.0), ..one };
     assert_eq!(message(&[fast], plain), "velocity of an anchor is inf, but must be finite");
     assert!(message(&[Anchor { stretch: 0.5, ..one }], plain).contains("must be 1 to 100"));
+    assert!(message(&[Anchor { stretch: 2.0, ..one }], plain).contains("take one with a reach"));
     let many = vec![one; 1_000_000];
     assert_eq!(message(&many, plain), "number of anchors is 1000000, but must be at most 4000: set them farther apart");
     for sketch in [

@@ -44,7 +44,9 @@ proptest! {
         middle in vector(2000.0), reach in prop_oneof![Just(None), (2.0f64..30.0).prop_map(Some)],
         fade in prop_oneof![Just(None), (1.0f64..20.0).prop_map(Some)], part in (vector(25.0), vector(25.0)),
     ) {
-        let anchor = |&(place, velocity, stretch)| Anchor { place: middle + place, velocity, stretch };
+        // thin plates are not stretched
+        let stretch = |stretch: f64| if reach.is_some() { stretch } else { 1.0 };
+        let anchor = |&(place, velocity, s)| Anchor { place: middle + place, velocity, stretch: stretch(s) };
         let anchors: Vec<Anchor> = all.iter().map(anchor).collect();
         let kernel = reach.map_or(Kernel::ThinPlate, |reach| Kernel::Wendland { reach });
         let sketch = Sketch { kernel, fade, max_speed: 5.0, ..Sketch::default() };
@@ -61,10 +63,10 @@ proptest! {
             let place = low + DVec2::new((k % sampled.columns()) as f64, (k / sampled.columns()) as f64) * 0.8;
             let exact = field.at(place).as_vec2();
             off += f64::from(found.distance(exact));
-            prop_assert!(found.distance(exact) < 1e-2 * fastest, "{found} and {exact} at {place}");
+            prop_assert!(found.distance(exact) < 4e-3 * fastest, "{found} and {exact} at {place}");
         }
         let mean = off / sampled.velocities().len() as f64;
-        prop_assert!(mean < 2e-3 * f64::from(fastest), "{mean} m/s off");
+        prop_assert!(mean < 1e-3 * f64::from(fastest), "{mean} m/s off");
         let shared: Arc<dyn Field> = Arc::new(field);
         let again = with_threads(3, || Sampled::of(&shared, low, high, 0.8, 0.0).unwrap());
         prop_assert_eq!(bits(&sampled), bits(&again));

@@ -11,6 +11,7 @@ mod doors;
 mod entry;
 mod explain;
 mod flocks;
+mod governed;
 mod instructions;
 mod journeys;
 mod limits;

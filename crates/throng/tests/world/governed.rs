@@ -1,0 +1,148 @@
+//! Crowds that fields govern.
+
+use crate::common::{Draw, journey_to, run_for, with_settings};
+use crate::oracle::Snapshot;
+use glam::{DVec2, Vec2, Vec3};
+use std::f64::consts::{FRAC_PI_4, TAU};
+use throng::field::{Field, Governed, Sampled};
+use throng::perceive::Instructions;
+use throng::{Agent, Error, Group, GroupId, JourneyId, Status, SubSteps, World};
+
+fn led(world: &mut World, field: impl Field + 'static, ratio: f32) -> GroupId {
+    world.add_group(Group { field: Some(Governed::new(field, ratio)), keep_right: 0.0, ..Group::default() }).unwrap()
+}
+
+/// Round the origin, counter-clockwise, at 1.2 m/s.
+fn whirl(place: Vec3, _: f64) -> Vec3 {
+    Vec3::Z.cross(place).normalize_or_zero() * 1.2
+}
+
+/// The only agent's place, from the world's origin, and velocity.
+fn only(world: &World) -> (Vec2, Vec2) {
+    (world.agents().position[0], world.agents().velocity[0])
+}
+
+#[test]
+fn whoever_has_no_journey_goes_where_the_field_says() {
+    for step in [1.0 / 60.0, 0.04, 0.1] {
+        let origin = DVec2::new(-1800.0, 900.0);
+        let mut world = with_settings(step, SubSteps::Auto, origin);
+        let group = led(&mut world, whirl, 1.0);
+        let position = origin + DVec2::X * 5.0;
+        world.add_agent(Agent { position, group, velocity: Vec2::Y * 1.2, ..Agent::default() }).unwrap();
+        let around = TAU * 5.0 / 1.2;
+        run_for(&mut world, around, |world| {
+            let (place, velocity) = only(world);
+            // a step goes along the tangent
+            assert!((place.length() - 5.0).abs() < 0.05 + 1.2 * step as f32, "{place}");
+            assert!((velocity.length() - 1.2).abs() < 0.02 && world.agents().status[0] == Status::Walking);
+        });
+        assert!(only(&world).0.distance(Vec2::X * 5.0) < 0.3 + 1.5 * step as f32, "once round: {}", only(&world).0);
+        assert!(!world.finished());
+    }
+}
+
+/// Half the field's: half way between both directions, at the mean of both speeds.
+#[test]
+fn a_ratio_blends_directions_and_speeds() {
+    for (ratio, angle, speed) in [(0.0, 0.0, 1.3), (0.25, 0.5, 1.225), (0.5, 1.0, 1.15), (1.0, 2.0, 1.0)] {
+        let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
+        let group = led(&mut world, |_: Vec3, _: f64| Vec3::new(0.0, 1.0, 0.0), ratio);
+        let journey = journey_to(&mut world, DVec2::X * 1e4);
+        let agent = Agent { group, journey, preferred_speed: 1.3, ..Agent::default() };
+        world.add_agent(agent).unwrap();
+        run_for(&mut world, 3.0, |_| {});
+        let expected = Vec2::from_angle((angle * FRAC_PI_4) as f32) * speed;
+        let (_, velocity) = only(&world);
+        assert!(velocity.distance(expected) < 5e-3, "{velocity} and {expected} with {ratio}");
+    }
+}
+
+#[test]
+fn what_is_against_the_own_way_does_not_cancel_it_out() {
+    let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
+    let group = led(&mut world, |_: Vec3, _: f64| Vec3::NEG_X, 0.5);
+    let journey = journey_to(&mut world, DVec2::X * 1e4);
+    world.add_agent(Agent { group, journey, preferred_speed: 1.0, ..Agent::default() }).unwrap();
+    run_for(&mut world, 3.0, |_| {});
+    assert!((only(&world).1.length() - 1.0).abs() < 0.01, "{}", only(&world).1);
+}
+
+/// Where it says nothing, or something that is no velocity, the own way counts; who has arrived rests.
+#[test]
+fn a_field_with_nothing_to_say_leaves_the_own_way() {
+    let field = |place: Vec3, _: f64| if place.x < 2.0 { Vec3::ZERO } else { Vec3::NAN };
+    let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
+    let group = led(&mut world, field, 1.0);
+    let journey = journey_to(&mut world, DVec2::X * 6.0);
+    world.add_agent(Agent { group, journey, ..Agent::default() }).unwrap();
+    let idle = world.add_agent(Agent { group, position: DVec2::Y * 9.0, ..Agent::default() }).unwrap();
+    run_for(&mut world, 8.0, |_| {});
+    assert_eq!(world.agents().status[0], Status::Arrived);
+    assert!(only(&world).0.distance(Vec2::X * 6.0) < 0.3 && only(&world).1 == Vec2::ZERO);
+    assert_eq!(world.agent(idle).unwrap().position, DVec2::Y * 9.0);
+}
+
+#[test]
+fn a_field_may_begin_to_flow_later() {
+    let mut world = with_settings(0.1, SubSteps::Auto, DVec2::ZERO);
+    let group = led(&mut world, |_: Vec3, time: f64| if time > 3.5 { Vec3::Y } else { Vec3::ZERO }, 1.0);
+    world.add_agent(Agent { group, ..Agent::default() }).unwrap();
+    run_for(&mut world, 3.0, |world| assert_eq!(only(world).0, Vec2::ZERO));
+    run_for(&mut world, 5.5, |_| {});
+    assert!((only(&world).0.y - 5.0).abs() < 0.3, "{}", only(&world).0);
+}
+
+/// A hundred and twenty in a whirl that narrows, and some who cross it on ways of their own: nobody overlaps, whoever
+/// computes it.
+fn mill(instructions: Instructions) -> World {
+    let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
+    let narrowing = |place: Vec3, time: f64| whirl(place, time) - place * 0.04;
+    let sampled = Sampled::of(&narrowing, DVec2::splat(-15.0), DVec2::splat(15.0), 0.5, 0.0).unwrap();
+    let group = led(&mut world, sampled, 1.0);
+    let mut draw = Draw::new(3);
+    let mut taken: Vec<DVec2> = Vec::new();
+    while taken.len() < 150 {
+        let position = draw.point(DVec2::splat(-11.0), DVec2::splat(11.0));
+        if taken.iter().any(|other| other.distance(position) < 0.55) {
+            continue;
+        }
+        taken.push(position);
+        let crosses = taken.len() > 120;
+        let journey = if crosses { journey_to(&mut world, -position) } else { JourneyId::STAY };
+        let group = if crosses { Agent::default().group } else { group };
+        world.add_agent(Agent { position, journey, group, ..Agent::default() }).unwrap();
+    }
+    world.use_instructions(instructions);
+    world
+}
+
+#[test]
+fn nobody_overlaps_in_a_mill_and_everybody_computes_the_same() {
+    let mut world = mill(Instructions::Best);
+    run_for(&mut world, 12.0, |world| assert_eq!(world.overlapping(), []));
+    let places = Snapshot::of(&world).positions;
+    let around = places.iter().zip(&world.agents().velocity).take(120);
+    let turning = around.filter(|(place, v)| place.perp_dot(v.as_dvec2()) > 0.0).count();
+    assert!(turning > 80, "{turning} of 120 go round");
+    let mut plain = mill(Instructions::Plain);
+    run_for(&mut plain, 12.0, |_| {});
+    assert_eq!(world.state_hash(), plain.state_hash());
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+    let mut threads = mill(Instructions::Best);
+    pool.install(|| run_for(&mut threads, 12.0, |_| {}));
+    assert_eq!(world.state_hash(), threads.state_hash());
+}
+
+#[test]
+fn ratios_out_of_their_limits_and_fields_for_who_steers_are_refused() {
+    let mut world = with_settings(0.1, SubSteps::Auto, DVec2::ZERO);
+    for ratio in [-0.1, 1.1, f32::NAN] {
+        let group = Group { field: Some(Governed::new(whirl, ratio)), ..Group::default() };
+        assert!(matches!(world.add_group(group), Err(Error::Limit { what: "ratio of a field", .. })));
+    }
+    let vehicles = Group::vehicles(throng::steer::Wander::default(), throng::motion::Vehicle::default());
+    let group = Group { field: Some(Governed::new(whirl, 1.0)), ..vehicles };
+    let message = world.add_group(group).unwrap_err().to_string();
+    assert!(message.contains("let it follow the flow"), "{message}");
+}
