@@ -181,9 +181,10 @@ impl Anchors {
         let plate = Plate::new(kernel, first.iter().map(center).collect(), axes, sketch.smoothing)?;
         let hull = Hull::of(from_middle());
         let mut field = Self { anchors: anchors.to_vec(), sketch, middle, extent, centers, plate, hull, notes };
-        field.go_through();
+        let means = field.means();
+        field.plate.go_through(&means);
         if sketch.smoothing == 0.0 {
-            field.plate.check(&field.means())?;
+            field.plate.check(&means)?;
         }
         Ok(field)
     }
@@ -206,7 +207,7 @@ impl Anchors {
         let anchor = self.anchors.get_mut(index).ok_or(Error::Unknown { what: "anchor", index })?;
         Anchor { velocity, ..*anchor }.check()?;
         anchor.velocity = velocity;
-        self.go_through();
+        self.plate.go_through(&self.means());
         Ok(())
     }
 
@@ -222,12 +223,7 @@ impl Anchors {
         self.sketch.fade.map_or(1.0, |fade| libm::exp(-(self.hull.distance(offset) / fade).powi(2)))
     }
 
-    /// Has the plate go through the mean velocity of each place.
-    fn go_through(&mut self) {
-        let means = self.means();
-        self.plate.go_through(&means);
-    }
-
+    /// The mean velocity of each place, which the plate goes through.
     fn means(&self) -> Vec<DVec2> {
         let mut sums = vec![(DVec2::ZERO, 0.0); self.centers.iter().max().map_or(0, |&last| last + 1)];
         for (&center, anchor) in self.centers.iter().zip(&self.anchors) {

@@ -56,7 +56,7 @@ impl Sampled {
     pub fn critical_points(&self) -> Vec<CriticalPoint> {
         let (columns, all) = (self.columns(), self.velocities());
         let mut found = Vec::new();
-        for row in 0..all.len() / columns - 1 {
+        for row in 0..self.rows() - 1 {
             for column in 0..columns - 1 {
                 let first = row * columns + column;
                 let corners = [first, first + 1, first + columns, first + columns + 1].map(|at| all[at].as_dvec2());

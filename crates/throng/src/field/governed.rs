@@ -51,8 +51,11 @@ impl Governed {
 
     /// The preferred velocity, along the ground, of somebody who would prefer their own and goes with a velocity now.
     pub(crate) fn blend(&self, own: Vec2, velocity: Vec2, place: Vec3, time: f64) -> Vec2 {
+        if self.ratio == 0.0 {
+            return own;
+        }
         let flow = self.field.velocity(place, time).truncate();
-        if self.ratio == 0.0 || flow == Vec2::ZERO || !flow.is_finite() {
+        if flow == Vec2::ZERO || !flow.is_finite() {
             return own;
         }
         if own == Vec2::ZERO || self.ratio == 1.0 {

@@ -40,13 +40,7 @@ impl Sampled {
     /// A width that is not greater than 0 and finite; numbers that are not finite; rows that are not whole, or fewer than two;
     /// more than 16 million corners.
     pub fn new(low: DVec2, cell: f64, columns: usize, velocities: Vec<Vec2>) -> Result<Self, Error> {
-        Error::unless(
-            cell > 0.0 && cell.is_finite(),
-            "width of a cell of the field",
-            cell,
-            "greater than 0 and finite",
-        )?;
-        Error::unless_finite("corner of the field", low.element_sum())?;
+        Self::check(cell, low)?;
         let whole = columns > 1 && velocities.len().is_multiple_of(columns) && velocities.len() >= 2 * columns;
         if !whole || velocities.len() > MOST {
             let count = velocities.len();
@@ -66,13 +60,7 @@ impl Sampled {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn over(low: DVec2, high: DVec2, cell: f64) -> Result<Self, Error> {
-        Error::unless(
-            cell > 0.0 && cell.is_finite(),
-            "width of a cell of the field",
-            cell,
-            "greater than 0 and finite",
-        )?;
-        Error::unless_finite("corner of the field", (low + high).element_sum())?;
+        Self::check(cell, low + high)?;
         // who lies on the rim by rounding needs no other cell
         let cells = |length: f64| (length / cell - 1e-9).ceil().max(1.0) as usize;
         let [columns, rows] = (high - low).to_array().map(|length| cells(length).saturating_add(1));
@@ -80,7 +68,14 @@ impl Sampled {
             let why = format!("{columns} by {rows} corners are more than {MOST}: make its cells wider");
             return Err(Error::Shape { what: "the grid of the field".into(), why });
         }
-        Self::new(low, cell, columns, vec![Vec2::ZERO; columns * rows])
+        Ok(Self { low, cell, columns, velocities: vec![Vec2::ZERO; columns * rows] })
+    }
+
+    /// Whether cells have a width, and corners, added up, a place.
+    fn check(cell: f64, corners: DVec2) -> Result<(), Error> {
+        let limit = "greater than 0 and finite";
+        Error::unless(cell > 0.0 && cell.is_finite(), "width of a cell of the field", cell, limit)?;
+        Error::unless_finite("corner of the field", corners.element_sum())
     }
 
     /// Another field as it is at a time, over a box.
@@ -97,7 +92,7 @@ impl Sampled {
     /// zero.
     pub fn sample(&mut self, field: &dyn Field, low: DVec2, high: DVec2, time: f64) {
         let Self { low: corner, cell, columns, .. } = *self;
-        let rows = self.velocities.len() / columns;
+        let rows = self.rows();
         // `as` saturates
         let range = |from: f64, to: f64, count: usize| -> Range<usize> {
             (from / cell).ceil() as usize..((to / cell).floor() + 1.0).min(count as f64) as usize
@@ -138,13 +133,22 @@ impl Sampled {
 
     /// Its corner with the greatest coordinates.
     pub fn high(&self) -> DVec2 {
-        let rows = self.velocities.len() / self.columns;
-        self.low + DVec2::new((self.columns - 1) as f64, (rows - 1) as f64) * self.cell
+        self.low + self.last() * self.cell
     }
 
     /// Corners in a row.
     pub fn columns(&self) -> usize {
         self.columns
+    }
+
+    /// Rows of corners.
+    pub fn rows(&self) -> usize {
+        self.velocities.len() / self.columns
+    }
+
+    /// Column and row of the last corner.
+    fn last(&self) -> DVec2 {
+        DVec2::new((self.columns - 1) as f64, (self.rows() - 1) as f64)
     }
 
     /// The velocities at its corners, row by row.
@@ -156,8 +160,7 @@ impl Sampled {
 impl Field for Sampled {
     fn velocity(&self, place: Vec3, _: f64) -> Vec3 {
         let at = (place.truncate().as_dvec2() - self.low) / self.cell;
-        let rows = self.velocities.len() / self.columns;
-        let last = DVec2::new((self.columns - 1) as f64, (rows - 1) as f64);
+        let last = self.last();
         if !(at.cmpge(DVec2::ZERO).all() && at.cmple(last).all()) {
             return Vec3::ZERO;
         }

@@ -32,6 +32,12 @@ fn extent(anchors: &[Anchor]) -> f64 {
     anchors.iter().map(|anchor| anchor.place.distance(anchors[0].place)).fold(0.0, f64::max)
 }
 
+/// How far the farthest is from the line through the first two.
+fn across(anchors: &[Anchor]) -> f64 {
+    let along = (anchors[1].place - anchors[0].place).normalize_or_zero();
+    anchors.iter().map(|anchor| along.perp_dot(anchor.place - anchors[0].place).abs()).fold(0.0, f64::max)
+}
+
 /// Solves a system by Gaussian elimination with the greatest pivots, rows of coefficients and two right sides.
 fn solve(mut rows: Vec<Vec<f64>>) -> Vec<DVec2> {
     let size = rows.len();
@@ -99,8 +105,7 @@ proptest! {
         let all = plain(all);
         let wide = extent(&all);
         // no more than nearly on one line: there both lose digits
-        let across = all.iter().map(|anchor| (all[1].place - all[0].place).normalize_or_zero().perp_dot(anchor.place - all[0].place).abs());
-        prop_assume!(across.fold(0.0, f64::max) > 0.05 * wide);
+        prop_assume!(across(&all) > 0.05 * wide);
         let at = all[0].place + at * wide;
         let (ours, theirs) = (field(&all, Sketch::default()).at(at), by_definition(&all, at));
         prop_assert!(ours.distance(theirs) <= 1e-6 * theirs.length().max(1.0), "{ours} and {theirs}");
@@ -194,8 +199,7 @@ proptest! {
     fn smoothing_leads_to_the_plane_of_least_squares(all in anchors(5..30), at in vector(1.0)) {
         let all = plain(all);
         let wide = extent(&all);
-        let across = all.iter().map(|anchor| (all[1].place - all[0].place).normalize_or_zero().perp_dot(anchor.place - all[0].place).abs());
-        prop_assume!(across.fold(0.0, f64::max) > 0.1 * wide);
+        prop_assume!(across(&all) > 0.1 * wide);
         let off = |smoothing: f64| {
             let field = field(&all, Sketch { smoothing, ..Sketch::default() });
             all.iter().map(|anchor| field.at(anchor.place).distance_squared(anchor.velocity)).sum::<f64>()
