@@ -2,5 +2,6 @@
 
 mod anchors;
 mod brush;
+mod combine;
 mod critical;
 mod sampled;
