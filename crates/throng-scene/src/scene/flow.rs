@@ -29,6 +29,8 @@ pub enum Flow {
     Named(String),
     /// Velocities wanted at some places, and everywhere between them (Jin et al. 2008).
     Sketch(Sketch),
+    /// As a sketch, in space.
+    SketchInSpace(SketchInSpace),
     /// What was painted with a brush.
     Paint(Paint),
     /// What the pixels of a picture (PNG) say.
@@ -99,6 +101,28 @@ parameters! {
         /// How many times as far it reaches along its velocity as across; only with a kernel that has a reach. Without it, 1.
         /// Limit: 1 to 100.
         stretch: Option<f64>,
+    }
+
+    /// A field through anchors in space, for those who fly.
+    SketchInSpace {
+        /// Velocities at places.
+        anchors: Vec<AnchorInSpace>,
+        /// As that of a sketch.
+        kernel: Option<Kernel>,
+        /// As that of a sketch.
+        smoothing: Option<f64>,
+        /// As that of a sketch, beyond the box that holds the anchors.
+        fade: Option<f64>,
+        /// As that of a sketch.
+        max_speed: Option<f64>,
+    }
+
+    /// A velocity wanted at a place in space.
+    AnchorInSpace {
+        /// Where.
+        at: Position,
+        /// The velocity, m/s.
+        velocity: Position,
     }
 
     /// A line to go along.

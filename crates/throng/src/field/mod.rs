@@ -5,6 +5,7 @@
 
 mod adaptive;
 mod anchors;
+mod anchors_in_space;
 mod around;
 mod brush;
 mod combine;
@@ -22,6 +23,7 @@ mod sampled;
 
 pub use adaptive::Adaptive;
 pub use anchors::{Anchor, Anchors, Note, Sketch};
+pub use anchors_in_space::AnchorsInSpace;
 pub use around::AroundWalls;
 pub use brush::{Stamp, Stroke, erase};
 pub use combine::{Blend, Part, Sum, Uniform};

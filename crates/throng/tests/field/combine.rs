@@ -68,7 +68,7 @@ proptest! {
     /// Round discs: nothing leads in at the wall, far away all is as it was, and everywhere as fast.
     #[test]
     fn near_walls_a_field_leads_along_them(
-        center in vector(), radius in 0.3f64..3.0, width in 0.2f64..2.0, angle in 0.0f64..6.28, out in 0.0f64..3.0, flow in vector(),
+        center in vector(), radius in 0.3f64..3.0, width in 0.2f64..2.0, angle in 0.0f64..std::f64::consts::TAU, out in 0.0f64..3.0, flow in vector(),
     ) {
         prop_assume!(flow.length() > 0.1);
         let center = center.truncate().as_dvec2() * 10.0;
@@ -92,7 +92,7 @@ proptest! {
     /// A brush leaves its own along the stroke, nothing beyond its radius, and goes with the stroke wherever it is.
     #[test]
     fn a_stroke_is_painted_where_it_is(
-        from in vector(), angle in 0.0f64..6.28, length in 4.0f64..20.0, radius in 0.8f64..3.0, speed in 0.2f64..2.0, strength in 0.1f64..1.0,
+        from in vector(), angle in 0.0f64..std::f64::consts::TAU, length in 4.0f64..20.0, radius in 0.8f64..3.0, speed in 0.2f64..2.0, strength in 0.1f64..1.0,
         along in 0.2f64..0.8, aside in -2.0f64..2.0,
     ) {
         let from = from.truncate().as_dvec2();

@@ -5,3 +5,4 @@ mod brush;
 mod combine;
 mod critical;
 mod sampled;
+mod space;

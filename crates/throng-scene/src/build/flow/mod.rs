@@ -128,6 +128,7 @@ impl At<'_> {
             Flow::Whirl(of) => ("whirl", of),
             Flow::Towards(of) => ("towards", of),
             Flow::Sketch(of) => ("sketch", of),
+            Flow::SketchInSpace(of) => ("sketch_in_space", of),
             Flow::Paint(of) => ("paint", of),
             Flow::Picture(of) => ("picture", of),
             Flow::Table(of) => ("table", of),
