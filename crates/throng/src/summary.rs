@@ -39,9 +39,10 @@ pub struct Summary {
     /// Least distance of two centres over the sum of their radii, ever. 1: they touched. Infinite if no two ever
     /// came within reach of each other.
     pub least_separation: f64,
-    /// Least distance of a centre to a wall over the radius, ever. Infinite if nobody came near one.
+    /// Least distance of a centre to a wall, or to a [solid](crate::Group::solid) of its group, over the radius, ever.
+    /// Infinite if nobody came near one.
     pub least_wall_separation: f64,
-    /// Pairs of bodies, and bodies and walls, that overlapped by more than 1e-4 of a radius, counted every sub-step.
+    /// Pairs of bodies, and bodies and walls or solids, that overlapped by more than 1e-4 of a radius, counted every sub-step.
     pub overlaps: u64,
     /// How often people who blocked each other's ways agreed who steps aside.
     pub standoffs: u64,

@@ -38,7 +38,7 @@ pub use stage::Stage;
 
 use crate::agent::{AgentId, Column, Columns, Cycles, GoalId, Group, GroupId, JourneyId, Status};
 use crate::guard::Pose;
-use crate::guard::{Contacts, Guard};
+use crate::guard::{Contacts, Guard, Solids};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script, Unreachable};
 use crate::perceive::{Grid, Instructions, Near, Pack};
 use crate::space::{Place, Walls};
@@ -163,6 +163,7 @@ struct StepMemory {
     reach: Column<f32>,
     guarded: Column<bool>,
     contacts: Contacts,
+    solids: Solids,
     guard: Guard,
     measured: Vec<measure::Measured>,
     /// Whether the status of anybody may change in this sub-step.

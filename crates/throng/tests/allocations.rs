@@ -6,7 +6,10 @@ mod crossing;
 use crossing::crossing;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
+use glam::Vec3;
 use throng::perceive::Instructions;
+use throng::space::surface::{SeenFrom, Sphere};
+use throng::steer::Barriers;
 use throng::{Group, World};
 
 #[global_allocator]
@@ -30,7 +33,15 @@ fn allocations(world: &mut World, steps: u32) -> usize {
 fn a_step_allocates_nothing() {
     let manners = Group { resolve: false, ..Group::default() };
     let bare = Group { keep_right: 0.0, detour: false, queue: false, ..manners.clone() };
-    let groups = [("bare", Group { guard: false, ..bare.clone() }), ("guarded", bare), ("with manners", manners)];
+    let ball = Sphere::new(Vec3::ZERO, 2.0).unwrap();
+    let solid = Group { solid: Barriers::default().with(ball, SeenFrom::Outside), ..bare.clone() };
+    let groups = [
+        ("bare", Group { guard: false, ..bare.clone() }),
+        ("guarded", bare),
+        ("with manners", manners),
+        ("a ball, unguarded", Group { guard: false, ..solid.clone() }),
+        ("a ball", solid),
+    ];
     let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     for (name, group) in groups {
         for instructions in [Instructions::Best, Instructions::Plain, Instructions::Avx2] {

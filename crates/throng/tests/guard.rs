@@ -11,7 +11,7 @@ use std::f32::consts::{PI, TAU};
 use std::ops::Index;
 use throng::Obstacle;
 use throng::agent::Column;
-use throng::guard::{Bodies, Contacts, Guard, Pose, nearest_approach};
+use throng::guard::{Bodies, Contacts, Guard, Pose, Solids, nearest_approach};
 use throng::perceive::Grid;
 use throng::space::Walls;
 
@@ -85,6 +85,7 @@ fn guarded(crowd: &Crowd, walls: &Walls) -> Vec<Pose> {
         radii: &crowd.radii,
         reach: &crowd.reach,
         guarded: &crowd.guarded,
+        solids: &Solids::default(),
         resting: &[],
     };
     let mut contacts = Contacts::default();

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3, Vec2, Vec3};
 use proptest::prelude::*;
 use throng::Obstacle;
 use throng::agent::Column;
-use throng::guard::{Bodies, Contacts, Guard, Pose, SLACK};
+use throng::guard::{Bodies, Contacts, Guard, Pose, SLACK, Solids};
 use throng::perceive::Grid;
 use throng::space::{Core, Walls};
 
@@ -69,6 +69,7 @@ fn run(all: &mut [One], walls: &Walls, reach: f32) -> Result<(), TestCaseError> 
             radii: &radii,
             reach: &reaches,
             guarded: &guarded,
+            solids: &Solids::default(),
             resting: &[],
         };
         let mut contacts = Contacts::default();

@@ -225,7 +225,9 @@ impl Scene {
         let one = |(i, group): (usize, &Group)| {
             let making = Making { scene: self, cast, figures, around, flows, group: i };
             let field = flows.governed(i, |name| cast.find(name).ok().map(|(position, _)| in_world(position)))?;
-            Ok(shared(group, cast.named[i].0.to_owned(), (making.steering()?, field), cast.origin))
+            let (steering, solid) = (making.steering()?, making.solid()?);
+            let name = cast.named[i].0.to_owned();
+            Ok(throng::Group { solid, ..shared(group, name, (steering, field), cast.origin) })
         };
         let groups: Vec<throng::Group> = self.groups.iter().enumerate().map(one).collect::<Result<_, Wrong>>()?;
         Ok(groups.into_iter().chain(movers::groups(self)).collect())

@@ -6,7 +6,7 @@ use divan::counter::ItemsCount;
 use glam::{DVec2, Vec2};
 use std::iter::repeat_n;
 use throng::agent::Column;
-use throng::guard::{Bodies, Contacts, Guard, Pose};
+use throng::guard::{Bodies, Contacts, Guard, Pose, Solids};
 use throng::perceive::Grid;
 use throng::space::Walls;
 
@@ -22,6 +22,7 @@ struct Packed {
     radii: Column<f32>,
     reach: Column<f32>,
     guarded: Column<bool>,
+    solids: Solids,
     grid: Grid,
 }
 
@@ -49,6 +50,7 @@ impl Packed {
             radii: repeat_n(0.2, count).collect(),
             reach: repeat_n(0.015, count).collect(),
             guarded: repeat_n(true, count).collect(),
+            solids: Solids::default(),
             grid,
         }
     }
@@ -62,6 +64,7 @@ impl Packed {
             radii: &self.radii,
             reach: &self.reach,
             guarded: &self.guarded,
+            solids: &self.solids,
             resting: &[],
         }
     }

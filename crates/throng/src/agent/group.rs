@@ -3,7 +3,7 @@
 use crate::avoid::{LocalModel, Orca, Unavoiding};
 use crate::field::Governed;
 use crate::motion::{Locomotion, Vehicle, WrapAround};
-use crate::steer::Branch;
+use crate::steer::{Barriers, Branch};
 use std::sync::Arc;
 
 /// What the agents of a group share: their local model, how far they look, and their manners.
@@ -39,6 +39,12 @@ pub struct Group {
     /// A ball that those who steer leave on one side and enter on the other; `None`: space goes on. Only without the
     /// guard: nobody knows who is on the other side.
     pub wrap_around: Option<WrapAround>,
+    /// Surfaces in space that nobody of the group gets into, guarded or not, and from which side they are seen: columns from
+    /// outside, a cage from inside. A body counts as the ball that holds it at any heading. Who would get in goes along
+    /// them, or stops; who starts in one is led out, and counted as an [overlap](crate::Summary::overlaps) until then. They
+    /// stand still and hide nobody: to see them coming is for [behaviours](crate::steer::AvoidObstacles). Not for those who
+    /// wrap around.
+    pub solid: Barriers,
     /// Whether the [guard](crate::guard) keeps its agents from overlapping others and walls. Two who are both of
     /// groups without it may overlap; nobody else may.
     pub guard: bool,
@@ -99,6 +105,7 @@ impl Default for Group {
             steering: None,
             vehicle: Vehicle::default(),
             wrap_around: None,
+            solid: Barriers::default(),
             guard: true,
         }
     }

@@ -102,7 +102,7 @@ pub(super) fn clamp(row: usize, solid: Solid<'_>, target: Pose, scratch: &mut Sc
             closest_velocity_in_space(planes, motion.length(), motion).unwrap_or_default()
         };
         for part in [1.0, 0.99, 0.9, 0.5] {
-            let moved = stand.with_place(from + planned * part);
+            let moved = bodies.solids.lead(row, bodies, stand.with_place(from + planned * part));
             let rounded = solid.motion(row, moved);
             if all.iter().all(|side| growth(side) + side.normal.dot(rounded).max(0.0) <= side.gap) {
                 return moved;

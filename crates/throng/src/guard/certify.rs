@@ -98,6 +98,7 @@ impl Guard {
         let Self { parts, waiting, scratch, cores } = self;
         cores.rebuild(bodies);
         let solid = Solid { bodies, contacts, walls, cores };
+        let touching = |part: usize| contacts.touching(part) | bodies.solids.near(part);
         targets.resize(count, Pose::default());
         parts.resize_with(count.div_ceil(WORD), Part::default);
         waiting.clear();
@@ -117,7 +118,7 @@ impl Guard {
         });
         let mut passes = Passes { contacts, parts, waiting, scratch, targets };
         passes.look_at(|at, _, targets| {
-            let touching = rows(at, if bodies.rest(at) { 0 } else { contacts.touching(at) });
+            let touching = rows(at, if bodies.rest(at) { 0 } else { touching(at) });
             touching.filter(|&row| !relax::is_clear(row, solid, targets)).fold(0, |some, row| some | bit(row))
         });
         for _ in 0..relax::ITERATIONS {
@@ -128,7 +129,7 @@ impl Guard {
         for round in 1..=ROUNDS + 1 {
             let last = round > ROUNDS;
             if last {
-                passes.look_at(|at, _, _| contacts.touching(at));
+                passes.look_at(|at, _, _| touching(at));
             }
             let clamped = passes.run(|part, scratch, row, targets| {
                 let free = part.clamped & bit(row) == 0;
@@ -165,12 +166,22 @@ impl Guard {
     }
 }
 
-/// Puts into `targets` where each row wished to go, as far as it gets: nobody is held apart.
+/// Puts into `targets` where each row wished to go, as far as it gets: nobody is held apart, nor gets into a solid.
 pub(crate) fn unguarded(bodies: &Bodies<'_>, wished: impl Fn(usize) -> Pose + Sync, targets: &mut Vec<Pose>) {
     targets.resize(bodies.positions.len(), Pose::default());
     parallel::ranges(&mut targets[..], |rows, targets| {
         for (row, target) in rows.zip(targets) {
-            *target = within_reach(row, bodies, wished(row));
+            *target = bodies.solids.lead(row, bodies, within_reach(row, bodies, wished(row)));
+        }
+    });
+}
+
+/// The same for those who are near a solid only: nobody else's target is touched.
+pub(crate) fn led(bodies: &Bodies<'_>, wished: impl Fn(usize) -> Pose + Sync, targets: &mut Vec<Pose>) {
+    targets.resize(bodies.positions.len(), Pose::default());
+    parallel::ranges(&mut targets[..], |all, targets| {
+        for row in all.clone().step_by(WORD).flat_map(|first| rows(first / WORD, bodies.solids.near(first / WORD))) {
+            targets[row - all.start] = bodies.solids.lead(row, bodies, within_reach(row, bodies, wished(row)));
         }
     });
 }

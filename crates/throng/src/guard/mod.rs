@@ -1,7 +1,8 @@
 //! What is certain: no two bodies, and no body and wall, ever interpenetrate.
 //!
 //! The guard takes the displacement that each agent would make in a step and returns one that is safe, changed as
-//! little as it can. It knows nothing of models, goals or speeds, so it holds for any model and any time step.
+//! little as it can. It knows nothing of models, goals or speeds, so it holds for any model and any time step. Into what is
+//! [solid](Solids) to a group nobody of it gets, guarded or not.
 //!
 //! # Why it holds
 //! A body is everything within its radius of its *core*. The core of a disc is a point at its altitude: the disc is a
@@ -34,11 +35,28 @@
 //!    kept, in `f64`. A clamped result is checked against its cell after rounding; if rounding took it out it is
 //!    shortened, and failing that the agent stands.
 //!
+//! 5. A *solid* (`solids.rs`) is a surface in space that nobody of a group gets into; a body counts as the ball about its
+//!    centre that holds it at any heading, so turning does not matter. The *room* at a point is its distance from the
+//!    surface, negative on the wrong side: along a way of length `l` it changes by no more than `l`. A motion is safe
+//!    if the room never gets less than the radius, or than at the start where that is less. It is, if what the room is more
+//!    than needed at the start is no less than the length, or if that at both ends together is. Where this does
+//!    not show it, a ball of the radius that is needed is swept along the way ([`Surface::sweep`](crate::space::surface::Surface::sweep)),
+//!    which must touch nothing, and at its end the room must be enough. The room at the end is that of the very place where the body
+//!    will be, so that rounding does not add up from step to step. Who starts with its centre on the wrong side has
+//!    no ball that could be swept: it is held to end no deeper than it began.
+//!
+//!    A solid stands, so whether a motion is safe with it depends on nobody else, and no side of a cell is needed for it. (One
+//!    would not do: beyond the plane across the nearest point there is more of what is not convex.) Instead whoever is
+//!    near one is *led*: the end is pushed out of it, the way turned along what it touches, four times at most, else
+//!    cut short, else given up; the first that is safe counts. Relaxing and clamping lead before anything
+//!    else is checked: what comes of them is safe with solids, and a clamped result in its cell as well. Standing is safe.
+//!    Who has more room at the start than its radius, a skin, and its reach, cannot touch a solid and is not led.
+//!
 //! Only a bad start can have somebody overlap more than six others by more than touching. Two who are both in such a *pile*
 //! (`contacts.rs`) are not held apart: they walk out of it through each other, as their models have them, until fewer overlap.
 //!
 //! The heading of a disc touches nobody: the guard leaves it alone. Two who are both unguarded are not held apart, nor
-//! is one who is unguarded held off walls.
+//! is one who is unguarded held off walls; off solids it is.
 //!
 //! Only pairs that can meet need a look: nobody moves farther in space than its `reach`, hence in the plan neither, and turning leaves a body within the disc
 //! about its centre that holds it at any heading; pairs whose discs are farther apart than both reaches are safe.
@@ -48,7 +66,7 @@
 //!
 //! # What it costs
 //! What relaxing or a round finds about an agent depends on its own target, on those of whom it could touch (`contacts.rs`),
-//! and on nothing else that changes. So who can touch nobody is never looked at; nor is who is seen at a glance to pass
+//! and on nothing else that changes. So who can touch nobody and nothing is never looked at; nor is who is seen at a glance to pass
 //! everybody, nor later anybody for whom none of these targets has changed since the last look (`certify.rs`). The
 //! result is that of looking at everybody every time, bit for bit.
 
@@ -62,12 +80,14 @@ mod plain;
 mod relax;
 mod safe;
 mod solid;
+mod solids;
 mod sweep;
 
 pub use certify::{Guard, Report};
-pub(crate) use certify::{unguarded, within_reach};
+pub(crate) use certify::{led, unguarded, within_reach};
 pub use contacts::{Contacts, Seen};
 pub use safe::{SLACK, nearest_approach};
+pub use solids::Solids;
 
 use crate::agent::Column;
 use glam::{Vec2, Vec3};
@@ -89,6 +109,8 @@ pub struct Bodies<'a> {
     pub reach: &'a Column<f32>,
     /// Who is kept from overlapping: of two, one at least must be.
     pub guarded: &'a Column<bool>,
+    /// What nobody gets into, and who is near it.
+    pub solids: &'a Solids,
     /// Of each 64 rows, whether they, and all whom the guard can have them meet, wish to stand where they stood in the last
     /// step, and the guard left them there: their contacts and targets are those of that step. None beyond the end.
     pub resting: &'a [bool],

@@ -5,10 +5,13 @@ use super::certify::{ROUNDS, Scratch, within_reach};
 use super::cores::Cores;
 use super::safe::is_safe;
 use super::solid::Solid;
-use super::{Bodies, Contacts, Guard, Pose, Report, Seen, cell, relax};
+use super::{Bodies, Contacts, Guard, Pose, Report, Seen, Solids, cell, relax};
 use crate::Obstacle;
+use crate::agent::GroupId;
 use crate::perceive::Grid;
 use crate::space::Walls;
+use crate::space::surface::{SeenFrom, Sphere};
+use crate::steer::Barriers;
 use glam::{DVec2, Vec2, Vec3};
 use proptest::prelude::*;
 
@@ -27,7 +30,8 @@ fn certify(bodies: &Bodies<'_>, contacts: &Contacts, walls: &Walls, wishes: &[Po
     for round in 1.. {
         let clamps = |row: usize| {
             !clamped[row]
-                && (round > ROUNDS && !(contacts.of(row).is_empty() && contacts.is_off_walls(row))
+                && (round > ROUNDS
+                    && (!contacts.of(row).is_empty() || !contacts.is_off_walls(row) || bodies.solids.is_near(row))
                     || !is_safe(row, solid, &now))
         };
         let unsafe_ones: Vec<usize> = rows.clone().filter(|&row| clamps(row)).collect();
@@ -141,14 +145,24 @@ fn room() -> Walls {
     Walls::new(&[], &obstacles, DVec2::ZERO)
 }
 
+/// Two balls that every other may not get into.
+fn pillars() -> Solids {
+    let ball = |at: Vec3| Sphere::new(at, 1.0).unwrap();
+    let both = Barriers::default().with(ball(Vec3::new(-1.0, 0.0, 0.5)), SeenFrom::Outside);
+    let mut solids = Solids::default();
+    solids.add(both.with(ball(Vec3::new(1.5, 1.0, 0.0)), SeenFrom::Outside).0);
+    solids
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn looking_at_some_gives_the_bits_of_looking_at_all(all in crowd(), walled: bool, knows: bool) {
+    fn looking_at_some_gives_the_bits_of_looking_at_all(all in crowd(), walled: bool, knows: bool, solid: bool) {
         let walls = if walled { room() } else { Walls::default() };
+        let mut solids = if solid { pillars() } else { Solids::default() };
         let positions: Vec<Vec2> = all.iter().map(|one| one.place.truncate()).collect();
-        let bodies = Bodies {
+        let mut bodies = Bodies {
             positions: &positions,
             altitudes: &all.iter().map(|one| one.place.z).collect(),
             headings: &all.iter().map(|one| one.heading).collect::<Vec<_>>(),
@@ -156,8 +170,11 @@ proptest! {
             radii: &all.iter().map(|one| one.radius).collect(),
             reach: &all.iter().map(|one| one.reach).collect(),
             guarded: &all.iter().map(|one| one.guarded).collect(),
+            solids: &Solids::default(),
             resting: &[],
         };
+        solids.find(&bodies, &(0..all.len()).map(|row| GroupId((row % 2) as u32)).collect());
+        bodies.solids = &solids;
         // numbers run against the rows
         let numbers: Vec<u32> = (0..all.len() as u32).rev().collect();
         let mut grid = Grid::default();

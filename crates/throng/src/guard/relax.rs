@@ -9,17 +9,18 @@ use glam::{DVec2, DVec3};
 /// How often everybody who may have to is moved.
 pub(super) const ITERATIONS: usize = 4;
 /// Part of the sum of radii that relaxed pairs keep between them.
-const SKIN: f64 = 0.01;
+pub(super) const SKIN: f64 = 0.01;
 /// Two who are closer by this part of the sum of radii overlap; less is rounding.
 const OVERLAP: f64 = 1e-4;
 /// Part of what two can move in a step by which those who overlap are parted in it: a bad start ends without a shove.
 const PART: f64 = 0.125;
 
-/// Whether a quick look shows that `row` is relaxed and safe. It looks at discs away from walls only.
+/// Whether a quick look shows that `row` is relaxed and safe. It looks at discs away from walls and solids only.
 pub(super) fn is_clear(row: usize, solid: Solid<'_>, targets: &[Pose]) -> bool {
     let radius = f64::from(solid.bodies.radii[row]);
     let motion = solid.motion(row, targets[row]);
     solid.is_disc(row)
+        && !solid.bodies.solids.is_near(row)
         && solid.contacts.is_off_walls(row)
         && solid.others(row).all(|other| {
             let (offset, relative) = solid.relative(row, motion, other, targets);
@@ -28,7 +29,8 @@ pub(super) fn is_clear(row: usize, solid: Solid<'_>, targets: &[Pose]) -> bool {
         })
 }
 
-/// Where `row` goes that the nearest to it come no closer than they may; its motion becomes no longer than its reach.
+/// Where `row` goes that the nearest to it come no closer than they may, and into no solid; its motion becomes no longer
+/// than its reach.
 pub(super) fn relaxed(row: usize, solid: Solid<'_>, targets: &[Pose]) -> Pose {
     let bodies = solid.bodies;
     let motion = solid.motion(row, targets[row]);
@@ -68,14 +70,16 @@ pub(super) fn relaxed(row: usize, solid: Solid<'_>, targets: &[Pose]) -> Pose {
     if solid.is_grounded(row, targets[row]) {
         push.z = 0.0;
     }
-    if push == DVec3::ZERO {
-        return targets[row];
-    }
-    targets[row].with_place(bodies.place(row) + (motion + push).clamp_length_max(reach).as_vec3())
+    let target = if push == DVec3::ZERO {
+        targets[row]
+    } else {
+        targets[row].with_place(bodies.place(row) + (motion + push).clamp_length_max(reach).as_vec3())
+    };
+    bodies.solids.lead(row, bodies, target)
 }
 
 /// The distance to keep from what is at `distance` now and touches at `radii`.
-fn clearance(distance: f64, radii: f64, reach: f64) -> f64 {
+pub(super) fn clearance(distance: f64, radii: f64, reach: f64) -> f64 {
     let overlaps = distance < radii * (1.0 - OVERLAP);
     (radii * (1.0 + SKIN)).min(if overlaps { distance + PART * reach } else { f64::INFINITY })
 }

@@ -13,21 +13,23 @@ pub const SLACK: f64 = 1e-6;
 pub(super) fn is_safe(row: usize, solid: Solid<'_>, targets: &[Pose]) -> bool {
     let bodies = solid.bodies;
     let motion = solid.motion(row, targets[row]);
-    solid.others(row).all(|other| {
-        let radii = f64::from(bodies.radii[row]) + f64::from(bodies.radii[other]);
-        if solid.is_disc(row) && solid.is_disc(other) {
-            let (offset, relative) = solid.relative(row, motion, other, targets);
-            return passes(offset, relative, radii)
-                || nearest_approach(offset, relative) >= needed(radii, offset.length());
+    bodies.solids.is_safe(row, bodies, targets[row])
+        && solid.others(row).all(|other| {
+            let radii = f64::from(bodies.radii[row]) + f64::from(bodies.radii[other]);
+            if solid.is_disc(row) && solid.is_disc(other) {
+                let (offset, relative) = solid.relative(row, motion, other, targets);
+                return passes(offset, relative, radii)
+                    || nearest_approach(offset, relative) >= needed(radii, offset.length());
+            }
+            keeps(&solid.sweep(row, targets[row]), &solid.sweep(other, targets[other]), radii)
+        })
+        && if solid.is_disc(row) {
+            walls_are_safe(row, solid, bodies.positions[row].as_dvec2(), motion.truncate())
+        } else {
+            let radius = f64::from(bodies.radii[row]);
+            let own = solid.sweep(row, targets[row]);
+            solid.standing(row).all(|(core, size)| keeps(&own, &Sweep::still(core), radius + size))
         }
-        keeps(&solid.sweep(row, targets[row]), &solid.sweep(other, targets[other]), radii)
-    }) && if solid.is_disc(row) {
-        walls_are_safe(row, solid, bodies.positions[row].as_dvec2(), motion.truncate())
-    } else {
-        let radius = f64::from(bodies.radii[row]);
-        let own = solid.sweep(row, targets[row]);
-        solid.standing(row).all(|(core, size)| keeps(&own, &Sweep::still(core), radius + size))
-    }
 }
 
 /// The least distance that two may have who touch at `radii` and are at `distance` now.

@@ -12,6 +12,9 @@ impl World {
         let Self { agents, step, groups, .. } = self;
         step.reach.map_from(&agents.max_speed, |speed| speed * seconds);
         step.guarded.map_from(&agents.group, |group| groups[group.index()].guard);
+        let mut solids = std::mem::take(&mut self.step.solids);
+        solids.find(&self.bodies(), &self.agents.group);
+        self.step.solids = solids;
         // taken out, since wishes look at the world
         let mut contacts = std::mem::take(&mut self.step.contacts);
         let mut guard = std::mem::take(&mut self.step.guard);
@@ -29,6 +32,8 @@ impl World {
             contacts.collect_walls_only(&bodies, walls);
             if world.lanes_to_move().is_none() && world.lanes_to_fly(seconds).is_none() {
                 guard::unguarded(&bodies, wished, &mut targets);
+            } else if bodies.solids.are_near() {
+                guard::led(&bodies, wished, &mut targets);
             }
             Report::default()
         };
@@ -54,6 +59,7 @@ impl World {
             radii: &agents.radius,
             reach: &step.reach,
             guarded: &step.guarded,
+            solids: &step.solids,
             resting: step.rest.asleep(),
         }
     }
@@ -169,10 +175,10 @@ impl World {
         }
     }
 
-    /// The velocity that the guard leaves to an agent that has yet to move.
+    /// The velocity that the guard and solids leave to an agent that has yet to move.
     pub(super) fn certain_velocity(&self, row: usize, seconds: f32) -> Vec3 {
         let from = self.agents.position[row].extend(self.agents.altitude[row]);
-        let target = if self.is_guarded() {
+        let target = if self.is_guarded() || self.step.solids.is_near(row) {
             self.step.targets[row]
         } else {
             guard::within_reach(row, &self.bodies(), self.wished_place(row, seconds))

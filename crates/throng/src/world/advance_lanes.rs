@@ -4,8 +4,8 @@
 use super::World;
 use super::advance::SEEN;
 use crate::agent::{Column, Status};
-use crate::guard::Pose;
-use crate::lanes::{LANES, Vec2s, from_side_by_side, set};
+use crate::guard::{Pose, Solids};
+use crate::lanes::{LANES, Vec2s, from_side_by_side, ones, set};
 use crate::motion::{Turning, angles};
 use crate::parallel;
 use fearless_simd::prelude::*;
@@ -42,6 +42,7 @@ impl World {
         let is_guarded = self.is_guarded();
         let Self { agents, step, .. } = self;
         let (targets, reach, wishes, status) = (&step.targets, &step.reach, &step.wishes.ground, &agents.status);
+        let solids = &step.solids;
         let moving = (
             (&mut agents.position[..], &mut agents.velocity[..], &mut agents.heading[..]),
             (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
@@ -54,7 +55,8 @@ impl World {
                 let targets = if is_guarded {
                     Targets::Certain(&targets[rows.clone()])
                 } else {
-                    Targets::Wished { reach, first: rows.start }
+                    let led = if solids.are_near() { &targets[rows.clone()] } else { &[] };
+                    Targets::Wished { reach, first: rows.start, solids, led }
                 };
                 let (wishes, status) = (&wishes[rows.clone()], &status[rows]);
                 dispatch!(level, simd => move_all(simd, &mut moving, (targets, wishes, status), turning, seconds));
@@ -68,8 +70,8 @@ impl World {
 enum Targets<'a> {
     /// Where the guard says.
     Certain(&'a [Pose]),
-    /// Where they wish, as far as they get; of all rows, the first that is meant.
-    Wished { reach: &'a Column<f32>, first: usize },
+    /// Where they wish, as far as they get, but those near solids where these lead; of all rows, the first that is meant.
+    Wished { reach: &'a Column<f32>, first: usize, solids: &'a Solids, led: &'a [Pose] },
 }
 
 #[inline(always)]
@@ -94,11 +96,21 @@ fn move_all<S: Simd>(
                 targets[rows.clone()].iter().enumerate().for_each(|(lane, target)| set(&mut to, lane, target.position));
                 Vec2s::load(simd, &to)
             }
-            Targets::Wished { reach, first } => {
-                let most = reach.lanes(simd, first + rows.start..first + rows.end);
-                let reached = from + (wished - from).clamp_length_max(most);
+            Targets::Wished { reach, first, solids, led } => {
+                let all = first + rows.start..first + rows.end;
+                let near = solids.near_of(all.clone());
+                let reached = from + (wished - from).clamp_length_max(reach.lanes(simd, all));
                 // one that is not a number is no wish at all
-                Vec2s::select(wished.x.is_finite() & wished.y.is_finite(), reached, from)
+                let to = Vec2s::select(wished.x.is_finite() & wished.y.is_finite(), reached, from);
+                if near == 0 {
+                    to
+                } else {
+                    let mut places = [Vec2::ZERO; LANES];
+                    let places = &mut places[..rows.len()];
+                    to.put_side_by_side(places);
+                    ones(near).for_each(|lane| places[lane] = led[rows.start + lane].position);
+                    Vec2s::from_side_by_side(simd, places)
+                }
             }
         };
         let motion = to - from;

@@ -3,6 +3,7 @@
 use super::{Asked, Settings, Slots, StepMemory, SubSteps, World};
 use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
 use crate::field::Governed;
+use crate::guard::Solids;
 use crate::motion::{Attitude, Basis};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script};
 use crate::perceive::Instructions;
@@ -26,6 +27,9 @@ impl World {
             Error::unless((1..=10_000).contains(&parts), "number of sub-steps", parts, "from 1 to 10000")?;
         }
         Error::unless_finite("origin", settings.origin.x + settings.origin.y)?;
+        let mut solids = Solids::default();
+        // those of the default group
+        solids.add(Vec::new());
         Ok(Self {
             settings,
             steps: 0,
@@ -47,7 +51,7 @@ impl World {
             walls: Walls::default(),
             meshes: Meshes::default(),
             legs: Legs::new(&[Journey::default()], &[]),
-            step: StepMemory::default(),
+            step: StepMemory { solids, ..StepMemory::default() },
             instructions: Instructions::default(),
             asked: Asked::default(),
         })
@@ -77,6 +81,11 @@ impl World {
             }
             self.agents.memory.widen(steering.words());
         }
+        if group.wrap_around.is_some() && !group.solid.0.is_empty() {
+            let why = "it wraps around, where a solid may be in the way: leave one of them away".into();
+            return Err(Error::Shape { what: "the group".into(), why });
+        }
+        self.step.solids.add(group.solid.0.clone());
         self.groups.push(group);
         Ok(GroupId(self.groups.len() as u32 - 1))
     }

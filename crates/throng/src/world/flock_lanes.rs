@@ -6,6 +6,7 @@ use super::advance::{SEEN, diverted};
 use super::advance_lanes::Trips;
 use super::velocities::{Rows, Velocities};
 use crate::agent::{Column, Group, Status};
+use crate::guard::{Pose, Solids};
 use crate::lanes::{LANES, Vec2s, Vec3s, from_side_by_side, get3, ones, set, set3};
 use crate::motion::{Attitude, Attitudes, Motions, Stepping, angles};
 use crate::parallel::{self, Lists};
@@ -86,6 +87,8 @@ impl World {
             wishes: &step.wishes,
             before: &agents.attitude,
             reach: &step.reach,
+            solids: &step.solids,
+            led: &step.targets,
             status: &agents.status,
             group: &groups[agents.group[0].index()],
             seconds,
@@ -119,6 +122,9 @@ struct Flight<'a> {
     wishes: &'a Velocities,
     before: &'a Column<Attitude>,
     reach: &'a Column<f32>,
+    /// Those near solids go where these lead.
+    solids: &'a Solids,
+    led: &'a [Pose],
     status: &'a [Status],
     group: &'a Group,
     seconds: f32,
@@ -163,6 +169,7 @@ impl Flight<'_> {
         let to = Vec3s::select(is_finite, from + reached, from);
         // nobody gets below the ground
         let to = Vec3s { z: to.z.simd_gt(splat(0.0)).select(to.z, splat(0.0)), ..to };
+        let to = self.led(simd, rows.clone(), to);
         // as `velocity`
         let limit = to.x.abs().max(to.y.abs()).max(to.z.abs()) * splat(f32::EPSILON);
         let unchanged = (to - wished).length().simd_le(limit);
@@ -210,6 +217,19 @@ impl Flight<'_> {
 }
 
 impl Flight<'_> {
+    /// Where a vector of rows gets, those near solids where these lead.
+    #[inline(always)]
+    fn led<S: Simd>(&self, simd: S, rows: Range<usize>, to: Vec3s<S>) -> Vec3s<S> {
+        let near = self.solids.near_of(rows.clone());
+        if near == 0 {
+            return to;
+        }
+        let mut places = [[0.0; LANES]; 3];
+        to.store(&mut places);
+        ones(near).for_each(|lane| set3(&mut places, lane, self.led[rows.start + lane].place()));
+        Vec3s::load(simd, &places)
+    }
+
     /// Where those are who wrap around.
     #[inline(always)]
     fn wrapped<S: Simd>(&self, simd: S, places: Vec3s<S>) -> Vec3s<S> {

@@ -1,7 +1,8 @@
-//! How close bodies came to each other and to walls.
+//! How close bodies came to each other, to walls and to solids.
 
 use super::World;
 use crate::agent::Columns;
+use crate::guard::Solids;
 use crate::lanes::ones;
 use crate::parallel::{self, WORD, Words};
 use crate::space::{Core, Walls};
@@ -42,7 +43,7 @@ impl World {
         };
         step.measured.clear();
         step.measured.resize(agents.len().div_ceil(WORD), before);
-        let (contacts, near) = (&step.contacts, &step.near);
+        let (contacts, solids, near) = (&step.contacts, &step.solids, &step.near);
         // where nobody is guarded contacts are not collected, and who is perceived has to do
         let guarded = step.guarded.uniform() != Some(false);
         let discs_only = step.long.is_empty();
@@ -73,6 +74,9 @@ impl World {
                 if !contacts.is_off_walls(row) {
                     measured.walls(agents, row, walls, (contacts.edges_of(row), contacts.discs_of(row)));
                 }
+            }
+            for row in ones(solids.near(part)).map(|at| first + at) {
+                measured.solid(agents, row, solids);
             }
         };
         parallel::ranges(Words(&mut step.measured), |rows, Words(all)| {
@@ -154,10 +158,20 @@ impl Measured {
             Some(core) => core.separation(&Core::point(disc.center)).distance - disc.radius,
         });
         if let Some(distance) = edges.chain(discs).min_by(f64::total_cmp) {
-            let separation = distance / f64::from(agents.radius[row]);
-            self.least_wall_separation = self.least_wall_separation.min(separation);
-            self.overlaps += u64::from(separation < TOUCH);
+            self.apart(distance / f64::from(agents.radius[row]));
         }
+    }
+
+    /// A body counts as the ball round it.
+    fn solid(&mut self, agents: &Columns, row: usize, solids: &Solids) {
+        let room = solids.room(row, agents.position[row].extend(agents.altitude[row]));
+        self.apart(f64::from(room - agents.core[row].length()) / f64::from(agents.radius[row]));
+    }
+
+    /// Notes how far somebody is from a wall or a solid.
+    fn apart(&mut self, separation: f64) {
+        self.least_wall_separation = self.least_wall_separation.min(separation);
+        self.overlaps += u64::from(separation < TOUCH);
     }
 }
 

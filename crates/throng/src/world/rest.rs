@@ -241,7 +241,7 @@ impl World {
             && !self.asked.anybody()
             && agents.script.uniform() == Some(None)
             && agents.tracking_error.uniform() == Some(0.0)
-            && self.groups_in_use().all(|group| group.model.as_orca().is_some())
+            && self.groups_in_use().all(|group| group.model.as_orca().is_some() && group.solid.0.is_empty())
     }
 
     /// How far from somebody who was not still the sub-step is sure to be that of the last.

@@ -29,6 +29,7 @@ mod polygons;
 mod rules;
 mod saved;
 mod scenes;
+mod solids;
 mod space;
 mod steering;
 mod stranded;

@@ -25,6 +25,16 @@ pub struct Barrier<S> {
     pub seen_from: SeenFrom,
 }
 
+/// How much room there is at a point on the free side of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Room {
+    /// Distance from the surface, metres: negative on the wrong side. From one point to another it changes by no more
+    /// than they are apart.
+    pub distance: f32,
+    /// Unit vector along which that grows fastest.
+    pub out: Vec3,
+}
+
 /// What a vehicle meets on its forward axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathIntersection {
@@ -63,6 +73,16 @@ impl<S: Surface> Barrier<S> {
             SeenFrom::Outside => !outside,
             SeenFrom::Inside => outside,
             SeenFrom::Both => false,
+        }
+    }
+
+    /// How much room there is at a point: its distance from the surface, and where that grows.
+    pub fn room(&self, point: Vec3) -> Room {
+        let near = self.surface.query(point);
+        match self.seen_from {
+            SeenFrom::Outside => Room { distance: near.distance, out: near.normal },
+            SeenFrom::Inside => Room { distance: -near.distance, out: -near.normal },
+            SeenFrom::Both => Room { distance: near.distance.abs(), out: near.free() },
         }
     }
 

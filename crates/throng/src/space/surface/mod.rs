@@ -43,7 +43,7 @@ mod triangle;
 mod union;
 mod upright;
 
-pub use barrier::{Barrier, PathIntersection, SeenFrom};
+pub use barrier::{Barrier, PathIntersection, Room, SeenFrom};
 pub use bounds::Bounds;
 pub(crate) use bvh::Bvh;
 pub use capsule::Capsule;
@@ -56,6 +56,7 @@ pub use plane::Plane;
 pub use prism::Prism;
 pub use sphere::Sphere;
 pub use sweep::Sweep;
+pub(crate) use sweep::rounding;
 pub use union::Union;
 
 use glam::Vec3;

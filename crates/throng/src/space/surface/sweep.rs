@@ -62,7 +62,7 @@ pub(super) fn touch_convex(query: impl Fn(Vec3) -> SurfacePoint, sweep: &Sweep) 
 }
 
 /// How far a computed point may be from where it should be.
-pub(super) fn rounding(at: Vec3) -> f32 {
+pub(crate) fn rounding(at: Vec3) -> f32 {
     1e-6 * (1.0 + at.abs().max_element())
 }
 
