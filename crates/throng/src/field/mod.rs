@@ -8,6 +8,7 @@ mod brush;
 mod critical;
 mod governed;
 mod hull;
+mod noise;
 mod plate;
 mod plate_lanes;
 mod sampled;
@@ -16,6 +17,7 @@ pub use anchors::{Anchor, Anchors, Note, Sketch};
 pub use brush::{Stamp, Stroke, erase};
 pub use critical::{Critical, CriticalPoint};
 pub use governed::Governed;
+pub use noise::{Amplitude, CurlNoise, FadeOut, Motion, Octave, Potential, Rigid, Wall};
 pub use plate::Kernel;
 pub use sampled::Sampled;
 

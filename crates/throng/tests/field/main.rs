@@ -3,4 +3,5 @@
 mod anchors;
 mod brush;
 mod critical;
+mod noise;
 mod sampled;
