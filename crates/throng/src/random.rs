@@ -15,6 +15,7 @@ pub(crate) enum Purpose {
     Behaviour,
     Noise,
     Rules,
+    Eddies,
 }
 
 fn mix(mut z: u64) -> u64 {

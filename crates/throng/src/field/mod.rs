@@ -17,6 +17,7 @@ mod interaction;
 mod keyframes;
 mod map;
 mod paint;
+mod noise;
 mod plate;
 mod plate_lanes;
 mod sampled;
@@ -35,6 +36,7 @@ pub(crate) use interaction::Source;
 pub use keyframes::Keyframes;
 pub use map::Map;
 pub use paint::Brush;
+pub use noise::{Amplitude, CurlNoise, FadeOut, Motion, Octave, Potential, Rigid, Wall};
 pub use plate::Kernel;
 pub use sampled::Sampled;
 

@@ -4,5 +4,6 @@ mod anchors;
 mod brush;
 mod combine;
 mod critical;
+mod noise;
 mod sampled;
 mod space;

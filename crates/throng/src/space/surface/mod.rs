@@ -136,6 +136,24 @@ impl SurfaceHit {
     }
 }
 
+impl<S: Surface + ?Sized> Surface for &S {
+    fn query(&self, point: Vec3) -> SurfacePoint {
+        (**self).query(point)
+    }
+
+    fn sweep(&self, sweep: &Sweep) -> Option<SurfaceHit> {
+        (**self).sweep(sweep)
+    }
+
+    fn bounds(&self) -> Bounds {
+        (**self).bounds()
+    }
+
+    fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
+        (**self).facets(within)
+    }
+}
+
 impl<S: Surface + ?Sized> Surface for Box<S> {
     fn query(&self, point: Vec3) -> SurfacePoint {
         (**self).query(point)

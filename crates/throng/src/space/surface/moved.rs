@@ -47,6 +47,11 @@ impl Pose {
         Self::new(position, Quat::from_xyzw(0.0, 0.0, sin, cos))
     }
 
+    /// Where its own origin is, metres.
+    pub fn position(self) -> Vec3 {
+        self.position
+    }
+
     pub(super) fn to_world(self, point: Vec3) -> Vec3 {
         self.rotation * point + self.position
     }

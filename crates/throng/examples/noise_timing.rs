@@ -1,0 +1,60 @@
+//! How long curl noise takes: `cargo run --release -p throng --example noise_timing`.
+#![allow(clippy::print_stdout)]
+
+use glam::Vec3;
+use std::hint::black_box;
+use std::time::Instant;
+use throng::Error;
+use throng::field::{CurlNoise, Field, Octave, Potential, Wall};
+use throng::space::surface::{Cylinder, Sphere};
+
+/// Places at random in a cube of 10 m.
+fn places(count: usize) -> Vec<Vec3> {
+    let mut state = 7_u64;
+    let mut draw = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f32 / (1_u64 << 53) as f32
+    };
+    (0..count).map(|_| Vec3::new(draw(), draw(), draw()) * 10.0).collect()
+}
+
+/// Nanoseconds a place that something takes, the median of five.
+fn time(count: usize, mut work: impl FnMut()) -> f64 {
+    let mut all = [(); 5].map(|()| {
+        let start = Instant::now();
+        work();
+        start.elapsed().as_secs_f64() * 1e9 / count as f64
+    });
+    all.sort_by(f64::total_cmp);
+    all[2]
+}
+
+fn main() -> Result<(), Error> {
+    let places = places(200_000);
+    let numbers: Vec<u32> = (0..places.len() as u32).collect();
+    let mut out = vec![Vec3::ZERO; places.len()];
+    println!("nanoseconds a place, one thread");
+    println!(
+        "{:10} {:>12} {:>12} {:>12} {:>12} {:>12}",
+        "", "1 octave", "3 octaves", "individuals", "one by one", "two walls"
+    );
+    for potential in [Potential::Plane, Potential::Space, Potential::Crossed] {
+        let noise = |octaves: usize| CurlNoise::new(potential, &Octave::turbulence(0.4, 0.5, 1.0, octaves)?, 1);
+        let (one, three) = (noise(1)?, noise(3)?);
+        let lamp = Wall::new(Sphere::new(Vec3::splat(5.0), 0.5)?, 0.4)?;
+        let column = Wall::new(Cylinder::new(Vec3::X * 3.0, Vec3::new(3.0, 0.0, 10.0), 0.5)?, 0.4)?;
+        let walls = noise(1)?.with_wall(lamp).with_wall(column);
+        let count = places.len();
+        let all = [
+            time(count, || one.velocities(&places, 1.0, black_box(&mut out))),
+            time(count, || three.velocities(&places, 1.0, black_box(&mut out))),
+            time(count, || one.velocities_of_individuals(&places, &numbers, 1.0, black_box(&mut out))),
+            time(count, || out.iter_mut().zip(&places).for_each(|(out, &place)| *out = one.velocity(place, 1.0))),
+            time(count, || walls.velocities(&places, 1.0, black_box(&mut out))),
+        ];
+        print!("{:10}", format!("{potential:?}"));
+        all.iter().for_each(|nanoseconds| print!(" {nanoseconds:12.1}"));
+        println!();
+    }
+    Ok(())
+}

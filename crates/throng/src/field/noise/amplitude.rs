@@ -1,0 +1,65 @@
+//! Where noise is strong and where it is weak.
+
+use super::ramp;
+use crate::Error;
+use crate::space::surface::Surface;
+use glam::Vec3;
+
+/// How strong something is at every place and time, and how that changes from place to place: a factor and its gradient, per metre.
+/// Functions of a place and a time are such.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::field::Amplitude;
+/// // stronger the higher, from the ground on
+/// let shear = |place: Vec3, _: f64| (0.5 * place.z, Vec3::Z * 0.5);
+/// assert_eq!(shear.at(Vec3::Z * 3.0, 0.0).0, 1.5);
+/// ```
+pub trait Amplitude: Send + Sync {
+    /// The factor and its gradient at a place, metres from the world's origin, and a time, seconds since the start. A gradient that is
+    /// not that of the factor makes a field that is not free of divergence.
+    fn at(&self, place: Vec3, time: f64) -> (f32, Vec3);
+}
+
+impl<F: Fn(Vec3, f64) -> (f32, Vec3) + Send + Sync> Amplitude for F {
+    fn at(&self, place: Vec3, time: f64) -> (f32, Vec3) {
+        self(place, time)
+    }
+}
+
+/// All of it inside a surface, nothing from some distance on, and smoothly less between.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::field::{Amplitude, FadeOut};
+/// use throng::space::surface::Sphere;
+/// let cloud = FadeOut::new(Sphere::new(Vec3::ZERO, 2.0)?, 1.0)?;
+/// let factor = |x: f32| cloud.at(Vec3::X * x, 0.0).0;
+/// assert_eq!([factor(1.9), factor(2.5), factor(3.1)], [1.0, 0.5, 0.0]);
+/// # Ok::<(), throng::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct FadeOut<S> {
+    surface: S,
+    width: f32,
+}
+
+impl<S: Surface> FadeOut<S> {
+    /// Out of a surface, within a width, metres.
+    ///
+    /// # Errors
+    /// A width that is not greater than 0 and finite.
+    pub fn new(surface: S, width: f32) -> Result<Self, Error> {
+        Error::unless_positive("the width of a fading", width)?;
+        Ok(Self { surface, width })
+    }
+}
+
+impl<S: Surface> Amplitude for FadeOut<S> {
+    fn at(&self, place: Vec3, _: f64) -> (f32, Vec3) {
+        let near = self.surface.query(place);
+        // the ramp goes from -1 to 1, and so from the surface to the width
+        let (ramp, slope) = ramp(2.0 * near.distance / self.width - 1.0);
+        (0.5 - 0.5 * ramp, near.normal * (-slope / self.width))
+    }
+}

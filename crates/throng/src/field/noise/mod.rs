@@ -1,0 +1,23 @@
+//! Curl noise: random eddies without sources and sinks, along walls and round what moves.
+
+mod amplitude;
+mod curl;
+mod octave;
+mod simplex;
+mod wall;
+
+pub use amplitude::{Amplitude, FadeOut};
+pub use curl::{CurlNoise, Potential};
+pub use octave::Octave;
+pub use wall::{Motion, Rigid, Wall};
+
+/// `15/8 r - 10/8 r^3 + 3/8 r^5`, which goes from -1 to 1 as `r` does and is level at both ends, also in its curvature; and its slope.
+/// Beyond them it stays (Bridson et al. 2007).
+fn ramp(r: f32) -> (f32, f32) {
+    if r.abs() >= 1.0 {
+        return (1.0_f32.copysign(r), 0.0);
+    }
+    let square = r * r;
+    let left = 1.0 - square;
+    (r * (1.875 + square * (0.375 * square - 1.25)), 1.875 * left * left)
+}
