@@ -30,7 +30,7 @@ impl Make for Parts<'_> {
             true => Blend::new(parts).map(|made| Arc::new(made) as _),
             false => Sum::new(parts).map(|made| Arc::new(made) as _),
         };
-        Ok(Made { field: field.map_err(|error| at.refused(&error))?, anchors })
+        Ok(Made { field: field.map_err(|error| at.refused(&error))?, anchors, cover: None })
     }
 }
 
@@ -45,7 +45,7 @@ impl Make for Keyframes {
             frames.push((frame.at, made.field));
         }
         let made = field::Keyframes::new(frames, self.period).map_err(|error| at.refused(&error))?;
-        Ok(Made { field: Arc::new(made), anchors })
+        Ok(Made { field: Arc::new(made), anchors, cover: None })
     }
 }
 

@@ -1,6 +1,6 @@
 //! What fields have to say to groups.
 
-use super::{At, Flows};
+use super::{At, Flows, Made};
 use crate::build::PlannedAgent;
 use crate::build::limits::{Limit, check, check_some};
 use crate::error::Kind;
@@ -9,8 +9,7 @@ use crate::geometry::DVec2;
 use crate::scene::{Group, flow};
 use glam::Vec3;
 use std::cell::RefCell;
-use std::sync::Arc;
-use throng::field::{Field, Governed, Interaction, Uniform};
+use throng::field::{Governed, Interaction, Uniform};
 
 impl Flows<'_> {
     /// The fields that govern a group, by its position in the scene. `id` gives the positions that groups have in the world, by name.
@@ -27,11 +26,11 @@ impl Flows<'_> {
 
 impl At<'_> {
     fn governed(&self, said: &flow::Governed, id: impl Fn(&str) -> Option<usize>) -> Result<Governed, Problem> {
-        let field: Arc<dyn Field> = match &said.of {
-            Some(flow) => self.key("of").make(flow)?.field,
-            None => Arc::new(Uniform(Vec3::ZERO)),
+        let Made { field, cover, .. } = match &said.of {
+            Some(flow) => self.key("of").make(flow)?,
+            None => Made::of(Uniform(Vec3::ZERO)),
         };
-        let map = said.map.as_ref().map(|map| self.key("map").map(map)).transpose()?;
+        let map = said.map.as_ref().map(|map| self.key("map").map(map)).transpose()?.or(cover);
         let around = said.around.as_deref().unwrap_or_default();
         if said.of.is_none() && around.is_empty() {
             let problem = Problem::new(&self.path, Kind::MissingKey, "it says neither `of` nor `around`");

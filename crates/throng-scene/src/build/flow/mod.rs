@@ -21,7 +21,7 @@ use crate::scene::{Group, Point, Scene};
 use glam::Vec3;
 use std::cell::RefCell;
 use std::sync::Arc;
-use throng::field::{Anchor, Field, Uniform};
+use throng::field::{Anchor, Field, Map, Uniform};
 use throng::space::Walls;
 
 pub(super) use govern::note_silence;
@@ -32,11 +32,13 @@ pub(super) struct Made {
     pub field: Arc<dyn Field>,
     /// What it was sketched with, if it was, metres from its origin.
     pub anchors: Vec<Anchor>,
+    /// How much it covers, if it was painted: so much counts.
+    pub cover: Option<Arc<Map>>,
 }
 
 impl Made {
     fn of(field: impl Field + 'static) -> Self {
-        Self { field: Arc::new(field), anchors: vec![] }
+        Self { field: Arc::new(field), anchors: vec![], cover: None }
     }
 }
 

@@ -5,8 +5,9 @@ use super::{At, Made, Make};
 use crate::build::limits::{Limit, check};
 use crate::file::Problem;
 use crate::scene::flow::Paint;
+use glam::Vec3;
 use std::sync::Arc;
-use throng::field::{Brush, Uniform};
+use throng::field::{Brush, Map, Sampled, Uniform};
 
 /// Width of the cells, metres, where nothing is said.
 pub(super) const CELL: f64 = 0.5;
@@ -14,24 +15,31 @@ pub(super) const CELL: f64 = 0.5;
 impl Make for Paint {
     fn make(&self, at: &At) -> Result<Made, Problem> {
         let corners = at.corners(self.min, self.max)?;
-        let mut made = match &self.on {
-            Some(flow) => at.key("on").make(flow)?,
-            None => Made::of(Uniform(glam::Vec3::ZERO)),
-        };
-        let mut field = at.sampled(&*made.field, corners, Some(self.cell.unwrap_or(CELL)))?;
+        let base = self.on.as_ref().map(|flow| at.key("on").make(flow)).transpose()?;
+        let whole = base.is_some();
+        let base = base.unwrap_or_else(|| Made::of(Uniform(Vec3::ZERO)));
+        let cell = self.cell.unwrap_or(CELL);
+        let mut field = at.sampled(&*base.field, corners, Some(cell))?;
+        let mut cover = Map::over(corners[0], corners[1], cell).map_err(|error| at.refused(&error))?;
         for (i, stroke) in self.strokes.iter().enumerate() {
             let at = at.key("strokes").index(i);
             let brush = brush(stroke.radius, stroke.strength, stroke.hardness);
             let (points, speed) = (at.places("points", &stroke.points)?, stroke.speed.unwrap_or(SPEED));
             check(&at.path.key("speed"), speed, Limit::Between(-1000.0, 1000.0))?;
-            let painted = match stroke.erase {
-                Some(true) => field.rub_out(&brush, &points),
-                Some(false) | None => field.paint(&brush, &points, speed),
-            };
-            painted.map_err(|error| at.refused(&error))?;
+            let erases = stroke.erase.unwrap_or(false);
+            let painted = if erases { field.rub_out(&brush, &points) } else { field.paint(&brush, &points, speed) };
+            let covered = cover.paint(&brush, &points, if erases { 0.0 } else { 1.0 });
+            painted.and(covered).map_err(|error| at.refused(&error))?;
         }
-        made.field = Arc::new(field);
-        Ok(made)
+        if whole {
+            return Ok(Made { field: Arc::new(field), ..base });
+        }
+        // what is covered in part leads in part, and not more slowly
+        let full =
+            field.velocities().iter().zip(cover.values()).map(|(&v, &cover)| if cover > 0.0 { v / cover } else { v });
+        let field = Sampled::new(field.low(), field.cell(), field.columns(), full.collect());
+        let field = Arc::new(field.map_err(|error| at.refused(&error))?);
+        Ok(Made { field, anchors: vec![], cover: Some(Arc::new(cover)) })
     }
 }
 

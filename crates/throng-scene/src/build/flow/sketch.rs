@@ -37,7 +37,7 @@ impl Make for Sketch {
         let [low, high] = crate::geometry::bounds(places).unwrap_or_default();
         let field = at.sampled(&made, [low - reach, high + reach], self.cell)?;
         note_traps(at, &field, fastest);
-        Ok(Made { field: Arc::new(field), anchors })
+        Ok(Made { field: Arc::new(field), anchors, cover: None })
     }
 }
 
