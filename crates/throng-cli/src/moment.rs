@@ -10,6 +10,7 @@ use throng_scene::Built;
 pub fn setting(world: &World, built: &Built, title: &str) -> Setting {
     let mut setting = Setting::of(world, title);
     setting.groups.remove(0);
+    setting.flows.iter_mut().flat_map(|flow| &mut flow.groups).for_each(|group| *group = group.saturating_sub(1));
     let room = room(built, setting.origin);
     setting.shells = built.surfaces.iter().map(|(_, surface)| Shell::of(surface, &room)).collect();
     setting.paths = built.paths.iter().map(|(_, path)| path.clone()).collect();

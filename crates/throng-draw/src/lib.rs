@@ -7,12 +7,14 @@
 //! agent goes where it goes; [`sink`] holds the kinds of output for pictures of any origin.
 
 mod annotate;
+mod base64;
 mod camera;
 mod color;
 mod contact;
 mod error;
 mod figure;
 mod film;
+mod flow;
 mod image;
 mod legend;
 mod look;
@@ -40,6 +42,7 @@ pub use contact::{Contact, Section};
 pub use error::Error;
 pub use figure::Figure;
 pub use film::{Film, Still};
+pub use flow::{FlowLayer, FlowStyle};
 pub use image::Image;
 pub use painter::Painter;
 pub use place::points_to_go;

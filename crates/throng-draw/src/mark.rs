@@ -1,6 +1,6 @@
 //! What a picture is made of besides agents: shapes and type, in pixels. Pictures and SVG draw the same marks.
 
-use crate::Color;
+use crate::{Color, Image};
 use crate::rounded::Rounded;
 use crate::trail::Trail;
 use glam::Vec2;
@@ -22,6 +22,8 @@ pub(crate) enum Mark {
     Ring { center: Vec2, radius: f32, stroke: Stroke },
     /// What of some marks lies within a rectangle of whole pixels.
     Within { low: Vec2, high: Vec2, marks: Vec<Mark> },
+    /// A layer over all of the picture, with its own opacity.
+    Pixels(Image),
     /// A line of type.
     Text { text: String, at: Vec2, anchor: Anchor, size: f32, color: Color },
 }

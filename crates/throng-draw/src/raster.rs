@@ -37,6 +37,7 @@ pub(crate) fn draw(image: &mut Image, typeface: &mut Type, marks: &[Mark]) {
                 draw(&mut whole, typeface, marks);
                 image.copy_within(&whole, *low, *high);
             }
+            Mark::Pixels(layer) => image.lay_over(layer),
             Mark::Text { text, at, anchor, size, color } => {
                 let shift = Vec2::new(typeface.width(text, *size) * anchor.part(), 0.0);
                 typeface.draw(image, text, *at - shift, *size, *color);

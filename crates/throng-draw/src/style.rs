@@ -1,6 +1,6 @@
 //! How a picture should look.
 
-use crate::{Annotations, Color, Viewpoint, WorldBox};
+use crate::{Annotations, Color, FlowStyle, Viewpoint, WorldBox};
 use glam::DVec2;
 
 /// How a picture should look. The default is a calm light picture of 640 by 480 pixels.
@@ -25,6 +25,8 @@ pub struct Style {
     pub groups: Vec<Option<Color>>,
     /// What is drawn beside agents of what they have in mind.
     pub annotations: Annotations,
+    /// How the fields that lead groups are drawn on the ground, from straight above; `None`: not.
+    pub flow: Option<FlowStyle>,
     /// Whether agents have a notch that shows their heading.
     pub headings: bool,
     /// Whether goals are drawn.
@@ -49,6 +51,7 @@ impl Default for Style {
             color_by: ColorBy::Group,
             groups: Vec::new(),
             annotations: Annotations::default(),
+            flow: None,
             headings: true,
             goals: true,
             legend: true,

@@ -1,7 +1,9 @@
 //! A moment as a vector picture.
 
+use crate::base64::base64;
 use crate::mark::{Anchor, Mark, Stroke};
 use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};
+use crate::sink::png_bytes;
 use crate::trail::Trail;
 use crate::{Color, Painter};
 use glam::Vec2;
@@ -12,13 +14,24 @@ impl Painter {
     /// The moment as an SVG document, with the look of [`paint`](Self::paint).
     pub fn svg(&mut self, frame: &Frame) -> String {
         self.follow(frame);
+        self.settle(frame);
         let size = (self.style.width, self.style.height);
         document(size, self.base(), |out| self.write_content(out, frame, ""))
     }
 
     /// What is inside the document; `tag` is added to the names of its parts.
     fn write_content(&self, out: &mut String, frame: &Frame, tag: &str) -> fmt::Result {
-        group(out, "place", tag, |out| write_marks(out, &self.place))?;
+        match &self.flows {
+            Some(flows) => {
+                group(out, "floor", tag, |out| write_marks(out, &self.floor))?;
+                group(out, "flow", tag, |out| write_marks(out, &flows.marks))?;
+                group(out, "place", tag, |out| write_marks(out, &self.place))?;
+            }
+            None => group(out, "place", tag, |out| {
+                write_marks(out, &self.floor)?;
+                write_marks(out, &self.place)
+            })?,
+        }
         let parts = self.moment(frame).into_iter().filter(|(_, marks)| !marks.is_empty());
         parts.into_iter().try_for_each(|(name, marks)| group(out, name, tag, |out| write_marks(out, &marks)))
     }
@@ -147,6 +160,11 @@ fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
             writeln!(out, r#"<svg x="{x}" y="{y}" width="{w}" height="{h}" viewBox="{x} {y} {w} {h}">"#)?;
             write_marks(out, marks)?;
             writeln!(out, "</svg>")
+        }
+        Mark::Pixels(image) => {
+            let (w, h) = (image.width(), image.height());
+            let bytes = base64(&png_bytes(image));
+            writeln!(out, r#"<image width="{w}" height="{h}" href="data:image/png;base64,{bytes}"/>"#)
         }
         Mark::Text { text, at, anchor, size, color } => {
             let anchor = match anchor {

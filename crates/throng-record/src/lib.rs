@@ -6,10 +6,12 @@
 mod behind;
 mod capture;
 pub mod csv;
+mod flow;
 mod frame;
 mod output;
 pub mod series;
 
 pub use behind::{Behind, Pool};
+pub use flow::Flow;
 pub use frame::{Body, Frame, Setting, Shell};
 pub use output::{Output, OutputError};

@@ -16,7 +16,7 @@ pub use folder::FolderSink;
 pub use gif::GifSink;
 pub use mp4::Mp4Sink;
 pub use pipe::PipeSink;
-pub(crate) use png::encode_png;
+pub(crate) use png::{encode_png, png_bytes};
 pub use png::{PngSink, write_png};
 
 use crate::{Error, Image};
