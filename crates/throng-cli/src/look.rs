@@ -1,6 +1,7 @@
 //! How pictures look.
 
 use crate::failure::Failure;
+use crate::field::FieldArgs;
 use crate::source::parse_four;
 use clap::{Args, ValueEnum};
 use glam::{DVec2, DVec3};
@@ -35,6 +36,10 @@ pub struct LookArgs {
     /// Leaves out the notch that shows which way an agent faces
     #[arg(long)]
     pub no_headings: bool,
+
+    /// How fields are drawn.
+    #[command(flatten)]
+    pub field: FieldArgs,
 }
 
 /// How the world is seen.
@@ -106,6 +111,7 @@ impl LookArgs {
                 ColorArg::Altitude => ColorBy::Altitude,
             },
             groups: scene.groups.iter().map(|group| group.colour.map(color)).collect(),
+            flow: self.field.style(),
             headings: !self.no_headings,
             lines: view.lines.iter().map(|line| line.iter().copied().map(DVec2::from).collect()).collect(),
             goals: view.goals.unwrap_or(default.goals),

@@ -1,9 +1,12 @@
 //! Draws fields, and says how long each layer takes: `cargo run --release --example fields -- [FOLDER [WIDTHxHEIGHT]]`.
 
+#[path = "shared/clock.rs"]
+mod clock;
+
+use clock::{now, report};
 use glam::{DVec2, Vec3};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Instant;
 use throng::field::{Anchor, Anchors, Critical, Field, Sampled, Sketch, Stamp, Stroke};
 use throng::{Goal, Obstacle, Walkable};
 use throng_draw::{FlowLayer, FlowStyle, Painter, Style, Theme, WorldBox, sink::write_png};
@@ -18,7 +21,8 @@ fn main() -> Fallible<()> {
     let base = Style { width: width.parse()?, height: height.parse()?, trails: 0.0, ..Style::default() };
     std::fs::create_dir_all(&folder)?;
     use FlowLayer::{Anchors, Arrows, Critical, Lic, Speed, Streamlines};
-    let layers: [(&str, Vec<FlowLayer>); 6] = [
+    let layers: [(&str, Vec<FlowLayer>); 7] = [
+        ("texture", vec![Lic]),
         ("default", FlowStyle::default().layers),
         ("arrows", vec![Arrows, Anchors, Critical]),
         ("speed", vec![Speed, Streamlines]),
@@ -40,9 +44,9 @@ fn main() -> Fallible<()> {
 
 fn write(folder: &std::path::Path, name: &str, setting: &Setting, style: &Style) -> Fallible<()> {
     let mut painter = Painter::new(setting, style, &Frame::default())?;
-    let start = Instant::now();
+    let start = now();
     let image = painter.paint(&Frame::default()).clone();
-    eprintln!("{name}: {:.0} ms", start.elapsed().as_secs_f64() * 1e3);
+    report(name, 1, start);
     Ok(write_png(folder.join(format!("{name}.png")), &image)?)
 }
 
@@ -86,7 +90,8 @@ fn street() -> Fallible<(&'static str, Setting, WorldBox)> {
 
 /// All kinds of critical points between two walls.
 fn valley() -> Fallible<(&'static str, Setting, WorldBox)> {
-    let stamp = |x: f64, y: f64, kind: Critical, speed: f64| Stamp { place: DVec2::new(x, y), kind, radius: 3.0, speed };
+    let stamp =
+        |x: f64, y: f64, kind: Critical, speed: f64| Stamp { place: DVec2::new(x, y), kind, radius: 3.0, speed };
     let stamps = [
         stamp(-10.0, 4.0, Critical::Center, 1.2),
         stamp(0.0, -1.0, Critical::Saddle, 1.0),
@@ -109,13 +114,15 @@ fn valley() -> Fallible<(&'static str, Setting, WorldBox)> {
         wall(&[(-4.0, 8.0), (-4.0, 3.0)]),
         Obstacle::Polygon { corners: vec![DVec2::new(4.0, -7.5), DVec2::new(5.5, -7.5), DVec2::new(5.0, -3.0)] },
     ];
-    let setting = Setting { title: "Saddle, sink, centre".into(), obstacles, flows: still(field, anchors), ..Setting::default() };
+    let setting =
+        Setting { title: "Saddle, sink, centre".into(), obstacles, flows: still(field, anchors), ..Setting::default() };
     Ok(("valley", setting, around(DVec2::new(16.0, 9.0))))
 }
 
 /// Two groups, each with its own field, that cross.
 fn two() -> Fallible<(&'static str, Setting, WorldBox)> {
-    let east = |place: Vec3, _: f64| Vec3::new(1.2, 0.5 * (0.3 * place.x).sin(), 0.0) * (-(place.y / 4.0).powi(2)).exp();
+    let east =
+        |place: Vec3, _: f64| Vec3::new(1.2, 0.5 * (0.3 * place.x).sin(), 0.0) * (-(place.y / 4.0).powi(2)).exp();
     let north = |place: Vec3, _: f64| Vec3::new(0.3, 1.0, 0.0) * (-((place.x - 0.2 * place.y) / 4.0).powi(2)).exp();
     let mut flows = still(east, Vec::new());
     flows.extend(still(north, Vec::new()));

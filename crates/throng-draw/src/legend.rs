@@ -1,10 +1,10 @@
 //! The type round a picture: title, time, counts, the key of the colours, a scale bar.
 
+use crate::annotate::{self, Row};
 use crate::color::ramp;
 use crate::look::Look;
 use crate::mark::{Anchor, Mark, Stroke};
 use crate::text::Type;
-use crate::annotate::{self, Row};
 use crate::{ColorBy, Style};
 use glam::Vec2;
 use throng_record::{Frame, Setting};

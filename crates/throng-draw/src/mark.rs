@@ -1,8 +1,9 @@
 //! What a picture is made of besides agents: shapes and type, in pixels. Pictures and SVG draw the same marks.
 
-use crate::{Color, Image};
+use crate::insect::Insect;
 use crate::rounded::Rounded;
 use crate::trail::Trail;
+use crate::{Color, Image};
 use glam::Vec2;
 
 /// A shape or a line of type.
@@ -16,6 +17,10 @@ pub(crate) enum Mark {
     Disc { center: Vec2, radius: f32, fill: Color },
     /// An agent.
     Agent(Rounded),
+    /// An insect.
+    Insect(Insect),
+    /// Streaks, which add up.
+    Streaks(Vec<Trail>),
     /// Trails, none darker where they cross or meet.
     Trails(Vec<Trail>),
     /// A circle.

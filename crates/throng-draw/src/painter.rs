@@ -8,7 +8,9 @@ use crate::projector::Projector;
 use crate::space::Stage;
 use crate::text::Type;
 use crate::trail::{Brush, Track, Trail, Trails};
-use crate::{Annotation, Camera, Color, Error, Image, Projection, Style, WorldBox, annotate, place, raster};
+use crate::{
+    Annotation, Camera, Color, Error, Form, Image, Projection, Style, WorldBox, annotate, insect, place, raster,
+};
 use glam::{DVec2, DVec3, Vec2};
 use std::collections::BTreeSet;
 use throng_record::{Body, Frame, Setting};
@@ -50,6 +52,8 @@ pub struct Painter {
     pub(crate) look: Look,
     typeface: Type,
     trails: Trails,
+    /// Where insects have been while the shutter was open.
+    blur: Trails,
     /// Where those who are annotated have been.
     pub(crate) ways: Trails,
     /// The annotations that there was something of.
@@ -91,7 +95,7 @@ impl Painter {
                 let camera = Camera::fit(view, low, high);
                 let floor = place::floor(setting, &style.theme, &camera, layout.unit);
                 let place = place::marks(setting, style, &camera, layout.unit, first);
-                flows = Sheets::new(setting, style, camera, layout.unit, &look);
+                flows = Sheets::new(setting, style, camera, &layout, &look);
                 (View::Plan(camera), floor, place, Scale::Bar(camera.scale))
             }
             Projection::Perspective => {
@@ -112,6 +116,7 @@ impl Painter {
             look,
             typeface,
             trails: Trails::default(),
+            blur: Trails::default(),
             ways: Trails::default(),
             seen: BTreeSet::new(),
             origin: setting.origin,
@@ -155,7 +160,11 @@ impl Painter {
         };
         let (look, wanted) = (&self.look, &self.style.annotations);
         let color = |body: &Body| look.color(body);
-        self.trails.follow(frame, f64::from(self.style.trails), spacing, |body| Some(color(body)));
+        let is = |form: Form| move |body: &Body| (look.form(body) == form).then(|| color(body));
+        self.trails.follow(frame, f64::from(self.style.trails), spacing, is(Form::Body));
+        if look.has(Form::Insect) {
+            self.blur.follow(frame, f64::from(self.style.shutter), 0.4 * spacing, is(Form::Insect));
+        }
         if wanted.kinds.contains(&Annotation::Trails) {
             self.ways.follow(frame, WAYS, spacing, |body| wanted.concern(body).then(|| color(body)));
         }
@@ -206,6 +215,20 @@ impl Painter {
         }
         parts.push(("legend", legend));
         parts
+    }
+
+    /// The streaks of insects.
+    pub(crate) fn streaks(&self, frame: &Frame) -> Vec<Trail> {
+        let (projector, seconds) = (self.projector(), f64::from(self.style.shutter));
+        let insects = frame.bodies.iter().filter(|body| self.look.form(body) == Form::Insect);
+        if seconds <= 0.0 {
+            return Vec::new();
+        }
+        let streak = |body: &Body| {
+            let (color, least) = (self.look.coat(body).fill, f64::from(insect::LEAST_RADIUS * self.layout.unit));
+            insect::streak(self.blur.tracks.get(&body.number)?, body, color, &projector, (frame.time, seconds, least))
+        };
+        insects.filter_map(streak).collect()
     }
 
     /// The trails as they fade.

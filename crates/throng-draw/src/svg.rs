@@ -1,6 +1,7 @@
 //! A moment as a vector picture.
 
 use crate::base64::base64;
+use crate::insect::Insect;
 use crate::mark::{Anchor, Mark, Stroke};
 use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};
 use crate::sink::png_bytes;
@@ -133,6 +134,21 @@ fn write_body(out: &mut String, body: &Rounded) -> fmt::Result {
     Ok(())
 }
 
+fn write_insect(out: &mut String, insect: &Insect) -> fmt::Result {
+    let root = insect.root;
+    for (tip, chord) in insect.tips.into_iter().zip(insect.chords) {
+        // a leaf: two curves from root to tip
+        let (middle, side) = (root.lerp(tip, 0.7), (tip - root).perp().normalize_or_zero() * (1.7 * chord));
+        let (a, b) = (middle + side, middle - side);
+        write!(out, r#"<path d="M{} {}Q{} {} {} {}"#, n(root.x), n(root.y), n(a.x), n(a.y), n(tip.x), n(tip.y))?;
+        writeln!(out, r#"Q{} {} {} {}Z" {}/>"#, n(b.x), n(b.y), n(root.x), n(root.y), fill(insect.wings))?;
+    }
+    let body = stroke(Stroke::plain(2.0 * insect.waist.max(0.55), insect.body));
+    let (head, tail) = (insect.head, insect.tail);
+    write!(out, r#"<path d="M{} {}L{} {}" "#, n(tail.x), n(tail.y), n(head.x), n(head.y))?;
+    writeln!(out, r#"stroke-linecap="round" {body}/>"#)
+}
+
 fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
     match mark {
         Mark::Area { rings, fill: color } => {
@@ -148,7 +164,8 @@ fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
             writeln!(out, r#"<circle cx="{}" cy="{}" r="{}" {}/>"#, n(center.x), n(center.y), n(*radius), fill(*color))
         }
         Mark::Agent(disc) => write_body(out, disc),
-        Mark::Trails(trails) => write_trails(out, trails),
+        Mark::Insect(insect) => write_insect(out, insect),
+        Mark::Trails(trails) | Mark::Streaks(trails) => write_trails(out, trails),
         Mark::Ring { center, radius, stroke: line } => {
             let (x, y, r) = (n(center.x), n(center.y), n(*radius));
             writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" fill="none" {}/>"#, stroke(*line))

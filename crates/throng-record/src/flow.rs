@@ -73,7 +73,8 @@ mod tests {
     #[test]
     fn a_field_that_leads_two_groups_is_one_flow() {
         let mut world = World::new(Settings::default()).unwrap();
-        let (east, north) = (Governed::new(|_: Vec3, _: f64| Vec3::X, 1.0), Governed::new(|_: Vec3, _: f64| Vec3::Y, 0.5));
+        let (east, north) =
+            (Governed::new(|_: Vec3, _: f64| Vec3::X, 1.0), Governed::new(|_: Vec3, _: f64| Vec3::Y, 0.5));
         for field in [Some(east.clone()), None, Some(north), Some(east)] {
             world.add_group(Group { field, ..Group::default() }).unwrap();
         }

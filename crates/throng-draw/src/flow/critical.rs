@@ -1,6 +1,7 @@
 //! Where a field is zero though it flows round it: symbols by what it does there.
 
 use super::blade::{blade, head};
+use super::speed::is_dark;
 use super::{Lay, Vec2};
 use crate::mark::{Mark, Stroke};
 use crate::{Color, Theme};
@@ -8,9 +9,9 @@ use std::f32::consts::{FRAC_PI_2, TAU};
 use throng::field::Critical;
 
 /// Radius of a symbol, in units of the layout.
-pub(super) const RADIUS: f32 = 8.0;
-/// What traps who follows the field.
-const WARNING: Color = Color::rgb(0xc8372d);
+pub(super) const RADIUS: f32 = 8.5;
+/// What traps who follows the field, on light ground and on dark.
+const WARNING: [Color; 2] = [Color::rgb(0xc8372d), Color::rgb(0xf0705f)];
 /// More than this many are a field that is all whirls: the first of them are shown.
 const MOST: usize = 300;
 /// How far away the field is looked at, in units of the layout: where it does not flow there either, nothing is shown.
@@ -95,7 +96,7 @@ impl Symbol {
 
     /// The symbol round a pixel.
     pub fn marks(&self, at: Vec2, radius: f32, theme: &Theme) -> Vec<Mark> {
-        let color = if self.kind.traps() { WARNING } else { theme.text };
+        let color = if self.kind.traps() { WARNING[usize::from(is_dark(theme))] } else { theme.text };
         let mut pen = Pen { at, radius, color, marks: Vec::new() };
         pen.marks.push(Mark::Disc { center: at, radius: 1.22 * radius, fill: theme.ground.alpha(0.88) });
         let quarters = || (0..4).map(|k| Vec2::from_angle((k as f32 + 0.5) * FRAC_PI_2));
@@ -119,7 +120,11 @@ impl Symbol {
             }
             (kind, true) => {
                 let inwards = kind == Critical::Sink;
-                if inwards { pen.dot(0.26) } else { pen.ring(0.26) }
+                if inwards {
+                    pen.dot(0.26)
+                } else {
+                    pen.ring(0.26)
+                }
                 let radii = if inwards { [1.05, 0.5] } else { [0.45, 1.0] };
                 [0.0, 0.5].into_iter().for_each(|turn| pen.arm(turn, self.sense, radii));
             }

@@ -37,14 +37,14 @@ impl<'a> Said<'a> {
             }
             if style.draws(FlowLayer::Arrows) {
                 let length = 1.9 * size;
-                let draw = Box::new(move |at: Vec2| {
-                    arrow(at, at + Vec2::X * length, 0.08 * size, ink).into_iter().collect()
-                });
+                let draw =
+                    Box::new(move |at: Vec2| arrow(at, at + Vec2::X * length, 0.08 * size, ink).into_iter().collect());
                 rows.push(Row { length, says: format!("field, {most}"), draw });
             }
         }
         if style.draws(FlowLayer::Anchors) && self.has_anchors {
-            let draw = Box::new(move |at: Vec2| anchors::dot(at + Vec2::X * 0.35 * size, Vec2::X * 0.6, unit, theme));
+            let draw =
+                Box::new(move |at: Vec2| anchors::dot(at + Vec2::X * 0.35 * size, Vec2::X * 1.4 * size, unit, theme));
             rows.push(Row { length: 1.9 * size, says: "anchor, its velocity".into(), draw });
         }
         for symbol in self.symbols {
@@ -59,7 +59,11 @@ impl<'a> Said<'a> {
 /// A speed for people: two digits that count.
 fn speed_label(speed: f32) -> String {
     let ten = 10f32.powi(speed.log10().floor() as i32 - 1);
-    if (0.1..1e5).contains(&speed) { format!("{}", (f64::from((speed / ten).round()) * f64::from(ten) * 1e3).round() / 1e3) } else { format!("{speed:.1e}") }
+    if (0.1..1e5).contains(&speed) {
+        format!("{}", (f64::from((speed / ten).round()) * f64::from(ten) * 1e3).round() / 1e3)
+    } else {
+        format!("{speed:.1e}")
+    }
 }
 
 fn ramp(at: Vec2, length: f32, thickness: f32, theme: &Theme) -> Vec<Mark> {

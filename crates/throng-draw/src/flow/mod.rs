@@ -40,8 +40,7 @@ pub enum FlowLayer {
 
 impl FlowLayer {
     /// All of them.
-    pub const ALL: [Self; 6] =
-        [Self::Speed, Self::Lic, Self::Streamlines, Self::Arrows, Self::Anchors, Self::Critical];
+    pub const ALL: [Self; 6] = [Self::Speed, Self::Lic, Self::Streamlines, Self::Arrows, Self::Anchors, Self::Critical];
 
     /// What it is called in files and on the command line.
     pub fn name(self) -> &'static str {

@@ -6,6 +6,7 @@ use super::key::Said;
 use super::{Canvas, FlowLayer, FlowStyle, Grid, Lay, Mask};
 use super::{anchors::anchors, arrows::arrows, speed::speed, streamlines::streamlines, texture::texture};
 use crate::annotate::Row;
+use crate::legend::Layout;
 use crate::look::Look;
 use crate::mark::Mark;
 use crate::{Camera, Color, Style, Theme};
@@ -32,13 +33,16 @@ pub(crate) struct Sheets {
     shown: Vec<Shown>,
     fastest: Option<f32>,
     symbols: Vec<Symbol>,
+    /// What the type of the legend stands on.
+    strips: Vec<Mark>,
     /// What is drawn, in the order of the layers.
     pub marks: Vec<Mark>,
 }
 
 impl Sheets {
     /// The fields of a setting as a style wants them; `None` if there are none, or it does not want to see them.
-    pub fn new(setting: &Setting, style: &Style, camera: Camera, unit: f32, look: &Look) -> Option<Self> {
+    pub fn new(setting: &Setting, style: &Style, camera: Camera, layout: &Layout, look: &Look) -> Option<Self> {
+        let unit = layout.unit;
         let flow = style.flow.clone().filter(|flow| !flow.layers.is_empty() && !setting.flows.is_empty())?;
         let free = Mask::new((style.width, style.height), setting, &camera, unit);
         let size = Vec2::new(style.width as f32, style.height as f32);
@@ -57,6 +61,7 @@ impl Sheets {
             style: flow,
             theme: style.theme.clone(),
             symbols: Vec::new(),
+            strips: if style.legend { strips(setting, style, layout.room(true).0.y) } else { Vec::new() },
             marks: Vec::new(),
         })
     }
@@ -114,6 +119,7 @@ impl Sheets {
                 }
             }
         }
+        marks.extend_from_slice(&self.strips);
         self.marks = marks;
     }
 
@@ -128,5 +134,54 @@ impl Sheets {
             symbols: Symbol::all().filter(|one| self.symbols.iter().any(|seen| seen.is_like(one))).collect(),
         };
         said.rows(size)
+    }
+}
+
+/// The upper and the lower rim of a picture, this high, where fields give way to type.
+fn strips(setting: &Setting, style: &Style, height: f32) -> Vec<Mark> {
+    const STEPS: usize = 16;
+    /// How little is left of fields at the very rim.
+    const PAPER: f32 = 0.85;
+    let paper = if setting.walkable.is_empty() { style.theme.ground } else { style.theme.outside };
+    let (width, bottom) = (style.width as f32, style.height as f32);
+    let edge = |k: usize| (1.2 * height * k as f32 / STEPS as f32).round();
+    let step = |k: usize| {
+        let t = (k as f32 + 0.5) / STEPS as f32;
+        let fill = paper.alpha(PAPER * (1.0 - t * t * (3.0 - 2.0 * t)));
+        let band = |top: f32, bottom: f32| {
+            let ring = [(0.0, top), (width, top), (width, bottom), (0.0, bottom)].map(Vec2::from).to_vec();
+            Mark::Area { rings: vec![ring], fill }
+        };
+        [band(edge(k), edge(k + 1)), band(bottom - edge(k + 1), bottom - edge(k))]
+    };
+    (0..STEPS).flat_map(step).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Painter, WorldBox};
+    use glam::{DVec2, Vec3};
+    use std::sync::Arc;
+    use throng::field::Anchor;
+    use throng_record::Frame;
+
+    #[test]
+    fn documents_hold_the_shapes_that_pictures_do() {
+        let drain = |place: Vec3, _: f64| Vec3::Z.cross(place) - 0.2 * place;
+        let anchors = [DVec2::X, DVec2::Y].map(|place| Anchor::new(place, place)).to_vec();
+        let flows = vec![Flow { anchors, ..Flow::of(Arc::new(drain)) }];
+        let setting = Setting { flows, ..Setting::default() };
+        let view = Some(WorldBox { min: DVec2::splat(-3.0), max: DVec2::splat(3.0) });
+        let style = Style { flow: Some(FlowStyle::of(FlowLayer::ALL)), view, ..Style::default() };
+        let mut painter = Painter::new(&setting, &style, &Frame::default()).unwrap();
+        let svg = painter.svg(&Frame::default());
+        let flow = svg.split(r#"<g id="flow">"#).nth(1).and_then(|rest| rest.split("</g>").next()).unwrap();
+        let marks = &painter.flows.as_ref().unwrap().marks;
+        let count = |tag: &str| flow.matches(tag).count();
+        assert_eq!(count("<path") + count("<circle") + count("<image"), marks.len());
+        let discs = marks.iter().filter(|mark| matches!(mark, Mark::Disc { .. } | Mark::Ring { .. })).count();
+        assert_eq!((count("<circle"), count("<image")), (discs, 2));
+        assert!(marks.len() > 100, "{}", marks.len());
     }
 }

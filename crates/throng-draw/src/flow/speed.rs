@@ -7,7 +7,7 @@ use glam::Vec2;
 
 /// The stops of the ramp on light ground and on dark, slow to fast, above the ground's own colour: one way from light to dark, or
 /// from dark to light, so that it needs no eye for hues.
-const ON_LIGHT: [Color; 3] = [Color::rgb(0xc9e0dc), Color::rgb(0x86bcc6), Color::rgb(0x4285a6)];
+const ON_LIGHT: [Color; 3] = [Color::rgb(0xd0e4e0), Color::rgb(0x96c6cd), Color::rgb(0x5796b3)];
 const ON_DARK: [Color; 3] = [Color::rgb(0x26474f), Color::rgb(0x357d7c), Color::rgb(0x8fc99b)];
 
 /// The tone of a speed over the fastest, 0 to 1.
@@ -36,7 +36,7 @@ pub(super) fn speed(lay: &Lay<'_>) -> Mark {
         let (x, y) = (index % width as usize, index / width as usize);
         let at = Vec2::new(x as f32, y as f32) + 0.5;
         let flow = lay.grid.at(at);
-        if flow != Vec2::ZERO && lay.canvas.free.at(at) {
+        if flow != Vec2::ZERO && lay.canvas.free.fills(at) {
             let Color { r, g, b, .. } = tones[(lay.part(flow) * (STEPS - 1) as f32) as usize];
             // of two fields in one place both are to be seen
             let share = if lay.turn.0 > 0 { 0.5 } else { 1.0 };

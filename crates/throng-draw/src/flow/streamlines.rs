@@ -71,7 +71,8 @@ impl<'a> Tracer<'a> {
                 let line = lines[next].clone();
                 let every = ((0.5 * self.apart / self.step) as usize).max(1);
                 for index in (0..line.len()).step_by(every) {
-                    let along = (line[(index + 1).min(line.len() - 1)] - line[index.saturating_sub(1)]).normalize_or_zero();
+                    let along =
+                        (line[(index + 1).min(line.len() - 1)] - line[index.saturating_sub(1)]).normalize_or_zero();
                     for side in [along.perp(), -along.perp()] {
                         self.draw(line[index] + side * (1.001 * self.apart), &mut lines);
                     }
@@ -132,9 +133,16 @@ impl<'a> Tracer<'a> {
             }
             // of the line itself, what is not just behind; and not where it began, which it may come back to
             let others = |other: &Point| {
-                other.line != line || (other.step != 0 && (step - other.step * sense).abs() > few && other.step.abs() > few)
+                other.line != line
+                    || (other.step != 0 && (step - other.step * sense).abs() > few && other.step.abs() > few)
             };
-            if self.is_near(to, nearest, others) || kept.iter().rev().skip(few as usize).any(|&p: &Vec2| p.distance(to) < 0.5 * nearest && p.distance(seed) > nearest) {
+            if self.is_near(to, nearest, others)
+                || kept
+                    .iter()
+                    .rev()
+                    .skip(few as usize)
+                    .any(|&p: &Vec2| p.distance(to) < 0.5 * nearest && p.distance(seed) > nearest)
+            {
                 break;
             }
             points.push(to);
@@ -236,4 +244,70 @@ fn thin(points: &[(Vec2, f32)], off: f32) -> Vec<(Vec2, f32)> {
         }
     }
     few
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Canvas, FlowStyle, Grid, Mask};
+    use super::*;
+    use crate::{Camera, Theme, WorldBox};
+    use glam::{DVec2, Vec3};
+    use std::sync::Arc;
+    use throng_record::{Flow, Setting};
+
+    /// The lines of a field over 20 by 15 m at 20 pixels a metre.
+    fn lines(field: fn(Vec3) -> Vec3) -> (Vec<Line>, f32) {
+        let half = DVec2::new(10.0, 7.5);
+        let size = Vec2::new(400.0, 300.0);
+        let camera = Camera::fit(WorldBox { min: -half, max: half }, Vec2::ZERO, size);
+        let free = Mask::new((400, 300), &Setting::default(), &camera, 1.0);
+        let canvas = Canvas { camera, origin: DVec2::ZERO, size, unit: 1.0, free };
+        let flow = Flow::of(Arc::new(move |place: Vec3, _: f64| field(place)));
+        let grid = Grid::of(&flow, &canvas, 0.0).unwrap();
+        let (style, theme) = (FlowStyle::default(), Theme::light());
+        let ink = theme.text;
+        let lay = Lay { grid: &grid, canvas: &canvas, style: &style, theme: &theme, ink, fastest: 5.0, turn: (0, 1) };
+        let mut tracer = Tracer::new(&lay);
+        (tracer.all(), tracer.apart)
+    }
+
+    const FIELDS: [fn(Vec3) -> Vec3; 5] = [
+        |_| Vec3::new(1.0, 0.3, 0.0),
+        |at| Vec3::Z.cross(at),
+        |at| Vec3::new(at.x, -at.y, 0.0),
+        |at| Vec3::Z.cross(at) * 0.5 - at * 0.3,
+        |at| Vec3::new(2.0, (0.7 * at.x).sin() * 2.0, 0.0),
+    ];
+
+    #[test]
+    fn lines_follow_the_field() {
+        for field in FIELDS {
+            for pair in lines(field).0.iter().flat_map(|line| line.windows(2)) {
+                let middle = (pair[0] + pair[1]) * 0.5;
+                let place = Vec3::new((middle.x - 200.0) / 20.0, (150.0 - middle.y) / 20.0, 0.0);
+                let want = (field(place).truncate() * Vec2::new(1.0, -1.0)).normalize_or_zero();
+                let way = (pair[1] - pair[0]).normalize_or(want);
+                assert!(way.dot(want) > 0.0 && way.perp_dot(want).abs() < 0.05, "{way}, not {want}, at {place}");
+            }
+        }
+    }
+
+    #[test]
+    fn lines_keep_apart_and_leave_no_room() {
+        for field in FIELDS {
+            let (lines, apart) = lines(field);
+            for (index, line) in lines.iter().enumerate() {
+                let others = || lines[..index].iter().flatten();
+                let nearest = |at: &Vec2| others().map(|other| other.distance(*at)).fold(f32::INFINITY, f32::min);
+                let near = line.iter().map(nearest).fold(f32::INFINITY, f32::min);
+                assert!(near >= NEAREST * apart - 1e-3, "{near} pixels between lines");
+            }
+            // all over the picture, but where a line would be too short, there is one
+            let spots = (2..18).flat_map(|x| (2..13).map(move |y| Vec2::new(x as f32, y as f32) * 20.0));
+            let gaps = spots
+                .map(|spot| lines.iter().flatten().map(|point| point.distance(spot)).fold(f32::INFINITY, f32::min));
+            let widest = gaps.fold(0.0, f32::max);
+            assert!(widest <= 1.5 * apart, "a gap of {widest} pixels");
+        }
+    }
 }
