@@ -1,6 +1,7 @@
 //! Pictures of moments.
 
 use crate::flow::Sheets;
+use crate::insect::{self, Crowd};
 use crate::legend::{Layout, Scale};
 use crate::look::Look;
 use crate::mark::Mark;
@@ -8,9 +9,7 @@ use crate::projector::Projector;
 use crate::space::Stage;
 use crate::text::Type;
 use crate::trail::{Brush, Track, Trail, Trails};
-use crate::{
-    Annotation, Camera, Color, Error, Form, Image, Projection, Style, WorldBox, annotate, insect, place, raster,
-};
+use crate::{Annotation, Camera, Color, Error, Form, Image, Projection, Style, WorldBox, annotate, place, raster};
 use glam::{DVec2, DVec3, Vec2};
 use std::collections::BTreeSet;
 use throng_record::{Body, Frame, Setting};
@@ -217,16 +216,23 @@ impl Painter {
         parts
     }
 
+    /// How much room a moment's insects have.
+    pub(crate) fn crowd(&self, frame: &Frame) -> Crowd {
+        let insects = frame.bodies.iter().filter(|body| self.look.form(body) == Form::Insect);
+        Crowd::of(insects.count(), self.layout.unit)
+    }
+
     /// The streaks of insects.
-    pub(crate) fn streaks(&self, frame: &Frame) -> Vec<Trail> {
+    pub(crate) fn streaks(&self, frame: &Frame, crowd: Crowd) -> Vec<Trail> {
         let (projector, seconds) = (self.projector(), f64::from(self.style.shutter));
         let insects = frame.bodies.iter().filter(|body| self.look.form(body) == Form::Insect);
-        if seconds <= 0.0 {
+        // what is no number opens no shutter either
+        if !(seconds > 0.0) {
             return Vec::new();
         }
         let streak = |body: &Body| {
-            let (color, least) = (self.look.coat(body).fill, f64::from(insect::LEAST_RADIUS * self.layout.unit));
-            insect::streak(self.blur.tracks.get(&body.number)?, body, color, &projector, (frame.time, seconds, least))
+            let track = self.blur.tracks.get(&body.number)?;
+            insect::streak(track, body, self.look.coat(body).fill, &projector, (frame.time, seconds), crowd)
         };
         insects.filter_map(streak).collect()
     }

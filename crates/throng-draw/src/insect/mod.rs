@@ -27,7 +27,26 @@ const BEAT: f32 = 0.95;
 const RATE: f32 = 9.0;
 const OWN: f32 = 0.3;
 /// The least radius that insects are drawn with, in units of the layout, pixels.
-pub(crate) const LEAST_RADIUS: f32 = 2.4;
+const LEAST_RADIUS: f32 = 2.4;
+/// Of more insects than this each steps back.
+const MANY: f32 = 500.0;
+
+/// How much room a swarm leaves to each of its insects.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Crowd {
+    /// The least radius they are drawn with, pixels.
+    pub least: f32,
+    /// What is left of their streaks and shadows, 0 to 1.
+    pub left: f32,
+}
+
+impl Crowd {
+    /// Of so many insects.
+    pub fn of(count: usize, unit: f32) -> Self {
+        let share = (MANY / count as f32).min(1.0);
+        Self { least: LEAST_RADIUS * unit * share.powf(0.25).max(0.45), left: share.sqrt().max(0.15) }
+    }
+}
 
 /// An insect in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]

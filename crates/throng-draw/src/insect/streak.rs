@@ -1,5 +1,6 @@
 //! Streaks: what is left on a film of somebody who moves while the shutter is open.
 
+use super::Crowd;
 use crate::Color;
 use crate::image::{Image, blend};
 use crate::projector::Projector;
@@ -16,19 +17,19 @@ const LIGHT: f32 = 0.42;
 const HALF: f32 = 0.42;
 
 /// The way of a body that was recorded, or as long a way as it goes with its velocity where there is none, as a streak that fades
-/// towards its older end. `(now, seconds, least)` are the time, how long the shutter was open, and the least radius that it is
-/// drawn with, pixels.
+/// towards its older end. `(now, seconds)` are the time, and how long the shutter was open.
 pub(crate) fn streak(
     track: &Track,
     body: &Body,
     color: Color,
     projector: &Projector,
-    (now, seconds, least): (f64, f64, f64),
+    (now, seconds): (f64, f64),
+    crowd: Crowd,
 ) -> Option<Trail> {
     let end = |(time, point): (f64, DVec3)| {
         let fresh = (1.0 - (now - time) / seconds).clamp(0.0, 1.0) as f32;
-        let radius = (f64::from(body.radius) * projector.scale(point)).max(least) as f32;
-        let opacity = LIGHT * fresh * (1.0 - projector.haze(point));
+        let radius = (f64::from(body.radius) * projector.scale(point)).max(f64::from(crowd.least)) as f32;
+        let opacity = LIGHT * crowd.left.sqrt() * fresh * (1.0 - projector.haze(point));
         Some(End {
             at: projector.pixel(point)?,
             half: HALF * radius * (0.4 + 0.6 * fresh),
