@@ -28,7 +28,7 @@ pub fn check(args: &SceneArgs, out: &mut Out) -> Result<(), Failure> {
     world.step();
     time(scene, &world, out)?;
     expectations(scene, out)?;
-    for note in notes {
+    for note in notes.iter().chain(&built.notes) {
         out.line(format_args!("  note       {note}"))?;
     }
     let found = overlaps(&overlapping, out)? | unreachable(&world, &built, out)?;

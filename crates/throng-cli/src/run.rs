@@ -56,6 +56,9 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let begin = Instant::now();
     let Loaded { name, scene, .. } = loaded;
     let (mut world, built) = loaded.build()?;
+    if !args.quiet {
+        built.notes.iter().for_each(|note| complain(&format!("note: {note}")));
+    }
     let annotations = args.annotate.annotations(scene);
     if !args.no_files {
         world.ask(annotations.asked());

@@ -61,7 +61,7 @@ mod random;
 mod scene;
 mod watch;
 
-pub use build::{Built, BuiltGroup, MAX_AGENTS, Plan, PlannedAgent, PlannedJourney};
+pub use build::{Built, BuiltGroup, MAX_AGENTS, Plan, PlannedAgent, PlannedField, PlannedJourney};
 pub use error::{Error, Kind};
 pub use import::open;
 pub use random::{Purpose, Random};

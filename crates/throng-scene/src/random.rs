@@ -25,6 +25,7 @@ pub enum Purpose {
     Width = 13,
     Altitude = 14,
     StartSpeed = 15,
+    Governed = 16,
 }
 
 /// The random numbers of one agent for one purpose.

@@ -2,7 +2,11 @@
 
 use throng_scene::{Scene, schema};
 
-const PAGES: [&str; 2] = [include_str!("../../../docs/scenes.md"), include_str!("../../../docs/steering.md")];
+const PAGES: [&str; 3] = [
+    include_str!("../../../docs/scenes.md"),
+    include_str!("../../../docs/steering.md"),
+    include_str!("../../../docs/fields.md"),
+];
 
 #[test]
 fn every_example_builds() {

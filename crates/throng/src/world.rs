@@ -1,6 +1,7 @@
 //! The world: what is there, and the step that moves it on.
 
 mod account;
+mod adapt;
 mod advance;
 mod advance_lanes;
 mod agree;
@@ -11,6 +12,7 @@ mod build;
 mod explain;
 mod flock;
 mod flock_lanes;
+mod govern;
 mod intend;
 mod intend_lanes;
 mod measure;
@@ -103,6 +105,8 @@ pub struct World {
     /// What happened lately, for those who steer.
     events: Vec<Event>,
     game: Game,
+    /// Fields that change with where people are, by group.
+    adapted: Vec<Option<adapt::Adapted>>,
     /// Box of the ground that ways are planned on where no walkable area bounds it. Not made anew when needed:
     /// meshes of the same ground at another time would differ.
     extent: Option<(DVec2, DVec2)>,
@@ -143,6 +147,7 @@ struct StepMemory {
     accounts: Vec<Account>,
     flocks: flock::Flocks,
     index: steer::Index,
+    sources: govern::Sources,
     steering: Vec<Vec<Neighbour>>,
     planned: steer::Planned,
     stuck: Vec<usize>,
@@ -180,6 +185,7 @@ impl World {
     /// wants to know where the time goes has one.
     pub fn step_in_stages(&mut self, mut ended: impl FnMut(Stage)) {
         self.enter();
+        self.adapt();
         let parts = self.sub_steps();
         let seconds = self.seconds(parts);
         for part in 0..parts {

@@ -9,6 +9,7 @@ use glam::Vec2;
 use std::sync::Arc;
 use throng::Agent;
 use throng::avoid::{Avo, BuiltFrom, ClearPath, Hrvo, LocalModel, Orca, Orca3d, Rvo, RvoLab, Search, Unavoiding, Vo};
+use throng::field::Governed;
 use throng::steer::Branch;
 
 /// Draws what differs from agent to agent.
@@ -79,6 +80,11 @@ impl Draw<'_> {
                 .map_or(standard.max_turn_rate, f32::to_radians),
             tracking_error: optional(Purpose::TrackingError, &group.tracking_error).unwrap_or(0.0),
             priority: group.priority as f32,
+            governed: group
+                .field
+                .as_ref()
+                .and_then(|field| field.ratio)
+                .map_or(1.0, |ratio| self.number(k, Purpose::Governed, &ratio) as f32),
             layers: bits(&group.layers),
             avoids: group.avoids.as_ref().map_or(u32::MAX, |layers| bits(layers)),
             ..standard
@@ -91,7 +97,12 @@ const KEEP_RIGHT: f64 = 5.0;
 
 /// What the agents of a group share; those who steer have no manners but those that are said.
 #[allow(clippy::needless_update)] // The library may know more of groups and models than scenes say.
-pub(super) fn shared(group: &Group, name: String, steering: Option<Branch>, origin: DVec2) -> throng::Group {
+pub(super) fn shared(
+    group: &Group,
+    name: String,
+    (steering, field): (Option<Branch>, Option<Governed>),
+    origin: DVec2,
+) -> throng::Group {
     let avoid = group.local_model();
     let (neighbours, neighbour_distance) = avoid.sight();
     let walks = steering.is_none();
@@ -107,6 +118,7 @@ pub(super) fn shared(group: &Group, name: String, steering: Option<Branch>, orig
         detour: group.detour.unwrap_or(walks),
         queue: group.queue.unwrap_or(walks),
         resolve: group.resolve.unwrap_or(walks),
+        field,
         steering,
         vehicle: vehicle(group),
         wrap_around: group.wrap_around.map(|ball| wrap_around(ball, origin)),

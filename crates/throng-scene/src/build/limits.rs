@@ -110,7 +110,9 @@ pub(super) fn name(path: &Path) -> String {
     let text = path.to_string();
     match text.split_once("].") {
         Some((head, rest))
-            if ["group[", "obstacle[", "mover[", "surface[", "path["].iter().any(|list| head.starts_with(list)) =>
+            if ["group[", "obstacle[", "mover[", "surface[", "path[", "field["]
+                .iter()
+                .any(|list| head.starts_with(list)) =>
         {
             rest.to_owned()
         }

@@ -4,6 +4,7 @@ mod agents;
 mod check;
 mod count;
 mod expect;
+mod flow;
 mod goals;
 mod ground;
 mod limits;
@@ -17,7 +18,7 @@ mod surface;
 mod world;
 
 pub use count::MAX_AGENTS;
-pub use plan::{Plan, PlannedAgent, PlannedJourney};
+pub use plan::{Plan, PlannedAgent, PlannedField, PlannedJourney};
 pub use world::{Built, BuiltGroup};
 
 pub(crate) use ground::has_room;

@@ -3,21 +3,25 @@
 use super::agents::{Draw, shared};
 use super::check::check_scene;
 use super::count::counts;
+use super::flow::Flows;
 use super::goals::Goals;
 use super::ground::{self, Wrong};
 use super::movers;
 use super::place::{Ground, middle};
 use super::rules;
 use super::size::Size;
-use super::steer::{Around, Making};
+use super::steer::{Around, Making, in_world};
 use super::surface;
 use crate::error::Error;
 use crate::file::Problem;
 use crate::geometry::{DVec2, Solid, bounds};
 use crate::scene::{Cast, Group, Mover, Scene};
+use std::cell::RefCell;
+use std::fmt;
 use std::sync::Arc;
-use throng::space::Pathway;
+use throng::field::{Anchor, Field};
 use throng::space::surface::{Barrier, Surface};
+use throng::space::{Pathway, Walls};
 
 /// Everything a scene puts into a world: what [`Scene::build`] adds, in this order.
 #[derive(Clone, Debug)]
@@ -32,6 +36,10 @@ pub struct Plan {
     pub surfaces: Vec<Barrier<Arc<dyn Surface>>>,
     /// Paths that behaviours steer by, in the scene's order, relative to the settings' origin.
     pub paths: Vec<Arc<Pathway>>,
+    /// Fields, in the scene's order, relative to the settings' origin.
+    pub fields: Vec<PlannedField>,
+    /// What is worth knowing: nothing is wrong, but it may not be what was meant.
+    pub notes: Vec<String>,
     /// The groups, in the scene's order, then one for everything that moves by itself.
     pub groups: Vec<throng::Group>,
     /// The rules of the scene's game, if it is one.
@@ -46,6 +54,23 @@ pub struct Plan {
     pub agents: Vec<PlannedAgent>,
     /// Lower left and upper right corner of all of it but surfaces and paths, metres.
     pub bounds: [DVec2; 2],
+}
+
+/// A field of a [`Plan`].
+#[derive(Clone)]
+pub struct PlannedField {
+    /// Its name.
+    pub name: String,
+    /// What it says.
+    pub field: Arc<dyn Field>,
+    /// What it was sketched with, if it was.
+    pub anchors: Vec<Anchor>,
+}
+
+impl fmt::Debug for PlannedField {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("PlannedField").field("name", &self.name).field("anchors", &self.anchors).finish_non_exhaustive()
+    }
 }
 
 /// A journey of a [`Plan`].
@@ -151,13 +176,27 @@ impl Scene {
         let cast = Cast { origin: settings.origin, obstacles: &obstacles, named: &named, paths: &around.paths };
         let rules = rules::make(self, &cast)?;
         let figures = rules.as_ref().map_or_else(Vec::new, |rules| rules.figures());
-        let groups = self.shared(&cast, &figures, &around)?;
+        let walls = Walls::new(&walkable, &obstacles, settings.origin);
+        let notes = RefCell::new(vec![]);
+        let flows = Flows { scene: self, origin: settings.origin, bounds, walls: &walls, notes: &notes };
+        let made = flows.all()?;
+        let named = self.fields.iter().zip(made);
+        let fields = named.map(|(said, made)| PlannedField {
+            name: said.name.clone(),
+            field: made.field,
+            anchors: made.anchors,
+        });
+        let fields = fields.collect();
+        let groups = self.shared(&cast, &figures, &around, &flows)?;
+        super::flow::note_silence(&groups, &agents, settings.origin, &notes);
         let plan = Plan {
             settings,
             walkable,
             obstacles,
             surfaces,
             paths,
+            fields,
+            notes: notes.into_inner(),
             groups,
             rules,
             goals,
@@ -176,12 +215,19 @@ impl Scene {
     }
 
     /// What the agents of each group share, and those of everything that moves by itself.
-    fn shared(&self, cast: &Cast, figures: &[String], around: &Around) -> Result<Vec<throng::Group>, Problem> {
+    fn shared(
+        &self,
+        cast: &Cast,
+        figures: &[String],
+        around: &Around,
+        flows: &Flows,
+    ) -> Result<Vec<throng::Group>, Wrong> {
         let one = |(i, group): (usize, &Group)| {
-            let making = Making { scene: self, cast, figures, around, group: i };
-            Ok(shared(group, cast.named[i].0.to_owned(), making.steering()?, cast.origin))
+            let making = Making { scene: self, cast, figures, around, flows, group: i };
+            let field = flows.governed(i, |name| cast.find(name).ok().map(|(position, _)| in_world(position)))?;
+            Ok(shared(group, cast.named[i].0.to_owned(), (making.steering()?, field), cast.origin))
         };
-        let groups: Vec<throng::Group> = self.groups.iter().enumerate().map(one).collect::<Result<_, Problem>>()?;
+        let groups: Vec<throng::Group> = self.groups.iter().enumerate().map(one).collect::<Result<_, Wrong>>()?;
         Ok(groups.into_iter().chain(movers::groups(self)).collect())
     }
 }

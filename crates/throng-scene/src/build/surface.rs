@@ -46,7 +46,11 @@ fn of(what: &str, name: &str, problem: Problem) -> Problem {
 }
 
 /// Behaviours find it by its name.
-fn check_name<'a>(path: &Path, name: &str, mut others: impl Iterator<Item = &'a String>) -> Result<(), Problem> {
+pub(super) fn check_name<'a>(
+    path: &Path,
+    name: &str,
+    mut others: impl Iterator<Item = &'a String>,
+) -> Result<(), Problem> {
     let path = path.key("name");
     if name.is_empty() {
         return Err(Problem::new(&path, Kind::MissingKey, "this name is empty").hint("behaviours find it by its name"));

@@ -1,6 +1,6 @@
 //! From a plan to a world.
 
-use super::plan::Plan;
+use super::plan::{Plan, PlannedField};
 use crate::error::{Error, Kind};
 use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
@@ -30,6 +30,10 @@ pub struct Built {
     pub surfaces: Vec<(String, Barrier<Arc<dyn Surface>>)>,
     /// Paths that behaviours steer by and their names, in the scene's order, relative to the world's origin.
     pub paths: Vec<(String, Arc<Pathway>)>,
+    /// Fields, in the scene's order, relative to the world's origin.
+    pub fields: Vec<PlannedField>,
+    /// What is worth knowing, a sentence each: nothing is wrong, but it may not be what was meant.
+    pub notes: Vec<String>,
     /// Lower left and upper right corner of all of it but surfaces and paths, metres.
     pub bounds: [DVec2; 2],
 }
@@ -121,6 +125,8 @@ impl Scene {
             obstacles: plan.obstacles.clone(),
             surfaces: self.surfaces.iter().map(|said| said.name.clone()).zip(plan.surfaces.iter().cloned()).collect(),
             paths: self.paths.iter().map(|said| said.name.clone()).zip(plan.paths.iter().cloned()).collect(),
+            fields: plan.fields.clone(),
+            notes: plan.notes.clone(),
             bounds: plan.bounds,
         }
     }

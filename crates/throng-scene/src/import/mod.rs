@@ -3,6 +3,7 @@
 pub mod jupedsim;
 pub mod obj;
 mod open;
+pub mod vectors;
 pub mod wkt;
 
 pub use open::open;

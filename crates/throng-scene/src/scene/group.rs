@@ -1,6 +1,7 @@
 //! Groups of agents.
 
 use super::avoid::Unavoiding;
+use super::flow::Governed;
 use super::{Avoid, Body, Colour, Goal, Number, Place, Source, Steer, Vehicle, WrapAround, source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -59,6 +60,9 @@ pub struct Group {
     /// The layers they avoid. Without it, all. Limit: 0 to 31 each.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub avoids: Option<Vec<u8>>,
+    /// The fields that govern where they go, beside their own ways or in place of them. Not for those who steer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub field: Option<Governed>,
     /// What they steer by, instead of walking along their ways.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steer: Option<Steer>,
@@ -116,6 +120,7 @@ impl Default for Group {
             priority: 0.0,
             layers: first_layer(),
             avoids: None,
+            field: None,
             steer: None,
             start_speed: None,
             vehicle: None,

@@ -6,6 +6,7 @@ mod behaviours;
 mod body;
 mod cast;
 mod expect;
+pub mod flow;
 mod goal;
 mod ground;
 mod group;
@@ -30,6 +31,7 @@ pub use behaviours::Behaviours;
 pub use body::{Body, Sides};
 pub use cast::Cast;
 pub use expect::{Arrived, DistanceExpect, Expect, FigureExpect, FlowExpect, GroupExpect, To, When};
+pub use flow::{Field, Flow};
 pub use goal::{AirGoal, Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
 pub use ground::{Area, Rectangle, Region, Walkable};
 pub use group::{Group, Speed};
@@ -88,6 +90,9 @@ pub struct Scene {
     /// Paths that behaviours steer by.
     #[serde(default, rename = "path", skip_serializing_if = "Vec::is_empty")]
     pub paths: Vec<Pathway>,
+    /// Fields that lead groups.
+    #[serde(default, rename = "field", skip_serializing_if = "Vec::is_empty")]
+    pub fields: Vec<Field>,
     /// Who is there.
     #[serde(default, rename = "group", skip_serializing_if = "Vec::is_empty")]
     pub groups: Vec<Group>,
@@ -133,6 +138,7 @@ impl Default for Scene {
             obstacles: vec![],
             surfaces: vec![],
             paths: vec![],
+            fields: vec![],
             groups: vec![],
             movers: vec![],
             rules: None,

@@ -98,6 +98,8 @@ columns! {
     tracking_error: Column<f32>,
     /// Right of way.
     priority: Column<f32>,
+    /// How much the field of its group has to say.
+    governed: Column<f32>,
     /// Layers it is on.
     layers: Column<u32>,
     /// Layers it avoids.
@@ -173,6 +175,7 @@ impl Columns {
         self.max_turn_rate.push(agent.max_turn_rate);
         self.tracking_error.push(agent.tracking_error);
         self.priority.push(agent.priority);
+        self.governed.push(agent.governed);
         self.layers.push(agent.layers);
         self.avoids.push(agent.avoids);
         self.group.push(agent.group);

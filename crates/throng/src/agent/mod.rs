@@ -63,6 +63,8 @@ pub struct Agent {
     /// Right of way: of two agents the one with the lower priority does more of the avoiding. Equal shares by
     /// default; a difference of 1 leaves all of it to the other.
     pub priority: f32,
+    /// How much the field of its group has to say: the group's ratio is multiplied by it. Limit: 0 to 1.
+    pub governed: f32,
     /// The layers this agent is on, a bit each.
     pub layers: u32,
     /// The layers this agent avoids, a bit each.
@@ -92,6 +94,7 @@ impl Default for Agent {
             max_turn_rate: f32::INFINITY,
             tracking_error: 0.0,
             priority: 0.0,
+            governed: 1.0,
             layers: 1,
             avoids: u32::MAX,
             number: None,

@@ -73,7 +73,7 @@ impl Default for Sketch {
 }
 
 impl Sketch {
-    fn check(&self) -> Result<(), Error> {
+    pub(super) fn check(&self) -> Result<(), Error> {
         if let Kernel::Wendland { reach } = self.kernel {
             Error::unless(reach > 0.0 && reach.is_finite(), "reach of a kernel", reach, "greater than 0 and finite")?;
         }
@@ -95,6 +95,8 @@ pub enum Note {
     OnePlace,
     /// All are on one line: the field of a thin plate is the same on both sides of it.
     OnLine,
+    /// All are in one plane, in space: the field of a thin plate is the same above and below it.
+    OnPlane,
     /// So many share their place with another: there the field has their mean.
     Shared(usize),
 }
@@ -129,7 +131,7 @@ pub struct Anchors {
     extent: f64,
     /// Which centre of the plate each anchor belongs to.
     centers: Vec<usize>,
-    plate: Plate,
+    plate: Plate<DVec2>,
     /// Of the anchors, from their middle.
     hull: Hull,
     notes: Vec<Note>,

@@ -3,19 +3,38 @@
 //! Anything that gives a velocity at a place is a [`Field`]: a function, velocities [sketched](Anchors) at some places. Who
 //! [follows a flow](crate::steer::FollowFlow) goes with one.
 
+mod adaptive;
 mod anchors;
+mod anchors_in_space;
+mod around;
 mod brush;
+mod combine;
 mod critical;
 mod governed;
+mod grid;
 mod hull;
+mod interaction;
+mod keyframes;
+mod map;
+mod paint;
 mod plate;
 mod plate_lanes;
 mod sampled;
 
+pub use adaptive::Adaptive;
 pub use anchors::{Anchor, Anchors, Note, Sketch};
+pub use anchors_in_space::AnchorsInSpace;
+pub use around::AroundWalls;
 pub use brush::{Stamp, Stroke, erase};
+pub use combine::{Blend, Part, Sum, Uniform};
 pub use critical::{Critical, CriticalPoint};
 pub use governed::Governed;
+pub(crate) use governed::blend;
+pub use interaction::Interaction;
+pub(crate) use interaction::Source;
+pub use keyframes::Keyframes;
+pub use map::Map;
+pub use paint::Brush;
 pub use plate::Kernel;
 pub use sampled::Sampled;
 
@@ -46,6 +65,11 @@ pub trait Field: Send + Sync {
             *out = self.velocity(place.as_vec2().extend(0.0), time).truncate();
         }
     }
+
+    /// How it changes with where people are, if it does.
+    fn adaptive(&self) -> Option<&dyn Adaptive> {
+        None
+    }
 }
 
 impl<F: Fn(Vec3, f64) -> Vec3 + Send + Sync> Field for F {
@@ -61,6 +85,10 @@ impl Field for Arc<dyn Field> {
 
     fn row(&self, row: (DVec2, f64), from: usize, time: f64, out: &mut [Vec2]) {
         (**self).row(row, from, time, out);
+    }
+
+    fn adaptive(&self) -> Option<&dyn Adaptive> {
+        (**self).adaptive()
     }
 }
 

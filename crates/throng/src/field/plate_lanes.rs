@@ -38,7 +38,7 @@ type Single = (Vec2, Mat2, Vec2);
 /// Beyond this gain too few digits are left in single precision.
 const GAIN: f64 = 2e4;
 
-impl Plate {
+impl Plate<DVec2> {
     /// The velocities at places side by side: of those that lie from a first one on, a step apart, from an index on.
     pub fn row(&self, row: (DVec2, f64), from: usize, out: &mut [Vec2]) {
         if self.gain() > GAIN {
@@ -46,8 +46,9 @@ impl Plate {
             return out.iter_mut().zip(from..).for_each(|(out, index)| *out = self.velocity(place(index)).as_vec2());
         }
         let weighted = self.weights().iter().zip(self.centers());
-        let single =
-            |(weight, center): (&DVec2, &Center)| (center.place.as_vec2(), center.metric.as_mat2(), weight.as_vec2());
+        let single = |(weight, center): (&DVec2, &Center<DVec2>)| {
+            (center.place.as_vec2(), center.metric.as_mat2(), weight.as_vec2())
+        };
         let centers: Vec<Single> = weighted.map(single).collect();
         dispatch!(Level::new(), simd => self.row_of(simd, &centers, row, from, out));
     }

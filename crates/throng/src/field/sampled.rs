@@ -1,13 +1,10 @@
 //! A field known at the corners of a grid.
 
 use super::Field;
+use super::grid::Grid;
 use crate::Error;
 use crate::parallel;
 use glam::{DVec2, Vec2, Vec3};
-use std::ops::Range;
-
-/// Corners that a grid has at most.
-const MOST: usize = 1 << 24;
 
 /// Velocities at the corners of square cells, and between them by bilinear interpolation; zero beyond its rim. Asking costs the
 /// same however dear the field was that it was sampled from.
@@ -26,11 +23,7 @@ const MOST: usize = 1 << 24;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampled {
-    low: DVec2,
-    cell: f64,
-    columns: usize,
-    /// At corners, row by row towards +y, in a row towards +x.
-    velocities: Vec<Vec2>,
+    pub(super) grid: Grid<Vec2>,
 }
 
 impl Sampled {
@@ -40,18 +33,7 @@ impl Sampled {
     /// A width that is not greater than 0 and finite; numbers that are not finite; rows that are not whole, or fewer than two;
     /// more than 16 million corners.
     pub fn new(low: DVec2, cell: f64, columns: usize, velocities: Vec<Vec2>) -> Result<Self, Error> {
-        Self::check(cell, low)?;
-        let whole = columns > 1 && velocities.len().is_multiple_of(columns) && velocities.len() >= 2 * columns;
-        if !whole || velocities.len() > MOST {
-            let count = velocities.len();
-            let why = format!("{count} corners are not two or more whole rows of {columns}, or are more than {MOST}");
-            return Err(Error::Shape { what: "the grid of the field".into(), why });
-        }
-        if let Some(at) = velocities.iter().position(|v| !v.is_finite()) {
-            let why = format!("the velocity in row {}, column {} is not finite", at / columns, at % columns);
-            return Err(Error::Shape { what: "the grid of the field".into(), why });
-        }
-        Ok(Self { low, cell, columns, velocities })
+        Ok(Self { grid: Grid::new(low, cell, columns, velocities)? })
     }
 
     /// A field that says nothing yet, over the box between two corners, metres from the world's origin: rounded up to whole
@@ -60,22 +42,7 @@ impl Sampled {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn over(low: DVec2, high: DVec2, cell: f64) -> Result<Self, Error> {
-        Self::check(cell, low + high)?;
-        // who lies on the rim by rounding needs no other cell
-        let cells = |length: f64| (length / cell - 1e-9).ceil().max(1.0) as usize;
-        let [columns, rows] = (high - low).to_array().map(|length| cells(length).saturating_add(1));
-        if columns.saturating_mul(rows) > MOST {
-            let why = format!("{columns} by {rows} corners are more than {MOST}: make its cells wider");
-            return Err(Error::Shape { what: "the grid of the field".into(), why });
-        }
-        Ok(Self { low, cell, columns, velocities: vec![Vec2::ZERO; columns * rows] })
-    }
-
-    /// Whether cells have a width, and corners, added up, a place.
-    fn check(cell: f64, corners: DVec2) -> Result<(), Error> {
-        let limit = "greater than 0 and finite";
-        Error::unless(cell > 0.0 && cell.is_finite(), "width of a cell of the field", cell, limit)?;
-        Error::unless_finite("corner of the field", corners.element_sum())
+        Ok(Self { grid: Grid::over(low, high, cell)? })
     }
 
     /// Another field as it is at a time, over a box.
@@ -91,18 +58,12 @@ impl Sampled {
     /// Samples another field anew at those of its corners that lie in a box: where it has changed. What is not finite becomes
     /// zero.
     pub fn sample(&mut self, field: &dyn Field, low: DVec2, high: DVec2, time: f64) {
-        let Self { low: corner, cell, columns, .. } = *self;
-        let rows = self.rows();
-        // `as` saturates
-        let range = |from: f64, to: f64, count: usize| -> Range<usize> {
-            (from / cell).ceil() as usize..((to / cell).floor() + 1.0).min(count as f64) as usize
-        };
-        let (low, high) = (low - corner - cell * 1e-6, high - corner + cell * 1e-6);
-        let (across, up) = (range(low.x, high.x, columns), range(low.y, high.y, rows));
+        let Grid { low: corner, cell, columns, .. } = self.grid;
+        let (across, up) = self.grid.within(low, high);
         if across.is_empty() || up.is_empty() {
             return;
         }
-        parallel::ranges(&mut self.velocities[..], |places, velocities| {
+        parallel::ranges(&mut self.grid.values[..], |places, velocities| {
             // a part of the corners begins and ends within rows
             let mut at = places.start;
             while at < places.end {
@@ -123,51 +84,37 @@ impl Sampled {
 
     /// The width of its cells, metres.
     pub fn cell(&self) -> f64 {
-        self.cell
+        self.grid.cell
     }
 
     /// Its corner with the least coordinates, metres from the world's origin.
     pub fn low(&self) -> DVec2 {
-        self.low
+        self.grid.low
     }
 
     /// Its corner with the greatest coordinates.
     pub fn high(&self) -> DVec2 {
-        self.low + self.last() * self.cell
+        self.grid.high()
     }
 
     /// Corners in a row.
     pub fn columns(&self) -> usize {
-        self.columns
+        self.grid.columns
     }
 
     /// Rows of corners.
     pub fn rows(&self) -> usize {
-        self.velocities.len() / self.columns
-    }
-
-    /// Column and row of the last corner.
-    fn last(&self) -> DVec2 {
-        DVec2::new((self.columns - 1) as f64, (self.rows() - 1) as f64)
+        self.grid.rows()
     }
 
     /// The velocities at its corners, row by row.
     pub fn velocities(&self) -> &[Vec2] {
-        &self.velocities
+        &self.grid.values
     }
 }
 
 impl Field for Sampled {
     fn velocity(&self, place: Vec3, _: f64) -> Vec3 {
-        let at = (place.truncate().as_dvec2() - self.low) / self.cell;
-        let last = self.last();
-        if !(at.cmpge(DVec2::ZERO).all() && at.cmple(last).all()) {
-            return Vec3::ZERO;
-        }
-        let corner = at.floor().min(last - 1.0);
-        let part = (at - corner).as_vec2();
-        let first = corner.y as usize * self.columns + corner.x as usize;
-        let along = |first: usize| self.velocities[first].lerp(self.velocities[first + 1], part.x);
-        along(first).lerp(along(first + self.columns), part.y).extend(0.0)
+        self.grid.at(place.truncate().as_dvec2()).unwrap_or_default().extend(0.0)
     }
 }

@@ -106,7 +106,7 @@ impl World {
         match (self.lanes_to_move(), flying) {
             (Some(level), _) => self.advance_many(level, seconds),
             (None, Some((level, _))) => self.fly_many(level, seconds),
-            (None, None) => self.advance_each(seconds),
+            (None, None) => self.advance_each(seconds, now),
         }
         self.agents.pass(seconds);
         self.measure();
@@ -114,7 +114,8 @@ impl World {
     }
 
     /// Moves everybody, one by one.
-    fn advance_each(&mut self, seconds: f32) {
+    fn advance_each(&mut self, seconds: f32, now: f64) {
+        let looks = self.looks(now);
         let Self { agents, groups, step, .. } = self;
         for row in 0..agents.len() {
             let from = agents.position[row].extend(agents.altitude[row]);
@@ -149,7 +150,10 @@ impl World {
                 }
                 attitude.basis.heading()
             } else if agents.is_disc(row) {
-                let facing = faces(agents.velocity[row], step.preferred.ground[row], agents.max_turn_rate[row]);
+                let facing = match looks.get(row) {
+                    Some(&looks) if looks != Vec2::ZERO => looks,
+                    _ => faces(agents.velocity[row], step.preferred.ground[row], agents.max_turn_rate[row]),
+                };
                 turn(before, facing, seconds, agents.max_turn_rate[row])
             } else {
                 agents.spin.set(row, wrap(target.heading - before) / seconds);

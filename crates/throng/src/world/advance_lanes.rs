@@ -32,6 +32,7 @@ impl World {
         let plain = agents.all_discs()
             && !self.in_space_now()
             && !self.anybody_steers()
+            && !self.anybody_looks_about()
             && agents.max_turn_rate.uniform() == Some(f32::INFINITY);
         self.instructions.level().filter(|_| plain)
     }

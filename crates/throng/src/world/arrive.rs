@@ -34,6 +34,18 @@ impl World {
         if goes_on { Status::Walking } else { Status::Arrived }
     }
 
+    /// Lets somebody who has no stop to go to do what their group does now.
+    pub(super) fn go_on_with_field(&mut self, row: usize) {
+        let (group, journey) = (self.agents.group[row], self.agents.journey[row]);
+        if self.journeys[journey.index()].stops.is_empty() {
+            let status = self.status_without_stop(group, journey);
+            self.agents.status[row] = status;
+            if status == Status::Arrived && self.agents.arrived[row].is_infinite() {
+                self.agents.arrived.set(row, self.time());
+            }
+        }
+    }
+
     /// Counts who has arrived at each goal.
     pub(super) fn count_arrivals(&mut self) {
         let mut arrivals = std::mem::take(&mut self.step.arrivals);

@@ -2,6 +2,7 @@
 
 use super::{Asked, Settings, Slots, StepMemory, SubSteps, World};
 use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
+use crate::field::Governed;
 use crate::motion::{Attitude, Basis};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script};
 use crate::perceive::Instructions;
@@ -41,6 +42,7 @@ impl World {
             standoffs: Vec::new(),
             events: Vec::new(),
             game: super::play::Game::default(),
+            adapted: Vec::new(),
             extent: None,
             walls: Walls::default(),
             meshes: Meshes::default(),
@@ -62,13 +64,7 @@ impl World {
         Error::unless(counts, "neighbours", count as f64, "from 1 to 1000, or everybody for those who avoid nobody")?;
         Error::unless(group.keep_right.abs() <= 0.5, "keep right", group.keep_right, "from -0.5 to 0.5 rad")?;
         group.model.check()?;
-        if let Some(field) = &group.field {
-            field.check()?;
-            if group.steering.is_some() {
-                let why = "it steers, so no field can govern it beside that: let it follow the flow".into();
-                return Err(Error::Shape { what: "the group".into(), why });
-            }
-        }
+        check_field(&group, &group.field)?;
         if let Some(steering) = &group.steering {
             steering.check()?;
             group.vehicle.check()?;
@@ -83,6 +79,23 @@ impl World {
         }
         self.groups.push(group);
         Ok(GroupId(self.groups.len() as u32 - 1))
+    }
+
+    /// Lets another field govern a group, or none, from the next step on: what somebody sketches while the world runs.
+    ///
+    /// # Errors
+    /// As [`add_group`](Self::add_group), and [`Error::Unknown`] for a group that is not there; the world is as it was.
+    pub fn set_field(&mut self, group: GroupId, field: Option<Governed>) -> Result<(), Error> {
+        known("group", group.index(), self.groups.len())?;
+        check_field(&self.groups[group.index()], &field)?;
+        self.groups[group.index()].field = field;
+        self.step.rest.end();
+        for row in 0..self.agents.len() {
+            if self.agents.group[row] == group && self.agents.script[row].is_none() {
+                self.go_on_with_field(row);
+            }
+        }
+        Ok(())
     }
 
     /// Adds a goal.
@@ -337,6 +350,7 @@ impl World {
         let turns = error == 0.0 || agent.max_turn_rate.is_finite();
         Error::unless(turns, "max turn rate", agent.max_turn_rate, "finite where there is a tracking error")?;
         Error::unless_finite("priority", f64::from(agent.priority))?;
+        Error::unless((0.0..=1.0).contains(&agent.governed), "governed", agent.governed, "from 0 to 1")?;
         known("group", agent.group.index(), self.groups.len())?;
         known("journey", agent.journey.index(), self.journeys.len())?;
         if let Some(script) = agent.script {
@@ -415,4 +429,15 @@ fn within_a_turn(angle: f32) -> f32 {
     }
     let (sin, cos) = libm::sincosf(angle);
     libm::atan2f(sin, cos)
+}
+
+/// Whether a field can govern a group.
+fn check_field(group: &Group, field: &Option<Governed>) -> Result<(), Error> {
+    let Some(field) = field else { return Ok(()) };
+    field.check()?;
+    if group.steering.is_some() {
+        let why = "it steers, so no field can govern it beside that: let it follow the flow".into();
+        return Err(Error::Shape { what: "the group".into(), why });
+    }
+    Ok(())
 }

@@ -37,6 +37,7 @@ impl World {
         self.plan(seconds);
         self.follow_others();
         self.resolve(seconds);
+        self.note_sources();
         let mut travels = std::mem::take(&mut self.agents.travel);
         let mut preferred = std::mem::take(&mut self.step.preferred);
         let mut manners = std::mem::take(&mut self.step.manners);
@@ -75,19 +76,6 @@ impl World {
     /// Where the script of an agent is at a time, if it has one.
     pub(super) fn scripted(&self, row: usize, time: f64) -> Option<Keyframe> {
         Some(self.scripts[self.agents.script[row]?.index()].at(time))
-    }
-
-    /// What of a preferred velocity is left where a field governs too.
-    fn governed(&self, row: usize, own: Vec3, now: f64) -> Vec3 {
-        let Some(field) = &self.groups[self.agents.group[row].index()].field else { return own };
-        if !self.step.shown[row].way.walks() {
-            return own;
-        }
-        let place = self.agents.position[row].extend(self.agents.altitude[row]);
-        let blended = field
-            .blend(own.truncate(), self.agents.velocity[row], place, now)
-            .clamp_length_max(self.agents.max_speed[row]);
-        blended.extend(own.z)
     }
 
     fn preferred_velocity(&self, row: usize, travel: &mut Travel, manners: &Manners, seconds: f32) -> Vec3 {

@@ -51,6 +51,7 @@ impl World {
             max_turn_rate: agents.max_turn_rate[row],
             tracking_error: agents.tracking_error[row],
             priority: agents.priority[row],
+            governed: agents.governed[row],
             layers: agents.layers[row],
             avoids: agents.avoids[row],
             number: Some(agents.number[row]),

@@ -11,7 +11,7 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// Begins every saved state: what it is, and the version of its layout.
-const MAGIC: &[u8] = b"throng state 8\n";
+const MAGIC: &[u8] = b"throng state 9\n";
 
 /// Everything that changes while a world runs.
 #[derive(Serialize, Deserialize)]
@@ -31,6 +31,7 @@ struct State {
     standoffs: Vec<Standoff>,
     events: Vec<Event>,
     figures: Vec<(String, f64)>,
+    field_memories: Vec<Vec<f32>>,
     extent: Option<(DVec2, DVec2)>,
 }
 
@@ -54,6 +55,7 @@ impl World {
             standoffs: self.standoffs.clone(),
             events: self.events.clone(),
             figures: self.game.saved(),
+            field_memories: self.field_memories(),
             extent: self.extent,
         };
         // writing to memory cannot fail, and all types are serialisable
@@ -81,6 +83,8 @@ impl World {
         if !state.agents.is_whole() {
             return Err(fail("its columns differ in length".into()));
         }
+        let adapted = self.fields_that_remember(state.field_memories);
+        self.adapted = adapted.ok_or_else(|| fail("its fields remember other places than this world's".into()))?;
         self.settings = state.settings;
         self.place = state.place;
         self.agents = Columns::default();

@@ -2,5 +2,7 @@
 
 mod anchors;
 mod brush;
+mod combine;
 mod critical;
 mod sampled;
+mod space;

@@ -4,7 +4,8 @@ use crate::common::{Draw, journey_to, run_for, with_settings};
 use crate::oracle::Snapshot;
 use glam::{DVec2, Vec2, Vec3};
 use std::f64::consts::{FRAC_PI_4, TAU};
-use throng::field::{Field, Governed, Sampled};
+use std::sync::Arc;
+use throng::field::{Brush, Field, Governed, Interaction, Map, Sampled, Uniform};
 use throng::perceive::Instructions;
 use throng::{Agent, Error, Group, GroupId, JourneyId, Status, SubSteps, World};
 
@@ -145,4 +146,141 @@ fn ratios_out_of_their_limits_and_fields_for_who_steers_are_refused() {
     let group = Group { field: Some(Governed::new(whirl, 1.0)), ..vehicles };
     let message = world.add_group(group).unwrap_err().to_string();
     assert!(message.contains("let it follow the flow"), "{message}");
+}
+
+/// Nothing but fields about others.
+fn around(world: &mut World, around: Interaction) -> GroupId {
+    let field = Governed { around: vec![around], ..Governed::new(Uniform(Vec3::ZERO), 1.0) };
+    world.add_group(Group { field: Some(field), keep_right: 0.0, ..Group::default() }).unwrap()
+}
+
+/// How much is said is a matter of the group, of where one is, and of who one is.
+#[test]
+fn ratios_are_those_of_the_place_and_of_the_agent() {
+    let mut map = Map::over(DVec2::new(-50.0, 0.0), DVec2::new(50.0, 20.0), 0.5).unwrap();
+    let line = [DVec2::new(-50.0, 10.0), DVec2::new(50.0, 10.0)];
+    map.paint(&Brush { radius: 12.0, hardness: 1.0, ..Brush::default() }, &line, 0.5).unwrap();
+    for (y, governed, expected) in [(10.0, 1.0, 0.5), (10.0, 0.5, 0.25), (10.0, 0.0, 0.0), (-10.0, 1.0, 0.0)] {
+        let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
+        let field = Governed { map: Some(Arc::new(map.clone())), ..Governed::new(Uniform(Vec3::Y), 1.0) };
+        let group = world.add_group(Group { field: Some(field), keep_right: 0.0, ..Group::default() }).unwrap();
+        let position = DVec2::new(0.0, y);
+        let journey = journey_to(&mut world, DVec2::new(1e4, y));
+        world
+            .add_agent(Agent { position, group, journey, governed, preferred_speed: 1.0, ..Agent::default() })
+            .unwrap();
+        run_for(&mut world, 2.0, |_| {});
+        let (_, velocity) = only(&world);
+        let angle = expected as f32 * std::f32::consts::FRAC_PI_2;
+        assert!(velocity.distance(Vec2::from_angle(angle)) < 5e-3, "{velocity} at {y} with {governed}");
+    }
+}
+
+/// A field about somebody goes with them and turns with them.
+#[test]
+fn fields_go_with_their_sources() {
+    // to a place 2 m behind
+    let behind = |place: Vec3, _: f64| (Vec3::NEG_X * 2.0 - place).clamp_length_max(1.7);
+    for heading in [0.0, 2.0, -3.0] {
+        let origin = DVec2::new(400.0, -90.0);
+        let mut world = with_settings(0.04, SubSteps::Auto, origin);
+        let leaders = world.add_group(Group { keep_right: 0.0, ..Group::default() }).unwrap();
+        let way = DVec2::from_angle(heading);
+        let journey = journey_to(&mut world, origin + way * 1e4);
+        world.add_agent(Agent { position: origin, group: leaders, journey, ..Agent::default() }).unwrap();
+        let followers = around(&mut world, Interaction { carried: 1.0, ..Interaction::new(leaders.index(), behind) });
+        let position = origin + way.perp() * 4.0;
+        let follower = world.add_agent(Agent { position, group: followers, ..Agent::default() }).unwrap();
+        run_for(&mut world, 20.0, |_| {});
+        let leader = world.members(leaders)[0];
+        let offset = world.position(follower).unwrap() - world.position(leader).unwrap();
+        assert!(offset.distance(-2.0 * way) < 0.15, "{offset} is behind {way}");
+    }
+}
+
+/// Beyond the reach nobody is asked; within, the mean of all sources counts by weight, and the group's own field once.
+#[test]
+fn the_mean_of_all_that_is_said_counts() {
+    let settled = |reach: f32, weight: f32, base: Vec3| {
+        let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
+        let posts = world.add_group(Group::default()).unwrap();
+        for x in [-3.0, 6.0] {
+            world
+                .add_agent(Agent { position: DVec2::new(x, 5.0), heading: Some(0.0), group: posts, ..Agent::default() })
+                .unwrap();
+        }
+        let about = Interaction { reach, weight, ..Interaction::new(posts.index(), Uniform(Vec3::Y)) };
+        let field = Governed { around: vec![about], ..Governed::new(Uniform(base), 1.0) };
+        let group = world.add_group(Group { field: Some(field), keep_right: 0.0, ..Group::default() }).unwrap();
+        let id = world.add_agent(Agent { group, ..Agent::default() }).unwrap();
+        run_for(&mut world, 1.0, |_| {});
+        world.agents().velocity[world.row(id).unwrap()]
+    };
+    assert!(settled(100.0, 1.0, Vec3::ZERO).distance(Vec2::Y) < 1e-3);
+    assert_eq!(settled(2.0, 1.0, Vec3::ZERO), Vec2::ZERO);
+    assert!(settled(100.0, 2.0, Vec3::X).distance(Vec2::new(0.2, 0.8)) < 1e-3, "one of five parts is the field's");
+    assert!(settled(6.0, 2.0, Vec3::X).distance(Vec2::new(1.0, 2.0) / 3.0) < 1e-3, "one of three, with one source");
+}
+
+/// Who is told where to look turns there, standing or going.
+#[test]
+fn people_look_where_a_field_says() {
+    for flow in [Vec3::ZERO, Vec3::X * 1.2] {
+        let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
+        let posts = world.add_group(Group::default()).unwrap();
+        world
+            .add_agent(Agent { position: DVec2::new(3.0, 40.0), group: posts, heading: Some(1.0), ..Agent::default() })
+            .unwrap();
+        let to_it = |place: Vec3, _: f64| -place;
+        let looks: Arc<dyn Field> = Arc::new(to_it);
+        let about = Interaction { looks: Some(looks), ..Interaction::new(posts.index(), Uniform(Vec3::ZERO)) };
+        let field = Governed { around: vec![about], ..Governed::new(Uniform(flow), 1.0) };
+        let group = world.add_group(Group { field: Some(field), keep_right: 0.0, ..Group::default() }).unwrap();
+        let id = world.add_agent(Agent { group, heading: Some(-1.0), ..Agent::default() }).unwrap();
+        run_for(&mut world, 3.0, |_| {});
+        let row = world.row(id).unwrap();
+        let there = Vec2::new(3.0, 40.0) - world.agents().position[row];
+        let heading = world.agents().heading[row];
+        assert!((heading - there.to_angle()).abs() < 0.05, "{heading} with {flow}");
+        assert!((world.agents().position[row].x - 3.0 * flow.x).abs() < 0.5);
+    }
+}
+
+/// Somebody draws another field while the world runs.
+#[test]
+fn fields_can_be_changed_on_the_way() {
+    let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
+    let group = world.add_group(Group { keep_right: 0.0, ..Group::default() }).unwrap();
+    world.add_agent(Agent { group, ..Agent::default() }).unwrap();
+    run_for(&mut world, 1.0, |_| {});
+    assert_eq!(only(&world).0, Vec2::ZERO);
+    world.set_field(group, Some(Governed::new(Uniform(Vec3::X), 1.0))).unwrap();
+    run_for(&mut world, 5.0, |_| {});
+    assert!(only(&world).0.x > 4.5 && !world.finished());
+    world.set_field(group, Some(Governed::new(Uniform(Vec3::Y), 1.0))).unwrap();
+    run_for(&mut world, 5.0, |_| {});
+    assert!(only(&world).0.y > 4.5);
+    world.set_field(group, None).unwrap();
+    run_for(&mut world, 2.0, |_| {});
+    assert!(only(&world).1 == Vec2::ZERO && world.finished());
+    let bad = Governed::new(Uniform(Vec3::X), 2.0);
+    assert!(matches!(world.set_field(group, Some(bad)), Err(Error::Limit { what: "ratio of a field", .. })));
+}
+
+#[test]
+fn interactions_out_of_their_limits_are_refused() {
+    let mut world = with_settings(0.1, SubSteps::Auto, DVec2::ZERO);
+    let fine = || Interaction::new(0, Uniform(Vec3::X));
+    let wrong = [
+        (Interaction { weight: 0.0, ..fine() }, "weight of an interaction"),
+        (Interaction { carried: f32::NAN, ..fine() }, "carried part of an interaction"),
+        (Interaction { reach: -1.0, ..fine() }, "reach of an interaction"),
+    ];
+    for (interaction, expected) in wrong {
+        let field = Governed { around: vec![interaction], ..Governed::new(whirl, 1.0) };
+        let group = Group { field: Some(field), ..Group::default() };
+        assert!(matches!(world.add_group(group), Err(Error::Limit { what, .. }) if what == expected));
+    }
+    let governed = Agent { governed: 1.5, ..Agent::default() };
+    assert!(matches!(world.add_agent(governed), Err(Error::Limit { what: "governed", .. })));
 }

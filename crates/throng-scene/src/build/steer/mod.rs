@@ -15,8 +15,10 @@ mod vehicle;
 
 pub(super) use around::Around;
 pub(super) use check::check_steering;
+pub(super) use target::in_world;
 pub(super) use vehicle::{vehicle, wrap_around};
 
+use super::flow::Flows;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::games;
@@ -33,6 +35,8 @@ pub(super) struct Making<'a> {
     pub figures: &'a [String],
     /// Surfaces, paths and what is solid.
     pub around: &'a Around<'a>,
+    /// Fields.
+    pub flows: &'a Flows<'a>,
     /// The group whose behaviour it is, by its position.
     pub group: usize,
 }

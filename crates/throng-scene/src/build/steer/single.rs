@@ -196,22 +196,8 @@ impl Make for Fear {
 
 impl Make for FollowFlow {
     fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
-        let prediction = or(self.prediction, 0.0);
-        Ok(match &self.flow {
-            Flow::Uniform(velocity) => {
-                let velocity = Vec3::from_array(velocity.0.map(|x| x as f32));
-                Follow::new(move |_: Vec3, _: f64| velocity, prediction)
-            }
-            Flow::Whirl(whirl) => {
-                let center = making.place(whirl.center, &at.key("flow.whirl.center"))?;
-                let spin = Vec3::Z * whirl.speed as f32;
-                let round = move |place: Vec3, _: f64| {
-                    spin.cross((place - center).with_z(0.0).try_normalize().unwrap_or_default())
-                };
-                Follow::new(round, prediction)
-            }
-        }
-        .into())
+        let field = making.flows.make(&self.flow, at.key("flow"), making.group)?.field;
+        Ok(Follow { field, prediction: or(self.prediction, 0.0) }.into())
     }
 }
 

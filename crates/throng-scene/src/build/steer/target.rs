@@ -10,6 +10,11 @@ use glam::Vec3;
 use std::ops::Range;
 use throng::GroupId;
 
+/// The position in the world of the group or mover at a position of the scene: behind the group that every world has.
+pub(in crate::build) fn in_world(position: usize) -> usize {
+    GroupId::DEFAULT.index() + 1 + position
+}
+
 impl Making<'_> {
     /// A place of the scene in the world.
     pub fn place(&self, place: Position, at: &Path) -> Result<Vec3, Problem> {
@@ -34,8 +39,7 @@ impl Making<'_> {
             None | Some(Who::Anybody) => throng::steer::Who::Anybody,
             Some(Who::Own) => throng::steer::Who::OwnGroup,
             Some(Who::Others) => throng::steer::Who::OtherGroups,
-            // behind the group that every world has
-            Some(Who::Group(name)) => throng::steer::Who::Group(GroupId::DEFAULT.index() + 1 + self.named(name, at)?.0),
+            Some(Who::Group(name)) => throng::steer::Who::Group(in_world(self.named(name, at)?.0)),
         })
     }
 

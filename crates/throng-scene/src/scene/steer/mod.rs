@@ -43,7 +43,7 @@ macro_rules! parameters {
         }
     )* };
 }
-use parameters;
+pub(in crate::scene) use parameters;
 
 /// What an agent steers by: a behaviour, or several combined.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -1,6 +1,7 @@
 //! Behaviours of one agent, or of one towards another.
 
 use super::{Position, Steer, Target, parameters};
+use crate::scene::Flow;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -221,13 +222,6 @@ parameters! {
         /// Turbulence: with creases where it turns. Without it, `false`.
         turbulent: Option<bool>,
     }
-    /// Round a place, everywhere at one speed.
-    Whirl {
-        /// Its middle.
-        center: Position,
-        /// The speed, m/s; negative: clockwise.
-        speed: f64,
-    }
 }
 
 /// Presses with a force that is always the same, newtons.
@@ -244,14 +238,4 @@ pub enum Prediction {
     Distance(ByDistance),
     /// The time in which the agent covers the distance, by whether the other is ahead, aside or behind, and how it goes.
     Cases(Cases),
-}
-
-/// A velocity at every place.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Flow {
-    /// The same everywhere, m/s.
-    Uniform(Position),
-    /// Round a place.
-    Whirl(Whirl),
 }

@@ -1,0 +1,68 @@
+//! Fields made of fields.
+
+use super::{At, Made, Make};
+use crate::build::limits::{Limit, check};
+use crate::file::Problem;
+use crate::scene::flow::{AroundWalls, FlowPart, Keyframes, Sampled};
+use std::sync::Arc;
+use throng::field::{self, Blend, Part, Sum};
+
+/// Parts to be added up, or blended.
+pub(super) struct Parts<'a> {
+    pub of: &'a [FlowPart],
+    pub blended: bool,
+}
+
+impl Make for Parts<'_> {
+    fn make(&self, at: &At) -> Result<Made, Problem> {
+        let (mut parts, mut anchors) = (vec![], vec![]);
+        for (i, part) in self.of.iter().enumerate() {
+            let at = at.index(i);
+            let limit = if self.blended { Limit::NotNegative } else { Limit::Finite };
+            let weight = part.weight.unwrap_or(1.0);
+            check(&at.path.key("weight"), weight, limit)?;
+            let map = part.map.as_ref().map(|map| at.key("map").map(map)).transpose()?;
+            let made = at.key("of").make(&part.of)?;
+            anchors.extend(made.anchors);
+            parts.push(Part { field: made.field, weight: weight as f32, map });
+        }
+        let field: Result<Arc<dyn field::Field>, throng::Error> = match self.blended {
+            true => Blend::new(parts).map(|made| Arc::new(made) as _),
+            false => Sum::new(parts).map(|made| Arc::new(made) as _),
+        };
+        Ok(Made { field: field.map_err(|error| at.refused(&error))?, anchors })
+    }
+}
+
+impl Make for Keyframes {
+    fn make(&self, at: &At) -> Result<Made, Problem> {
+        let (mut frames, mut anchors) = (vec![], vec![]);
+        for (i, frame) in self.frames.iter().enumerate() {
+            let at = at.key("frames").index(i);
+            check(&at.path.key("at"), frame.at, Limit::Finite)?;
+            let made = at.key("of").make(&frame.of)?;
+            anchors.extend(made.anchors);
+            frames.push((frame.at, made.field));
+        }
+        let made = field::Keyframes::new(frames, self.period).map_err(|error| at.refused(&error))?;
+        Ok(Made { field: Arc::new(made), anchors })
+    }
+}
+
+impl Make for AroundWalls {
+    fn make(&self, at: &At) -> Result<Made, Problem> {
+        let made = at.key("of").make(&self.of)?;
+        let field = field::AroundWalls::new(made.field, at.flows.walls.clone(), self.width.unwrap_or(1.0));
+        Ok(Made { field: Arc::new(field.map_err(|error| at.refused(&error))?), ..made })
+    }
+}
+
+impl Make for Sampled {
+    fn make(&self, at: &At) -> Result<Made, Problem> {
+        let made = at.key("of").make(&self.of)?;
+        let [low, high] = at.flows.bounds.map(|corner| corner.to_array());
+        let corners = at.corners(self.min.unwrap_or(low), self.max.unwrap_or(high))?;
+        let field = at.sampled(&*made.field, corners, self.cell)?;
+        Ok(Made { field: Arc::new(field), ..made })
+    }
+}

@@ -1,0 +1,97 @@
+//! Fields that lead round what is solid.
+
+use super::Field;
+use crate::Error;
+use crate::space::{NearWalls, Walls};
+use glam::{DVec2, Vec2, Vec3};
+use std::fmt;
+use std::sync::Arc;
+
+/// A field corrected at walls: near them, what of it leads into them is taken out, all of it at the wall, and it is as fast as
+/// before (MODELS 2.2).
+///
+/// ```
+/// use glam::{DVec2, Vec3};
+/// use std::sync::Arc;
+/// use throng::Obstacle;
+/// use throng::field::{AroundWalls, Field, Uniform};
+/// use throng::space::Walls;
+/// let walls = Walls::new(&[], &[Obstacle::Circle { center: DVec2::ZERO, radius: 2.0 }], DVec2::ZERO);
+/// let field = AroundWalls::new(Arc::new(Uniform(Vec3::X)), walls, 1.5)?;
+/// assert_eq!(field.velocity(Vec3::new(-5.0, 0.1, 0.0), 0.0), Vec3::X);
+/// let beside = field.velocity(Vec3::new(-2.0, 0.1, 0.0), 0.0);
+/// assert!(beside.y > 0.99, "round it");
+/// # Ok::<(), throng::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct AroundWalls {
+    field: Arc<dyn Field>,
+    walls: Walls,
+    width: f64,
+}
+
+impl AroundWalls {
+    /// Round walls, from where they are `width` metres away on; both metres from the world's origin.
+    ///
+    /// # Errors
+    /// A width that is not greater than 0 and finite.
+    pub fn new(field: Arc<dyn Field>, walls: Walls, width: f64) -> Result<Self, Error> {
+        Error::unless(
+            width > 0.0 && width.is_finite(),
+            "width of a field's margin",
+            width,
+            "greater than 0 and finite",
+        )?;
+        Ok(Self { field, walls, width })
+    }
+
+    /// What becomes of a velocity at a place.
+    fn corrected(&self, at: DVec2, velocity: Vec2, near: &mut NearWalls) -> Vec2 {
+        if velocity == Vec2::ZERO || self.walls.are_far(at, self.width) {
+            return velocity;
+        }
+        self.walls.near(at, self.width, near);
+        let edges = near.edges.iter().map(|&(distance, edge)| {
+            let edge = &self.walls.edges()[edge as usize];
+            // on the wall itself, away from what is solid: on the left
+            let out = (at - edge.nearest(at)).try_normalize().unwrap_or(-edge.direction.as_dvec2().perp());
+            (distance, out)
+        });
+        let discs = near.discs.iter().map(|&(distance, disc)| {
+            (distance.max(0.0), (at - self.walls.discs()[disc as usize].center).normalize_or(DVec2::X))
+        });
+        let left = edges.chain(discs).fold(velocity.as_dvec2(), |left, (distance, out)| {
+            let part = distance / self.width;
+            let taken = 1.0 - part * part * (3.0 - 2.0 * part);
+            left - out * (taken * left.dot(out).min(0.0))
+        });
+        if left == velocity.as_dvec2() {
+            return velocity;
+        }
+        // in a corner nothing is left: that is no direction
+        let speed = f64::from(velocity.length());
+        if left.length() < 1e-3 * speed { Vec2::ZERO } else { (left.normalize() * speed).as_vec2() }
+    }
+}
+
+impl Field for AroundWalls {
+    fn velocity(&self, place: Vec3, time: f64) -> Vec3 {
+        let velocity = self.field.velocity(place, time);
+        let left = self.corrected(place.truncate().as_dvec2(), velocity.truncate(), &mut NearWalls::default());
+        left.extend(velocity.z)
+    }
+
+    fn row(&self, (first, step): (DVec2, f64), from: usize, time: f64, out: &mut [Vec2]) {
+        self.field.row((first, step), from, time, out);
+        let mut near = NearWalls::default();
+        for (velocity, index) in out.iter_mut().zip(from..) {
+            *velocity = self.corrected(first + DVec2::X * (index as f64 * step), *velocity, &mut near);
+        }
+    }
+}
+
+impl fmt::Debug for AroundWalls {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("AroundWalls").field("width", &self.width).finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,147 @@
+//! Fields made of fields.
+
+use super::{Field, Map};
+use crate::Error;
+use glam::{Vec2, Vec3};
+use std::fmt;
+use std::sync::Arc;
+
+/// The same velocity everywhere and always: wind, a slow current.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::field::{Field, Uniform};
+/// assert_eq!(Uniform(Vec3::X).velocity(Vec3::ONE, 5.0), Vec3::X);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Uniform(pub Vec3);
+
+impl Field for Uniform {
+    fn velocity(&self, _: Vec3, _: f64) -> Vec3 {
+        self.0
+    }
+}
+
+/// A field that is part of another.
+#[derive(Clone)]
+pub struct Part {
+    /// The field.
+    pub field: Arc<dyn Field>,
+    /// How much of it. Limit: finite; of a [`Blend`] >= 0.
+    pub weight: f32,
+    /// Where: the weight is multiplied by the map. None: everywhere.
+    pub map: Option<Arc<Map>>,
+}
+
+impl Part {
+    /// So much of a field, everywhere.
+    pub fn new(field: impl Field + 'static, weight: f32) -> Self {
+        Self { field: Arc::new(field), weight, map: None }
+    }
+
+    fn weight_at(&self, place: Vec3) -> f32 {
+        self.weight * self.map.as_ref().map_or(1.0, |map| map.at(place.truncate().as_dvec2()))
+    }
+}
+
+impl fmt::Debug for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Part").field("weight", &self.weight).field("map", &self.map.is_some()).finish_non_exhaustive()
+    }
+}
+
+/// The sum of fields: a walk on a moving walkway, guidance and turbulence.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::field::{Field, Part, Sum, Uniform};
+/// let sum = Sum::new(vec![Part::new(Uniform(Vec3::X), 2.0), Part::new(|place: Vec3, _: f64| -place, 0.5)])?;
+/// assert_eq!(sum.velocity(Vec3::Y * 4.0, 0.0), Vec3::new(2.0, -2.0, 0.0));
+/// # Ok::<(), throng::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Sum {
+    parts: Vec<Part>,
+}
+
+impl Sum {
+    /// Of these parts.
+    ///
+    /// # Errors
+    /// A weight that is not finite.
+    pub fn new(parts: Vec<Part>) -> Result<Self, Error> {
+        parts.iter().try_for_each(|part| Error::unless_finite("weight of a field", f64::from(part.weight)))?;
+        Ok(Self { parts })
+    }
+}
+
+impl Field for Sum {
+    fn velocity(&self, place: Vec3, time: f64) -> Vec3 {
+        self.parts.iter().map(|part| part.field.velocity(place, time) * part.weight_at(place)).sum()
+    }
+}
+
+/// The weighted mean of fields, directions and speeds each on their own: two that are against each other do not cancel out. A
+/// field that says nothing at a place has no part in it there.
+///
+/// Directions are blended one after the other, in the order of the parts.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::field::{Blend, Field, Part, Uniform};
+/// let both = Blend::new(vec![Part::new(Uniform(Vec3::X * 2.0), 1.0), Part::new(Uniform(Vec3::Y), 1.0)])?;
+/// assert!(both.velocity(Vec3::ZERO, 0.0).distance(Vec3::new(1.0, 1.0, 0.0).normalize() * 1.5) < 1e-6);
+/// # Ok::<(), throng::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Blend {
+    parts: Vec<Part>,
+}
+
+impl Blend {
+    /// Of these parts.
+    ///
+    /// # Errors
+    /// A weight that is negative or not finite.
+    pub fn new(parts: Vec<Part>) -> Result<Self, Error> {
+        let is_weight = |weight: f32| (0.0..f32::INFINITY).contains(&weight);
+        parts.iter().map(|part| part.weight).try_for_each(|weight| {
+            Error::unless(is_weight(weight), "weight of a field", weight, "0 or more, and finite")
+        })?;
+        Ok(Self { parts })
+    }
+}
+
+impl Field for Blend {
+    fn velocity(&self, place: Vec3, time: f64) -> Vec3 {
+        let (mut mean, mut sum) = (Vec3::ZERO, 0.0);
+        for part in &self.parts {
+            let weight = part.weight_at(place).max(0.0);
+            if weight == 0.0 {
+                continue;
+            }
+            let velocity = part.field.velocity(place, time);
+            if velocity != Vec3::ZERO {
+                sum += weight;
+                mean = between(mean, velocity, weight / sum);
+            }
+        }
+        mean
+    }
+}
+
+/// A velocity between two, directions and speeds each on their own; from one to the other as `part` goes from 0 to 1. Between
+/// two straight against each other it turns left.
+pub(super) fn between(from: Vec3, to: Vec3, part: f32) -> Vec3 {
+    let (Some(a), Some(b)) = (from.try_normalize(), to.try_normalize()) else {
+        return if from == Vec3::ZERO { to } else { from };
+    };
+    let speed = from.length() + part * (to.length() - from.length());
+    let across = b - a * a.dot(b);
+    let side = across.try_normalize().unwrap_or_else(|| {
+        let left = Vec2::new(-a.y, a.x);
+        if left == Vec2::ZERO { Vec3::X } else { left.normalize().extend(0.0) }
+    });
+    let (sin, cos) = libm::sincosf(part * libm::atan2f(across.length(), a.dot(b)));
+    (a * cos + side * sin) * speed
+}

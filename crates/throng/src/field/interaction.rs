@@ -1,0 +1,101 @@
+//! Fields that go with others: Colas, van Toll, Zibrek, Hoyet, Olivier, Pettre, Interaction fields: intuitive sketch-based steering
+//! behaviors for crowd simulation, Eurographics 2022.
+
+use super::Field;
+use crate::Error;
+use glam::Vec2;
+use std::fmt;
+use std::sync::Arc;
+
+/// A field about each agent of a group, that goes and turns with it: how others move near it, and where they look. It makes them
+/// hide behind it, circle round it, make way for it, greet it.
+///
+/// ```
+/// use glam::{DVec2, Vec3};
+/// use throng::field::{Governed, Interaction, Uniform};
+/// use throng::{Agent, Group, Settings, World};
+/// let mut world = World::new(Settings::default())?;
+/// let singer = world.add_group(Group { name: "singer".into(), ..Group::default() })?;
+/// world.add_agent(Agent { group: singer, ..Agent::default() })?;
+/// // nobody comes nearer than 3 m
+/// let away = |place: Vec3, _: f64| if place.length() < 3.0 { place.normalize_or_zero() } else { Vec3::ZERO };
+/// let around = vec![Interaction::new(singer.index(), away)];
+/// let field = Some(Governed { around, ..Governed::new(Uniform(Vec3::ZERO), 1.0) });
+/// let fans = world.add_group(Group { field, ..Group::default() })?;
+/// world.add_agent(Agent { position: DVec2::X, group: fans, ..Agent::default() })?;
+/// while world.time() < 4.0 {
+///     world.step();
+/// }
+/// assert!((world.agents().position[1].length() - 3.0).abs() < 0.3);
+/// # Ok::<(), throng::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct Interaction {
+    /// About each agent of the group that has this [position](crate::GroupId::index) in the world, but never about oneself.
+    pub source: usize,
+    /// The velocity, in the source's frame: metres from its centre, x ahead of it, y to its left.
+    pub field: Arc<dyn Field>,
+    /// Where to look, in the same frame; the length does not count, zero: wherever one goes. None: nobody minds.
+    pub looks: Option<Arc<dyn Field>>,
+    /// How much it counts beside others. Limit: > 0, finite.
+    pub weight: f32,
+    /// Part of the source's own velocity that is added where the field says something: 1 for those who come along. Limit: finite.
+    pub carried: f32,
+    /// Beyond this distance, metres, it is not asked: in crowds of sources that is cheaper. Limit: > 0.
+    pub reach: f32,
+}
+
+impl Interaction {
+    /// A field about each agent of a group, that counts as much as any other.
+    pub fn new(source: usize, field: impl Field + 'static) -> Self {
+        Self { source, field: Arc::new(field), looks: None, weight: 1.0, carried: 0.0, reach: f32::INFINITY }
+    }
+
+    pub(super) fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("weight of an interaction", self.weight)?;
+        Error::unless_finite("carried part of an interaction", f64::from(self.carried))?;
+        Error::unless(self.reach > 0.0, "reach of an interaction", self.reach, "greater than 0")
+    }
+
+    /// What it says about one source, along the ground; zero for nothing.
+    pub(crate) fn velocity(&self, source: &Source, place: Vec2, time: f64) -> Vec2 {
+        let velocity = source.ask(&*self.field, place, time);
+        if velocity == Vec2::ZERO { velocity } else { velocity + source.velocity * self.carried }
+    }
+
+    /// Where it says to look about one source; zero for nowhere.
+    pub(crate) fn looks(&self, source: &Source, place: Vec2, time: f64) -> Vec2 {
+        self.looks.as_ref().map_or(Vec2::ZERO, |looks| source.ask(&**looks, place, time).normalize_or_zero())
+    }
+}
+
+impl fmt::Debug for Interaction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { source, weight, carried, reach, .. } = self;
+        f.debug_struct("Interaction")
+            .field("source", source)
+            .field("weight", weight)
+            .field("carried", carried)
+            .field("reach", reach)
+            .finish_non_exhaustive()
+    }
+}
+
+/// An agent that a field goes with.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Source {
+    /// Metres from the world's origin.
+    pub place: Vec2,
+    /// Unit vector.
+    pub ahead: Vec2,
+    pub velocity: Vec2,
+}
+
+impl Source {
+    /// What a field in its frame says, in the world's; zero for what is no number.
+    fn ask(&self, field: &dyn Field, place: Vec2, time: f64) -> Vec2 {
+        let there = Vec2::new(self.ahead.x, -self.ahead.y).rotate(place - self.place);
+        let said = self.ahead.rotate(field.velocity(there.extend(0.0), time).truncate());
+        if said.is_finite() { said } else { Vec2::ZERO }
+    }
+}

@@ -1,0 +1,65 @@
+//! A number known at the corners of a grid: painted maps.
+
+use super::grid::Grid;
+use super::paint::Brush;
+use crate::Error;
+use glam::DVec2;
+
+/// A number at every place of a box: how much a field has to say there, what it costs to walk there. Known at the corners of
+/// square cells, between them by bilinear interpolation; beyond the rim zero.
+///
+/// ```
+/// use glam::DVec2;
+/// use throng::field::{Brush, Map};
+/// let mut map = Map::over(DVec2::splat(-10.0), DVec2::splat(10.0), 0.5)?;
+/// map.paint(&Brush { radius: 3.0, ..Brush::default() }, &[DVec2::new(-10.0, 0.0), DVec2::new(10.0, 0.0)], 1.0)?;
+/// assert_eq!(map.at(DVec2::new(2.0, 0.2)), 1.0);
+/// assert_eq!(map.at(DVec2::new(2.0, 4.0)), 0.0);
+/// # Ok::<(), throng::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Map {
+    grid: Grid<f32>,
+}
+
+impl Map {
+    /// Numbers at the corners of cells, row by row from `low` on, towards +x, then +y; `cell` is the width of cells, metres.
+    ///
+    /// # Errors
+    /// As [`Sampled::new`](super::Sampled::new).
+    pub fn new(low: DVec2, cell: f64, columns: usize, values: Vec<f32>) -> Result<Self, Error> {
+        Ok(Self { grid: Grid::new(low, cell, columns, values)? })
+    }
+
+    /// Zero over the box between two corners, metres from the world's origin: rounded up to whole cells.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn over(low: DVec2, high: DVec2, cell: f64) -> Result<Self, Error> {
+        Ok(Self { grid: Grid::over(low, high, cell)? })
+    }
+
+    /// The number at a place, metres from the world's origin.
+    pub fn at(&self, place: DVec2) -> f32 {
+        self.grid.at(place).unwrap_or(0.0)
+    }
+
+    /// Strokes a brush along a line: where it is in full, `value` is left.
+    ///
+    /// # Errors
+    /// As [`Sampled::paint`](super::Sampled::paint).
+    pub fn paint(&mut self, brush: &Brush, points: &[DVec2], value: f32) -> Result<(), Error> {
+        Error::unless_finite("value of a stroke", f64::from(value))?;
+        brush.stroke(&mut self.grid, points, |_| value)
+    }
+
+    /// Its corners with the least and the greatest coordinates, metres from the world's origin.
+    pub fn bounds(&self) -> [DVec2; 2] {
+        [self.grid.low, self.grid.high()]
+    }
+
+    /// The numbers at its corners, row by row.
+    pub fn values(&self) -> &[f32] {
+        &self.grid.values
+    }
+}

@@ -1,0 +1,90 @@
+//! 2c. Where does the crowd flow: fields that change with where people are.
+
+use super::World;
+use crate::field::{Adaptive, Field};
+use glam::Vec2;
+use std::fmt;
+use std::sync::Arc;
+
+/// The field of a group that changes with where people are, as it is now.
+#[derive(Clone)]
+pub(super) struct Adapted {
+    /// What it was made from.
+    of: Arc<dyn Field>,
+    pub memory: Vec<f32>,
+    pub field: Arc<dyn Field>,
+}
+
+impl fmt::Debug for Adapted {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Adapted").field("memory", &self.memory.len()).finish_non_exhaustive()
+    }
+}
+
+impl World {
+    /// Lets fields that change with where people are look at them, when it is time to.
+    pub(super) fn adapt(&mut self) {
+        self.adapted.resize(self.groups.len(), None);
+        let mut people = Vec::new();
+        for index in 0..self.groups.len() {
+            let Some(governed) = &self.groups[index].field else {
+                self.adapted[index] = None;
+                continue;
+            };
+            let field = governed.field.clone();
+            let Some(adaptive) = field.adaptive() else {
+                self.adapted[index] = None;
+                continue;
+            };
+            let same = |adapted: &&Adapted| Arc::ptr_eq(&adapted.of, &field);
+            let known = self.adapted[index].take().filter(|adapted| same(&adapted));
+            self.adapted[index] = Some(match known {
+                Some(known) if !self.is_time_for(adaptive) => known,
+                // groups with one field have one way round the jam
+                known => match self.adapted[..index].iter().flatten().find(same) {
+                    Some(other) => other.clone(),
+                    None => {
+                        let mut memory = known.map_or_else(|| adaptive.memory(), |known| known.memory);
+                        if people.is_empty() {
+                            people = self.everybodys_places();
+                        }
+                        adaptive.notice(&mut memory, &people);
+                        Adapted { field: adaptive.adapted(&memory), memory, of: field.clone() }
+                    }
+                },
+            });
+        }
+    }
+
+    /// Whether the step that begins is the first after a multiple of the interval.
+    fn is_time_for(&self, adaptive: &dyn Adaptive) -> bool {
+        let count = |steps: u64| (steps as f64 * self.settings.step / adaptive.interval() + 1e-9).floor();
+        self.steps == 0 || count(self.steps) != count(self.steps - 1)
+    }
+
+    fn everybodys_places(&self) -> Vec<Vec2> {
+        let mut rows: Vec<usize> = (0..self.agents.len()).collect();
+        rows.sort_unstable_by_key(|&row| self.agents.number[row]);
+        rows.into_iter().map(|row| self.agents.position[row]).collect()
+    }
+
+    /// What fields that change with where people are remember, by group.
+    pub(super) fn field_memories(&self) -> Vec<Vec<f32>> {
+        let memory =
+            |adapted: &Option<Adapted>| adapted.as_ref().map_or_else(Vec::new, |adapted| adapted.memory.clone());
+        self.adapted.iter().map(memory).collect()
+    }
+
+    /// The fields that remember this, by group; none if it is of other fields.
+    pub(super) fn fields_that_remember(&self, memories: Vec<Vec<f32>>) -> Option<Vec<Option<Adapted>>> {
+        let adapted = |(index, memory): (usize, Vec<f32>)| -> Option<Option<Adapted>> {
+            if memory.is_empty() {
+                return Some(None);
+            }
+            let field = self.groups.get(index)?.field.as_ref()?.field.clone();
+            let adaptive = field.adaptive().filter(|adaptive| adaptive.memory().len() == memory.len())?;
+            Some(Some(Adapted { field: adaptive.adapted(&memory), memory, of: field.clone() }))
+        };
+        memories.into_iter().enumerate().map(adapted).collect()
+    }
+}
