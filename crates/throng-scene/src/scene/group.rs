@@ -2,7 +2,7 @@
 
 use super::avoid::Unavoiding;
 use super::flow::Governed;
-use super::{Avoid, Body, Colour, Goal, Number, Place, Source, Steer, Vehicle, WrapAround, source};
+use super::{Avoid, Body, Colour, Form, Goal, Number, Place, Source, Steer, Vehicle, WrapAround, source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -99,6 +99,9 @@ pub struct Group {
     /// Colour in pictures. Without it, the next of the palette.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub colour: Option<Colour>,
+    /// What they look like in pictures. Without it, as their bodies are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mark: Option<Form>,
 }
 
 impl Default for Group {
@@ -132,6 +135,7 @@ impl Default for Group {
             avoid: None,
             guard: None,
             colour: None,
+            mark: None,
         }
     }
 }
