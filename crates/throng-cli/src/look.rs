@@ -136,10 +136,10 @@ impl LookArgs {
 }
 
 /// What those of a group look like.
-fn form(said: Option<throng_scene::Form>) -> Form {
+fn form(said: Option<throng_scene::Mark>) -> Form {
     match said {
-        Some(throng_scene::Form::Insect) => Form::Insect,
-        Some(throng_scene::Form::Body) | None => Form::Body,
+        Some(throng_scene::Mark::Insect) => Form::Insect,
+        Some(throng_scene::Mark::Body) | None => Form::Body,
     }
 }
 

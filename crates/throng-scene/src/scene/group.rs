@@ -2,7 +2,7 @@
 
 use super::avoid::Unavoiding;
 use super::flow::Governed;
-use super::{Avoid, Body, Colour, Form, Goal, Number, Place, Source, Steer, Vehicle, WrapAround, source};
+use super::{Avoid, Body, Colour, Goal, Mark, Number, Place, Source, Steer, Vehicle, WrapAround, source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -101,7 +101,7 @@ pub struct Group {
     pub colour: Option<Colour>,
     /// What they look like in pictures. Without it, as their bodies are.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub mark: Option<Form>,
+    pub mark: Option<Mark>,
 }
 
 impl Default for Group {

@@ -74,7 +74,7 @@ pub enum Projection {
 /// What an agent looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Form {
+pub enum Mark {
     /// As its body is: a disc or an oblong; in perspective, who flies as a vehicle is a dart.
     Body,
     /// An insect: a thin body with two wings that beat, and a short streak behind it.
