@@ -1,10 +1,11 @@
 //! How pictures look.
 
 use crate::failure::Failure;
+use crate::field::FieldArgs;
 use crate::source::parse_four;
 use clap::{Args, ValueEnum};
 use glam::{DVec2, DVec3};
-use throng_draw::{Color, ColorBy, Projection, Style, Viewpoint, WorldBox};
+use throng_draw::{Color, ColorBy, Form, Projection, Style, Viewpoint, WorldBox};
 use throng_scene::{Camera, Colour, Scene, View};
 
 /// How pictures look.
@@ -35,6 +36,10 @@ pub struct LookArgs {
     /// Leaves out the notch that shows which way an agent faces
     #[arg(long)]
     pub no_headings: bool,
+
+    /// How fields are drawn.
+    #[command(flatten)]
+    pub field: FieldArgs,
 }
 
 /// How the world is seen.
@@ -106,6 +111,8 @@ impl LookArgs {
                 ColorArg::Altitude => ColorBy::Altitude,
             },
             groups: scene.groups.iter().map(|group| group.colour.map(color)).collect(),
+            forms: scene.groups.iter().map(|group| form(group.mark)).collect(),
+            flow: self.field.style(),
             headings: !self.no_headings,
             lines: view.lines.iter().map(|line| line.iter().copied().map(DVec2::from).collect()).collect(),
             goals: view.goals.unwrap_or(default.goals),
@@ -125,6 +132,14 @@ impl LookArgs {
             (None, Some(throng_scene::Projection::Perspective)) => Some(Projection::Perspective),
             (None, None) => view.camera.map(|_| Projection::Perspective),
         }
+    }
+}
+
+/// What those of a group look like.
+fn form(said: Option<throng_scene::Mark>) -> Form {
+    match said {
+        Some(throng_scene::Mark::Insect) => Form::Insect,
+        Some(throng_scene::Mark::Body) | None => Form::Body,
     }
 }
 

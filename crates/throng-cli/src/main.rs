@@ -9,6 +9,7 @@ mod compare;
 mod completions;
 mod explain;
 mod failure;
+mod field;
 mod files;
 mod interrupt;
 mod list;

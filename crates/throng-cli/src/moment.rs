@@ -1,19 +1,35 @@
 //! The world as files show it.
 
 use glam::DVec2;
+use std::sync::Arc;
 use throng::World;
 use throng::space::surface::Bounds;
-use throng_record::{Frame, Setting, Shell};
+use throng_record::{Flow, Frame, Setting, Shell};
 use throng_scene::Built;
 
 /// The place and the names. The group every world has from the start is left out: no scene puts anybody into it.
 pub fn setting(world: &World, built: &Built, title: &str) -> Setting {
     let mut setting = Setting::of(world, title);
     setting.groups.remove(0);
+    setting.flows = flows(world, built);
     let room = room(built, setting.origin);
     setting.shells = built.surfaces.iter().map(|(_, surface)| Shell::of(surface, &room)).collect();
     setting.paths = built.paths.iter().map(|(_, path)| path.clone()).collect();
     setting
+}
+
+/// The fields that govern groups, with what they were sketched by; where none does, those of the scene, which behaviours may follow.
+fn flows(world: &World, built: &Built) -> Vec<Flow> {
+    let mut flows = Flow::all(world);
+    flows.iter_mut().flat_map(|flow| &mut flow.groups).for_each(|group| *group = group.saturating_sub(1));
+    if flows.is_empty() {
+        flows = built.fields.iter().map(|planned| Flow::of(planned.field.clone())).collect();
+    }
+    for flow in &mut flows {
+        let planned = built.fields.iter().find(|planned| Arc::ptr_eq(&planned.field, &flow.field));
+        flow.anchors = planned.map(|planned| planned.anchors.clone()).unwrap_or_default();
+    }
+    flows
 }
 
 /// In which part of space surfaces without end are shown: round everything else, as high as that is wide.

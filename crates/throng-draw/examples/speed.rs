@@ -1,9 +1,12 @@
 //! Measures painting and encoding: `cargo run --release --example speed -- [AGENTS]`.
 
+#[path = "shared/clock.rs"]
+mod clock;
+
+use clock::{now, report};
 use glam::{DVec2, Vec2};
-use std::time::Instant;
 use throng::Status;
-use throng_draw::{Painter, Style, sink::sink};
+use throng_draw::{Form, Painter, Projection, Style, sink::sink};
 use throng_record::{Body, Frame, Setting};
 
 fn moment(agents: u32, k: u32) -> Frame {
@@ -34,25 +37,15 @@ fn moment(agents: u32, k: u32) -> Frame {
     Frame { time, bodies, total: agents as usize, ..Frame::default() }
 }
 
-/// Seconds this thread has worked, where the system says (Linux); on a busy machine they tell more than the clock.
-fn worked() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
-    Some(text.split(' ').next()?.parse::<f64>().ok()? * 1e-9)
-}
-
-/// Says how long each of `count` pictures took.
-fn report(what: &str, count: usize, start: (Instant, Option<f64>)) {
-    let each = |seconds: f64| seconds * 1e3 / count as f64;
-    let clock = start.0.elapsed().as_secs_f64();
-    eprint!("{what}: {:.2} ms a picture, {:.0} a second", each(clock), count as f64 / clock);
-    match (start.1, worked()) {
-        (Some(from), Some(to)) => eprintln!("; at work {:.2} ms", each(to - from)),
-        _ => eprintln!(),
+/// The same bodies as insects in the air.
+fn swarm(setting: &Setting, frames: &[Frame]) -> (Setting, Vec<Frame>) {
+    let mut frames = frames.to_vec();
+    for body in frames.iter_mut().flat_map(|frame| &mut frame.bodies) {
+        body.altitude = 1.0 + (body.number % 97) as f32 * 0.1;
+        body.radius = 0.02;
+        body.velocity = Vec2::from_angle(body.heading) * 1.3;
     }
-}
-
-fn now() -> (Instant, Option<f64>) {
-    (Instant::now(), worked())
+    (Setting { in_space: true, ..setting.clone() }, frames)
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -67,6 +60,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             painter.paint(frame);
         }
         report(&format!("paint {agents} agents, trails of {trails} s"), frames.len(), start);
+    }
+    for projection in [Projection::Plan, Projection::Perspective] {
+        let (setting, frames) = swarm(&setting, &frames);
+        let (forms, projection) = (vec![Form::Insect; 4], Some(projection));
+        let style = Style { width: 1280, height: 720, forms, projection, ..Style::default() };
+        let mut painter = Painter::new(&setting, &style, &frames[0])?;
+        let start = now();
+        for frame in &frames {
+            painter.paint(frame);
+        }
+        report(&format!("paint {agents} insects, {projection:?}, 1280 x 720"), frames.len(), start);
     }
     let mut painter = Painter::new(&setting, &Style::default(), &frames[0])?;
     let images: Vec<_> = frames.iter().map(|frame| painter.paint(frame).clone()).collect();

@@ -114,6 +114,7 @@ impl Contact {
         let marks = self.marks(&stills, &typeface);
         let places = self.places.iter().map(|(_, corner)| *corner);
         let picture = if self.kind == Kind::Svg {
+            stills.iter_mut().for_each(|(painter, frame)| painter.settle(frame));
             let panels = stills.iter().zip(places).map(|((painter, frame), corner)| (painter, frame, corner));
             Picture::Vector(svg::sheet(self.size, PAPER, &marks, panels))
         } else {

@@ -48,6 +48,11 @@ impl Image {
         Color { r: self.data[p], g: self.data[p + 1], b: self.data[p + 2], a: self.data[p + 3] }
     }
 
+    /// Makes all of it one colour.
+    pub(crate) fn clear(&mut self, color: Color) {
+        self.data.chunks_exact_mut(4).for_each(|pixel| pixel.copy_from_slice(&[color.r, color.g, color.b, color.a]));
+    }
+
     /// Makes this a copy of `other`; the memory is used again.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         (self.width, self.height) = (other.width, other.height);
@@ -75,6 +80,17 @@ impl Image {
             let row = |x: usize| (y * self.width as usize + x) * 4;
             if left < right {
                 self.data[row(left)..row(right)].copy_from_slice(&other.data[row(left)..row(right)]);
+            }
+        }
+    }
+}
+
+impl Image {
+    /// Lays another of the same size over this, which is opaque.
+    pub(crate) fn lay_over(&mut self, other: &Self) {
+        for (pixel, over) in self.data.chunks_exact_mut(4).zip(other.data.chunks_exact(4)) {
+            if over[3] > 0 {
+                blend(&mut pixel[..3], [over[0], over[1], over[2]], (u32::from(over[3]) * 256 + 127) / 255);
             }
         }
     }

@@ -1,10 +1,11 @@
 //! The type round a picture: title, time, counts, the key of the colours, a scale bar.
 
+use crate::annotate::{self, Row};
 use crate::color::ramp;
 use crate::look::Look;
 use crate::mark::{Anchor, Mark, Stroke};
 use crate::text::Type;
-use crate::{Annotation, ColorBy, Style, annotate};
+use crate::{ColorBy, Style};
 use glam::Vec2;
 use throng_record::{Frame, Setting};
 
@@ -101,10 +102,15 @@ impl Layout {
         marks
     }
 
-    /// What the lines beside agents are, below the title.
-    pub(crate) fn annotations(&self, kinds: &[Annotation], style: &Style, typeface: &Type) -> Vec<Mark> {
+    /// The size of the type of the key.
+    pub(crate) fn key_size(&self) -> f32 {
+        0.85 * self.size
+    }
+
+    /// What the lines beside agents are, and what is drawn on the ground, below the title.
+    pub(crate) fn key(&self, rows: &[Row<'_>], style: &Style, typeface: &Type) -> Vec<Mark> {
         let at = Vec2::new(self.margin, self.top() + 1.9 * self.size);
-        annotate::key(kinds, style, at, 0.85 * self.size, typeface)
+        annotate::key(rows, style, at, self.key_size(), typeface)
     }
 
     fn text(&self, text: String, at: Vec2, anchor: Anchor, size: f32, color: crate::Color) -> Mark {

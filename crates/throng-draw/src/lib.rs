@@ -7,13 +7,16 @@
 //! agent goes where it goes; [`sink`] holds the kinds of output for pictures of any origin.
 
 mod annotate;
+mod base64;
 mod camera;
 mod color;
 mod contact;
 mod error;
 mod figure;
 mod film;
+mod flow;
 mod image;
+mod insect;
 mod legend;
 mod look;
 mod mark;
@@ -40,10 +43,11 @@ pub use contact::{Contact, Section};
 pub use error::Error;
 pub use figure::Figure;
 pub use film::{Film, Still};
+pub use flow::{FlowLayer, FlowStyle};
 pub use image::Image;
 pub use painter::Painter;
 pub use place::points_to_go;
 pub use sheet::{Sheet, columns, title_height};
 pub use sink::FrameSink;
 pub use space::Viewpoint;
-pub use style::{ColorBy, Projection, Style, Theme};
+pub use style::{ColorBy, Form, Projection, Style, Theme};

@@ -1,7 +1,7 @@
 //! What each agent looks like: the colour that says its group, speed or goal, and what its status makes of it.
 
 use crate::color::{PALETTE, palette, ramp, wheel};
-use crate::{Color, ColorBy, Style};
+use crate::{Color, ColorBy, Form, Style};
 use glam::DVec2;
 use throng::{Goal, Status};
 use throng_record::{Body, Frame, Setting};
@@ -17,6 +17,8 @@ pub(crate) struct Look {
     highest: f32,
     /// The colours of groups that have their own.
     groups: Vec<Option<Color>>,
+    /// What those of groups look like, where that is said.
+    forms: Vec<Form>,
     /// The colour of each goal.
     goals: Vec<Color>,
 }
@@ -47,8 +49,19 @@ impl Look {
             fastest,
             highest,
             groups: style.groups.clone(),
+            forms: style.forms.clone(),
             goals: goal_colors(&setting.goals),
         }
+    }
+
+    /// What somebody looks like.
+    pub(crate) fn form(&self, body: &Body) -> Form {
+        self.forms.get(body.group as usize).copied().unwrap_or_default()
+    }
+
+    /// Whether there are some that look so.
+    pub(crate) fn has(&self, form: Form) -> bool {
+        self.forms.contains(&form)
     }
 
     /// The colour of a group.

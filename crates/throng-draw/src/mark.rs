@@ -1,8 +1,9 @@
 //! What a picture is made of besides agents: shapes and type, in pixels. Pictures and SVG draw the same marks.
 
-use crate::Color;
+use crate::insect::Insect;
 use crate::rounded::Rounded;
 use crate::trail::Trail;
+use crate::{Color, Image};
 use glam::Vec2;
 
 /// A shape or a line of type.
@@ -16,12 +17,18 @@ pub(crate) enum Mark {
     Disc { center: Vec2, radius: f32, fill: Color },
     /// An agent.
     Agent(Rounded),
+    /// An insect.
+    Insect(Insect),
+    /// Streaks, which add up.
+    Streaks(Vec<Trail>),
     /// Trails, none darker where they cross or meet.
     Trails(Vec<Trail>),
     /// A circle.
     Ring { center: Vec2, radius: f32, stroke: Stroke },
     /// What of some marks lies within a rectangle of whole pixels.
     Within { low: Vec2, high: Vec2, marks: Vec<Mark> },
+    /// A layer over all of the picture, with its own opacity.
+    Pixels(Image),
     /// A line of type.
     Text { text: String, at: Vec2, anchor: Anchor, size: f32, color: Color },
 }

@@ -1,5 +1,7 @@
 //! Pictures of moments.
 
+use crate::flow::Sheets;
+use crate::insect::{self, Crowd};
 use crate::legend::{Layout, Scale};
 use crate::look::Look;
 use crate::mark::Mark;
@@ -7,7 +9,7 @@ use crate::projector::Projector;
 use crate::space::Stage;
 use crate::text::Type;
 use crate::trail::{Brush, Track, Trail, Trails};
-use crate::{Annotation, Camera, Color, Error, Image, Projection, Style, WorldBox, place, raster};
+use crate::{Annotation, Camera, Color, Error, Form, Image, Projection, Style, WorldBox, annotate, place, raster};
 use glam::{DVec2, DVec3, Vec2};
 use std::collections::BTreeSet;
 use throng_record::{Body, Frame, Setting};
@@ -49,14 +51,19 @@ pub struct Painter {
     pub(crate) look: Look,
     typeface: Type,
     trails: Trails,
+    /// Where insects have been while the shutter was open.
+    blur: Trails,
     /// Where those who are annotated have been.
     pub(crate) ways: Trails,
     /// The annotations that there was something of.
     seen: BTreeSet<Annotation>,
     /// What places that agents tell are relative to.
     pub(crate) origin: DVec2,
-    /// What stays, below the agents: ground, obstacles and goals.
+    /// What stays, below the agents: the ground; and obstacles and goals.
+    pub(crate) floor: Vec<Mark>,
     pub(crate) place: Vec<Mark>,
+    /// Between the two: the fields that are to be seen.
+    pub(crate) flows: Option<Sheets>,
     /// What the legend always says, above the agents.
     legend: Vec<Mark>,
     background: Image,
@@ -81,20 +88,24 @@ impl Painter {
         let mut typeface = Type::new();
         let base = if setting.walkable.is_empty() { style.theme.ground } else { style.theme.outside };
         let usual = if setting.in_space { Projection::Perspective } else { Projection::Plan };
-        let (view, place, scale) = match style.projection.unwrap_or(usual) {
+        let mut flows = None;
+        let (view, floor, place, scale) = match style.projection.unwrap_or(usual) {
             Projection::Plan => {
                 let camera = Camera::fit(view, low, high);
+                let floor = place::floor(setting, &style.theme, &camera, layout.unit);
                 let place = place::marks(setting, style, &camera, layout.unit, first);
-                (View::Plan(camera), place, Scale::Bar(camera.scale))
+                flows = Sheets::new(setting, style, camera, &layout, &look);
+                (View::Plan(camera), floor, place, Scale::Bar(camera.scale))
             }
             Projection::Perspective => {
                 let stage = Stage::new(setting, style, layout.unit, view, first, (low, high));
                 let (place, scale) = (stage.ground(), Scale::Grid(stage.cell()));
-                (View::Space(Box::new(stage)), place, scale)
+                (View::Space(Box::new(stage)), Vec::new(), place, scale)
             }
         };
         let legend = if style.legend { layout.fixed(setting, style, &look, scale, &typeface) } else { Vec::new() };
         let mut background = Image::new(width, height, base);
+        raster::draw(&mut background, &mut typeface, &floor);
         raster::draw(&mut background, &mut typeface, &place);
         Ok(Self {
             style: style.clone(),
@@ -104,10 +115,13 @@ impl Painter {
             look,
             typeface,
             trails: Trails::default(),
+            blur: Trails::default(),
             ways: Trails::default(),
             seen: BTreeSet::new(),
             origin: setting.origin,
+            floor,
             place,
+            flows,
             legend,
             image: background.clone(),
             background,
@@ -145,16 +159,32 @@ impl Painter {
         };
         let (look, wanted) = (&self.look, &self.style.annotations);
         let color = |body: &Body| look.color(body);
-        self.trails.follow(frame, f64::from(self.style.trails), spacing, |body| Some(color(body)));
+        let is = |form: Form| move |body: &Body| (look.form(body) == form).then(|| color(body));
+        self.trails.follow(frame, f64::from(self.style.trails), spacing, is(Form::Body));
+        if look.has(Form::Insect) {
+            self.blur.follow(frame, f64::from(self.style.shutter), 0.4 * spacing, is(Form::Insect));
+        }
         if wanted.kinds.contains(&Annotation::Trails) {
             self.ways.follow(frame, WAYS, spacing, |body| wanted.concern(body).then(|| color(body)));
         }
         self.seen.extend(wanted.in_frame(frame));
     }
 
+    /// Looks at the fields as they are at a moment, where they are to be seen.
+    pub(crate) fn settle(&mut self, frame: &Frame) {
+        let Some(flows) = &mut self.flows else { return };
+        if flows.turn(frame.time) {
+            self.background.clear(self.base);
+            for marks in [&self.floor, &flows.marks, &self.place] {
+                raster::draw(&mut self.background, &mut self.typeface, marks);
+            }
+        }
+    }
+
     /// Paints a moment.
     pub fn paint(&mut self, frame: &Frame) -> &Image {
         self.follow(frame);
+        self.settle(frame);
         self.image.copy_from(&self.background);
         for (_, marks) in self.moment(frame) {
             raster::draw(&mut self.image, &mut self.typeface, &marks);
@@ -177,11 +207,34 @@ impl Painter {
         let mut legend = self.legend.clone();
         if self.style.legend {
             let seen: Vec<Annotation> = self.seen.iter().copied().collect();
-            legend.extend(self.layout.annotations(&seen, &self.style, &self.typeface));
+            let mut rows = annotate::rows(&seen, &self.style, self.layout.key_size());
+            rows.extend(self.flows.iter().flat_map(|flows| flows.rows(self.layout.key_size())));
+            legend.extend(self.layout.key(&rows, &self.style, &self.typeface));
             legend.extend(self.layout.moment(frame, &self.style, &self.typeface));
         }
         parts.push(("legend", legend));
         parts
+    }
+
+    /// How much room a moment's insects have.
+    pub(crate) fn crowd(&self, frame: &Frame) -> Crowd {
+        let insects = frame.bodies.iter().filter(|body| self.look.form(body) == Form::Insect);
+        Crowd::of(insects.count(), self.layout.unit)
+    }
+
+    /// The streaks of insects.
+    pub(crate) fn streaks(&self, frame: &Frame, crowd: Crowd) -> Vec<Trail> {
+        let (projector, seconds) = (self.projector(), f64::from(self.style.shutter));
+        let insects = frame.bodies.iter().filter(|body| self.look.form(body) == Form::Insect);
+        // what is no number opens no shutter either
+        if !(seconds > 0.0) {
+            return Vec::new();
+        }
+        let streak = |body: &Body| {
+            let track = self.blur.tracks.get(&body.number)?;
+            insect::streak(track, body, self.look.coat(body).fill, &projector, (frame.time, seconds), crowd)
+        };
+        insects.filter_map(streak).collect()
     }
 
     /// The trails as they fade.

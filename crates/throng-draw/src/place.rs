@@ -2,9 +2,9 @@
 
 use crate::mark::{Mark, Stroke};
 use crate::ribbon::Ribbon;
-use crate::{Camera, Color, Style};
+use crate::{Camera, Color, Style, Theme};
 use glam::{DVec2, DVec3, Vec2, Vec3};
-use throng::{Goal, Obstacle};
+use throng::{Goal, Obstacle, Walkable};
 use throng_record::{Frame, Setting};
 
 /// More point goals than this are drawn faint, so that a goal for each agent does not fill the picture.
@@ -22,18 +22,37 @@ pub(crate) const LINE: f32 = 1.2;
 /// How wide lines are in which neighbouring faces meet, pixels: nothing shines through.
 pub(crate) const SEAM: f32 = 0.6;
 
-/// Everything that does not change, from the ground up. `first` is the first moment.
+/// What is below everything that is drawn on the ground.
+pub(crate) fn floor(setting: &Setting, theme: &Theme, camera: &Camera, unit: f32) -> Vec<Mark> {
+    let mut marks = Vec::new();
+    ground(setting, theme, camera, &mut marks);
+    shells(setting, true, theme, camera, unit, &mut marks);
+    marks
+}
+
+/// What nobody walks through.
+pub(crate) fn solids(setting: &Setting, theme: &Theme, camera: &Camera, unit: f32) -> Vec<Mark> {
+    let mut marks = Vec::new();
+    shells(setting, false, theme, camera, unit, &mut marks);
+    obstacles(setting, theme, camera, unit, &mut marks);
+    marks
+}
+
+/// Everything on the floor that does not change, from the ground up. `first` is the first moment.
 pub(crate) fn marks(setting: &Setting, style: &Style, camera: &Camera, unit: f32, first: &Frame) -> Vec<Mark> {
     let mut marks = Vec::new();
-    ground(setting, style, camera, unit, &mut marks);
-    let stroke = Stroke::plain(LINE * unit, style.theme.edge);
+    let theme = &style.theme;
+    let edge = Stroke::plain(1.2 * unit, theme.edge);
+    let borders = areas(setting, camera).into_iter().flatten();
+    marks.extend(borders.map(|points| Mark::Line { points, closed: true, stroke: edge }));
+    let stroke = Stroke::plain(LINE * unit, theme.edge);
     marks.extend(style.lines.iter().map(|line| Mark::Line { points: pixels(camera, line), closed: false, stroke }));
-    shells(setting, style, camera, unit, &mut marks);
+    shells(setting, false, theme, camera, unit, &mut marks);
     paths(setting, style, camera, unit, &mut marks);
     if style.goals {
         goal_areas(setting, style, camera, unit, &mut marks);
     }
-    obstacles(setting, style, camera, unit, &mut marks);
+    obstacles(setting, theme, camera, unit, &mut marks);
     if style.goals {
         goal_points(setting, style, camera, unit, first, &mut marks);
     }
@@ -44,23 +63,22 @@ fn pixels(camera: &Camera, points: &[DVec2]) -> Vec<Vec2> {
     points.iter().map(|&p| camera.pixel(p)).collect()
 }
 
-fn ground(setting: &Setting, style: &Style, camera: &Camera, unit: f32, marks: &mut Vec<Mark>) {
-    let theme = &style.theme;
-    let edge = Stroke::plain(1.2 * unit, theme.edge);
-    // An area may lie in a hole of a larger one.
+/// The rings of each area, the outer one first; an area that lies in a hole of a larger one comes after that.
+fn areas(setting: &Setting, camera: &Camera) -> Vec<Vec<Vec<Vec2>>> {
     let mut areas: Vec<_> = setting.walkable.iter().map(|area| (size(&area.outer), area)).collect();
     areas.sort_by(|a, b| b.0.total_cmp(&a.0));
-    for (_, walkable) in areas {
-        let rings: Vec<_> = std::iter::once(&walkable.outer)
-            .chain(&walkable.holes)
-            .filter(|ring| ring.len() >= 3)
-            .map(|ring| pixels(camera, ring))
-            .collect();
-        for hole in rings.iter().skip(1) {
-            marks.push(Mark::Area { rings: vec![hole.clone()], fill: theme.obstacle });
-        }
-        marks.push(Mark::Area { rings: rings.clone(), fill: theme.ground });
-        marks.extend(rings.into_iter().map(|points| Mark::Line { points, closed: true, stroke: edge }));
+    let rings = |area: &Walkable| -> Vec<Vec<Vec2>> {
+        let rings = std::iter::once(&area.outer).chain(&area.holes).filter(|ring| ring.len() >= 3);
+        rings.map(|ring| pixels(camera, ring)).collect()
+    };
+    areas.into_iter().map(|(_, area)| rings(area)).collect()
+}
+
+fn ground(setting: &Setting, theme: &Theme, camera: &Camera, marks: &mut Vec<Mark>) {
+    for rings in areas(setting, camera) {
+        let holes = rings.iter().skip(1).map(|hole| Mark::Area { rings: vec![hole.clone()], fill: theme.obstacle });
+        marks.extend(holes);
+        marks.push(Mark::Area { rings, fill: theme.ground });
     }
 }
 
@@ -70,8 +88,7 @@ fn size(corners: &[DVec2]) -> f64 {
     0.5 * edges.map(|(a, b)| a.perp_dot(*b)).sum::<f64>().abs()
 }
 
-fn obstacles(setting: &Setting, style: &Style, camera: &Camera, unit: f32, marks: &mut Vec<Mark>) {
-    let theme = &style.theme;
+fn obstacles(setting: &Setting, theme: &Theme, camera: &Camera, unit: f32, marks: &mut Vec<Mark>) {
     let edge = Stroke::plain(unit, theme.edge);
     for obstacle in &setting.obstacles {
         match obstacle {
@@ -95,27 +112,23 @@ fn obstacles(setting: &Setting, style: &Style, camera: &Camera, unit: f32, marks
     }
 }
 
-/// Surfaces from above: solids as obstacles are, containers by their outlines.
-fn shells(setting: &Setting, style: &Style, camera: &Camera, unit: f32, marks: &mut Vec<Mark>) {
-    let theme = &style.theme;
+/// Surfaces from above: solids as obstacles are, or containers by their outlines.
+fn shells(setting: &Setting, hollow: bool, theme: &Theme, camera: &Camera, unit: f32, marks: &mut Vec<Mark>) {
     let pixel = |corner: &Vec3| camera.pixel(corner.truncate().as_dvec2() + setting.origin);
-    // who is in a container, or before a solid, is in front of both
-    for hollow in [true, false] {
-        let fill = if hollow { theme.ground } else { theme.obstacle };
-        for shell in setting.shells.iter().filter(|shell| shell.hollow == hollow) {
-            // what is above hides what is below; of the edges those round all of it are left
-            let mut facets: Vec<&Vec<Vec3>> = shell.facets.iter().collect();
-            facets.sort_by(|a, b| highest(a).total_cmp(&highest(b)));
-            let rings: Vec<Vec<Vec2>> = facets.iter().map(|facet| facet.iter().map(pixel).collect()).collect();
-            let outline = |width: f32, color: Color| {
-                let stroke = Stroke::plain(width, color);
-                move |points: &Vec<Vec2>| Mark::Line { points: points.clone(), closed: true, stroke }
-            };
-            marks.extend(rings.iter().map(outline(2.0 * unit, theme.edge)));
-            marks.extend(rings.iter().map(|ring| Mark::Area { rings: vec![ring.clone()], fill }));
-            let flat = facets.iter().zip(&rings).filter(|(facet, _)| is_level(facet));
-            marks.extend(flat.map(|(_, ring)| ring).map(outline(SEAM, fill)));
-        }
+    let fill = if hollow { theme.ground } else { theme.obstacle };
+    for shell in setting.shells.iter().filter(|shell| shell.hollow == hollow) {
+        // what is above hides what is below; of the edges those round all of it are left
+        let mut facets: Vec<&Vec<Vec3>> = shell.facets.iter().collect();
+        facets.sort_by(|a, b| highest(a).total_cmp(&highest(b)));
+        let rings: Vec<Vec<Vec2>> = facets.iter().map(|facet| facet.iter().map(pixel).collect()).collect();
+        let outline = |width: f32, color: Color| {
+            let stroke = Stroke::plain(width, color);
+            move |points: &Vec<Vec2>| Mark::Line { points: points.clone(), closed: true, stroke }
+        };
+        marks.extend(rings.iter().map(outline(2.0 * unit, theme.edge)));
+        marks.extend(rings.iter().map(|ring| Mark::Area { rings: vec![ring.clone()], fill }));
+        let flat = facets.iter().zip(&rings).filter(|(facet, _)| is_level(facet));
+        marks.extend(flat.map(|(_, ring)| ring).map(outline(SEAM, fill)));
     }
 }
 

@@ -1,8 +1,9 @@
 //! A moment from straight above.
 
+use crate::insect::{Crowd, Insect};
 use crate::mark::Mark;
 use crate::rounded::{NOTCH_LEAST_RADIUS, Rounded};
-use crate::{Camera, Color, Painter};
+use crate::{Camera, Color, Form, Painter};
 use glam::{DVec3, Vec2};
 use throng_record::{Body, Frame};
 
@@ -16,9 +17,36 @@ impl Painter {
     /// Trails, shadows and agents.
     pub(crate) fn plan(&self, camera: &Camera, frame: &Frame) -> Vec<(&'static str, Vec<Mark>)> {
         let bodies = stacked(frame);
-        let shadows = bodies.iter().filter_map(|body| shadow(body, camera)).collect();
-        let agents = bodies.into_iter().map(|body| Mark::Agent(self.rounded(body, camera))).collect();
-        vec![("trails", vec![Mark::Trails(self.trails(frame.time))]), ("shadows", shadows), ("agents", agents)]
+        let crowd = self.crowd(frame);
+        let shadows = bodies.iter().filter_map(|body| self.shade(body, camera, crowd)).collect();
+        let agents = bodies.into_iter().filter_map(|body| self.mark(body, camera, crowd, frame.time)).collect();
+        let mut trails = vec![Mark::Trails(self.trails(frame.time))];
+        if self.look.has(Form::Insect) {
+            trails.push(Mark::Streaks(self.streaks(frame, crowd)));
+        }
+        vec![("trails", trails), ("shadows", shadows), ("agents", agents)]
+    }
+
+    /// An agent as what it looks like.
+    fn mark(&self, body: &Body, camera: &Camera, crowd: Crowd, time: f64) -> Option<Mark> {
+        if self.look.form(body) == Form::Body {
+            return Some(Mark::Agent(self.rounded(body, camera)));
+        }
+        let growth = (crowd.least / camera.length(f64::from(body.radius))).max(1.0);
+        Insect::of(body, growth, self.look.coat(body), &self.projector(), time).map(Mark::Insect)
+    }
+
+    /// The shadow of who is in the air.
+    fn shade(&self, body: &Body, camera: &Camera, crowd: Crowd) -> Option<Mark> {
+        let mark = shadow(body, camera)?;
+        match mark {
+            // insects are too many for paths
+            Mark::Disc { center, fill, .. } if self.look.form(body) == Form::Insect => {
+                let radius = (0.6 * crowd.least).max(camera.length(f64::from(body.radius)));
+                Some(Mark::Agent(Rounded::spot(center, radius, fill.alpha(SHADOW_OPACITY * crowd.left))))
+            }
+            mark => Some(mark),
+        }
     }
 
     /// How an agent is drawn.

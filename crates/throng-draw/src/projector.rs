@@ -38,6 +38,14 @@ impl Projector {
         }
     }
 
+    /// The direction from a point to the eye.
+    pub(crate) fn sight(&self, point: DVec3) -> DVec3 {
+        match self {
+            Self::Plan(_) => DVec3::Z,
+            Self::Perspective(lens) => (lens.eye - point).normalize_or(DVec3::Z),
+        }
+    }
+
     /// How far from the eye a point is along the ground.
     pub(crate) fn away(&self, point: DVec3) -> f64 {
         match self {

@@ -2,6 +2,7 @@
 
 use crate::Color;
 use crate::image::Image;
+use crate::insect;
 use crate::mark::{Mark, Stroke};
 use crate::text::Type;
 use crate::trail::TrailLayer;
@@ -26,6 +27,8 @@ pub(crate) fn draw(image: &mut Image, typeface: &mut Type, marks: &[Mark]) {
             }
             Mark::Disc { center, radius, fill } => fill_path(image, circle(*center, *radius), *fill),
             Mark::Agent(disc) => disc.draw(image),
+            Mark::Insect(insect) => insect.draw(image),
+            Mark::Streaks(streaks) => insect::lay(streaks, image),
             Mark::Trails(trails) => {
                 let mut layer = TrailLayer::new(image.width(), image.height());
                 trails.iter().for_each(|trail| layer.draw(trail));
@@ -37,6 +40,7 @@ pub(crate) fn draw(image: &mut Image, typeface: &mut Type, marks: &[Mark]) {
                 draw(&mut whole, typeface, marks);
                 image.copy_within(&whole, *low, *high);
             }
+            Mark::Pixels(layer) => image.lay_over(layer),
             Mark::Text { text, at, anchor, size, color } => {
                 let shift = Vec2::new(typeface.width(text, *size) * anchor.part(), 0.0);
                 typeface.draw(image, text, *at - shift, *size, *color);

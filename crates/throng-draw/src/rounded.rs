@@ -35,6 +35,11 @@ pub(crate) const NOTCH_HALF_WIDTH: f32 = 0.14;
 pub(crate) const NOTCH_LEAST_RADIUS: f32 = 3.5;
 
 impl Rounded {
+    /// A disc in one colour.
+    pub fn spot(center: Vec2, radius: f32, fill: Color) -> Self {
+        Self { center, core: Vec2::ZERO, along: Vec2::X, radius, fill, rim: fill, rim_width: 0.0, notch: None }
+    }
+
     /// Half of its narrower side.
     pub fn girth(&self) -> f32 {
         self.radius + self.core.min_element()

@@ -128,6 +128,7 @@ impl SheetPainter {
     /// A moment of each panel as an SVG document.
     pub(crate) fn svg(&mut self, frames: &[&Frame]) -> String {
         self.follow(frames);
+        self.panels.iter_mut().zip(frames).for_each(|(panel, frame)| panel.painter.settle(frame));
         if let ([panel], [frame], true) = (&mut self.panels[..], frames, self.whole) {
             return panel.painter.svg(frame);
         }

@@ -1,6 +1,6 @@
 //! How a picture should look.
 
-use crate::{Annotations, Color, Viewpoint, WorldBox};
+use crate::{Annotations, Color, FlowStyle, Viewpoint, WorldBox};
 use glam::DVec2;
 
 /// How a picture should look. The default is a calm light picture of 640 by 480 pixels.
@@ -23,8 +23,15 @@ pub struct Style {
     pub color_by: ColorBy,
     /// The colours of groups, by index; where there is none, the palette's.
     pub groups: Vec<Option<Color>>,
+    /// What agents of groups look like, by index; where there is nothing said, as their bodies are.
+    pub forms: Vec<Form>,
+    /// How long the shutter is open while a picture of insects is taken, seconds: the streak that each leaves is its way in that time;
+    /// 0 for none.
+    pub shutter: f32,
     /// What is drawn beside agents of what they have in mind.
     pub annotations: Annotations,
+    /// How the fields that lead groups are drawn on the ground, from straight above; `None`: not.
+    pub flow: Option<FlowStyle>,
     /// Whether agents have a notch that shows their heading.
     pub headings: bool,
     /// Whether goals are drawn.
@@ -48,7 +55,10 @@ impl Default for Style {
             trails: 1.5,
             color_by: ColorBy::Group,
             groups: Vec::new(),
+            forms: Vec::new(),
+            shutter: 0.16,
             annotations: Annotations::default(),
+            flow: None,
             headings: true,
             goals: true,
             legend: true,
@@ -56,6 +66,18 @@ impl Default for Style {
             theme: Theme::light(),
         }
     }
+}
+
+/// What an agent looks like.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Form {
+    /// As its body is: from above a disc or an oblong, in perspective a ball, a block or, if it flies as a vehicle, a dart.
+    #[default]
+    Body,
+    /// An insect: a thin body with two wings that beat. It leaves a [streak](Style::shutter) in place of a
+    /// [trail](Style::trails).
+    Insect,
 }
 
 /// How the world is seen.

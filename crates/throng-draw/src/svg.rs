@@ -1,7 +1,10 @@
 //! A moment as a vector picture.
 
+use crate::base64::base64;
+use crate::insect::Insect;
 use crate::mark::{Anchor, Mark, Stroke};
 use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};
+use crate::sink::png_bytes;
 use crate::trail::Trail;
 use crate::{Color, Painter};
 use glam::Vec2;
@@ -12,13 +15,24 @@ impl Painter {
     /// The moment as an SVG document, with the look of [`paint`](Self::paint).
     pub fn svg(&mut self, frame: &Frame) -> String {
         self.follow(frame);
+        self.settle(frame);
         let size = (self.style.width, self.style.height);
         document(size, self.base(), |out| self.write_content(out, frame, ""))
     }
 
     /// What is inside the document; `tag` is added to the names of its parts.
     fn write_content(&self, out: &mut String, frame: &Frame, tag: &str) -> fmt::Result {
-        group(out, "place", tag, |out| write_marks(out, &self.place))?;
+        match &self.flows {
+            Some(flows) => {
+                group(out, "floor", tag, |out| write_marks(out, &self.floor))?;
+                group(out, "flow", tag, |out| write_marks(out, &flows.marks))?;
+                group(out, "place", tag, |out| write_marks(out, &self.place))?;
+            }
+            None => group(out, "place", tag, |out| {
+                write_marks(out, &self.floor)?;
+                write_marks(out, &self.place)
+            })?,
+        }
         let parts = self.moment(frame).into_iter().filter(|(_, marks)| !marks.is_empty());
         parts.into_iter().try_for_each(|(name, marks)| group(out, name, tag, |out| write_marks(out, &marks)))
     }
@@ -120,6 +134,21 @@ fn write_body(out: &mut String, body: &Rounded) -> fmt::Result {
     Ok(())
 }
 
+fn write_insect(out: &mut String, insect: &Insect) -> fmt::Result {
+    let root = insect.root;
+    for (tip, chord) in insect.tips.into_iter().zip(insect.chords) {
+        // a leaf: two curves from root to tip
+        let (middle, side) = (root.lerp(tip, 0.7), (tip - root).perp().normalize_or_zero() * (1.7 * chord));
+        let (a, b) = (middle + side, middle - side);
+        write!(out, r#"<path d="M{} {}Q{} {} {} {}"#, n(root.x), n(root.y), n(a.x), n(a.y), n(tip.x), n(tip.y))?;
+        writeln!(out, r#"Q{} {} {} {}Z" {}/>"#, n(b.x), n(b.y), n(root.x), n(root.y), fill(insect.wings))?;
+    }
+    let body = stroke(Stroke::plain(2.0 * insect.waist.max(0.55), insect.body));
+    let (head, tail) = (insect.head, insect.tail);
+    write!(out, r#"<path d="M{} {}L{} {}" "#, n(tail.x), n(tail.y), n(head.x), n(head.y))?;
+    writeln!(out, r#"stroke-linecap="round" {body}/>"#)
+}
+
 fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
     match mark {
         Mark::Area { rings, fill: color } => {
@@ -135,7 +164,8 @@ fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
             writeln!(out, r#"<circle cx="{}" cy="{}" r="{}" {}/>"#, n(center.x), n(center.y), n(*radius), fill(*color))
         }
         Mark::Agent(disc) => write_body(out, disc),
-        Mark::Trails(trails) => write_trails(out, trails),
+        Mark::Insect(insect) => write_insect(out, insect),
+        Mark::Trails(trails) | Mark::Streaks(trails) => write_trails(out, trails),
         Mark::Ring { center, radius, stroke: line } => {
             let (x, y, r) = (n(center.x), n(center.y), n(*radius));
             writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" fill="none" {}/>"#, stroke(*line))
@@ -147,6 +177,11 @@ fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
             writeln!(out, r#"<svg x="{x}" y="{y}" width="{w}" height="{h}" viewBox="{x} {y} {w} {h}">"#)?;
             write_marks(out, marks)?;
             writeln!(out, "</svg>")
+        }
+        Mark::Pixels(image) => {
+            let (w, h) = (image.width(), image.height());
+            let bytes = base64(&png_bytes(image));
+            writeln!(out, r#"<image width="{w}" height="{h}" href="data:image/png;base64,{bytes}"/>"#)
         }
         Mark::Text { text, at, anchor, size, color } => {
             let anchor = match anchor {

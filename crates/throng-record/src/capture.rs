@@ -1,11 +1,12 @@
 //! From a world to its setting and its moments.
 
-use crate::{Body, Frame, Setting};
+use crate::{Body, Flow, Frame, Setting};
 use throng::motion::Locomotion;
 use throng::{Group, World};
 
 impl Setting {
-    /// The place, the groups and the goals of a world as they are now. What its behaviours steer by it does not know.
+    /// The place, the groups with the fields that govern them, and the goals of a world as they are now. What its behaviours
+    /// steer by it does not know.
     ///
     /// ```
     /// use throng::{Settings, World};
@@ -22,6 +23,7 @@ impl Setting {
             obstacles: world.place().obstacles().cloned().collect(),
             shells: Vec::new(),
             paths: Vec::new(),
+            flows: Flow::all(world),
             groups: world.groups().iter().map(|group| group.name.clone()).collect(),
             goals: world.goals().to_vec(),
             in_space: world.in_space(),

@@ -1,5 +1,6 @@
 //! One moment of a world, and what stays the same from moment to moment.
 
+use crate::Flow;
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use std::sync::Arc;
 use throng::motion::Basis;
@@ -21,13 +22,15 @@ pub struct Setting {
     pub shells: Vec<Shell>,
     /// Paths that behaviours steer by, relative to [`Setting::origin`].
     pub paths: Vec<Arc<Pathway>>,
+    /// Fields that lead groups.
+    pub flows: Vec<Flow>,
     /// Names of the groups; [`Body::group`] indexes them.
     pub groups: Vec<String>,
     /// The goals; [`Body::goal`] indexes them.
     pub goals: Vec<Goal>,
     /// Whether somebody flies, or will.
     pub in_space: bool,
-    /// World coordinates of what shells, paths and places in [`Frame::accounts`] are relative to.
+    /// World coordinates of what shells, paths, flows and places in [`Frame::accounts`] are relative to.
     pub origin: DVec2,
 }
 

@@ -7,6 +7,7 @@
 mod behind;
 mod capture;
 pub mod csv;
+mod flow;
 mod frame;
 mod output;
 pub mod series;
@@ -14,6 +15,7 @@ pub mod swarm;
 mod tracks;
 
 pub use behind::{Behind, Pool};
+pub use flow::Flow;
 pub use frame::{Body, Frame, Setting, Shell};
 pub use output::{Output, OutputError};
 pub use tracks::{Spot, Tracks, TracksError};

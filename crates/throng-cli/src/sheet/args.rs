@@ -1,5 +1,6 @@
 //! What `throng sheet` is told, and its help.
 
+use crate::field::FieldArgs;
 use crate::look::parse_not_negative;
 use crate::options::ThreadArgs;
 use clap::Args;
@@ -51,4 +52,8 @@ pub struct SheetArgs {
     /// How long the trails behind agents are, seconds; 0 for none [default: the scene's `view.trails`, else 3]
     #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative, help_heading = "Pictures")]
     pub trails: Option<f64>,
+
+    /// How fields are drawn.
+    #[command(flatten)]
+    pub field: FieldArgs,
 }

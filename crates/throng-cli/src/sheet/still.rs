@@ -1,6 +1,7 @@
 //! A scene at the moment that tells what it is about.
 
 use crate::failure::Failure;
+use crate::field::FieldArgs;
 use crate::interrupt;
 use crate::look::{ColorArg, LookArgs};
 use crate::moment;
@@ -22,6 +23,8 @@ pub struct Look {
     pub at: Option<f64>,
     /// How long trails are, if they are the same in all, seconds.
     pub trails: Option<f64>,
+    /// How fields are drawn.
+    pub field: FieldArgs,
 }
 
 /// Runs the scene to its moment, or to its end where that comes first: a painter that has followed it, and where
@@ -62,5 +65,6 @@ fn style(scene: &Scene, look: &Look) -> LookArgs {
         trails: look.trails.or(scene.view.trails).or(Some(TRAILS)),
         color: ColorArg::Group,
         no_headings: false,
+        field: look.field.clone(),
     }
 }

@@ -1,4 +1,4 @@
-//! What the lines beside agents are.
+//! What the lines beside agents are, and what is drawn on the ground.
 
 use super::Annotation;
 use crate::Style;
@@ -9,25 +9,44 @@ use glam::Vec2;
 /// How much of what is below the key it hides.
 const PAPER: f32 = 0.82;
 
-/// A line and a name for each of `kinds`, one below the other from `at` down; `size` is that of the type.
-pub(crate) fn key(kinds: &[Annotation], style: &Style, at: Vec2, size: f32, typeface: &Type) -> Vec<Mark> {
-    if kinds.is_empty() {
-        return Vec::new();
-    }
-    let (length, gap, step) = (1.6 * size, 0.6 * size, 1.3 * size);
-    let widest = kinds.iter().map(|kind| typeface.width(kind.says(), size)).fold(0.0, f32::max);
-    let (low, high) = (at - size, at + Vec2::new(length + gap + widest + gap, (kinds.len() as f32 - 0.4) * step));
-    let paper = vec![low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)];
-    let paper = Mark::Area { rings: vec![paper], fill: style.theme.ground.alpha(PAPER) };
-    let row = |(k, kind): (usize, &Annotation)| {
-        let from = at + Vec2::new(0.0, k as f32 * step);
-        let middle = from - Vec2::new(0.0, 0.32 * size);
+/// One thing, and what it is.
+pub(crate) struct Row<'a> {
+    /// How wide it is, pixels.
+    pub length: f32,
+    pub says: String,
+    /// Draws it to the right of a point, half of it above that.
+    pub draw: Box<dyn Fn(Vec2) -> Vec<Mark> + 'a>,
+}
+
+/// A line for each kind that is drawn beside agents, for type of this size.
+pub(crate) fn rows<'a>(kinds: &[Annotation], style: &'a Style, size: f32) -> Vec<Row<'a>> {
+    let length = 1.6 * size;
+    let row = |&kind: &Annotation| {
         let (width, dash) = (0.11 * size * kind.width().max(1.0), kind.is_dashed().then_some(0.27 * size));
         let stroke = Stroke { width, color: kind.color(&style.theme), dash };
-        let line = Mark::Line { points: vec![middle, middle + Vec2::new(length, 0.0)], closed: false, stroke };
-        let at = from + Vec2::new(length + gap, 0.0);
-        let color = style.theme.quiet;
-        [line, Mark::Text { text: kind.says().into(), at, anchor: Anchor::Start, size, color }]
+        let draw = move |at| vec![Mark::Line { points: vec![at, at + Vec2::X * length], closed: false, stroke }];
+        Row { length, says: kind.says().into(), draw: Box::new(draw) }
     };
-    std::iter::once(paper).chain(kinds.iter().enumerate().flat_map(row)).collect()
+    kinds.iter().map(row).collect()
+}
+
+/// The rows one below the other from `at` down; `size` is that of the type.
+pub(crate) fn key(rows: &[Row<'_>], style: &Style, at: Vec2, size: f32, typeface: &Type) -> Vec<Mark> {
+    if rows.is_empty() {
+        return Vec::new();
+    }
+    let (gap, step) = (0.6 * size, 1.3 * size);
+    let widest = rows.iter().map(|row| row.length + gap + typeface.width(&row.says, size)).fold(0.0, f32::max);
+    let (low, high) = (at - size, at + Vec2::new(widest + gap, (rows.len() as f32 - 0.4) * step));
+    let paper = vec![low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)];
+    let paper = Mark::Area { rings: vec![paper], fill: style.theme.ground.alpha(PAPER) };
+    let row = |(k, row): (usize, &Row<'_>)| {
+        let from = at + Vec2::new(0.0, k as f32 * step);
+        let at = from + Vec2::new(row.length + gap, 0.0);
+        let color = style.theme.quiet;
+        let mut marks = (row.draw)(from - Vec2::new(0.0, 0.32 * size));
+        marks.push(Mark::Text { text: row.says.clone(), at, anchor: Anchor::Start, size, color });
+        marks
+    };
+    std::iter::once(paper).chain(rows.iter().enumerate().flat_map(row)).collect()
 }

@@ -4,7 +4,7 @@ mod key;
 mod layers;
 mod pen;
 
-pub(crate) use key::key;
+pub(crate) use key::{Row, key, rows};
 
 use crate::{Color, Theme};
 use throng::Asked;

@@ -16,8 +16,8 @@ pub use folder::FolderSink;
 pub use gif::GifSink;
 pub use mp4::Mp4Sink;
 pub use pipe::PipeSink;
-pub(crate) use png::encode_png;
 pub use png::{PngSink, write_png};
+pub(crate) use png::{encode_png, png_bytes};
 
 use crate::{Error, Image};
 use std::path::{Path, PathBuf};

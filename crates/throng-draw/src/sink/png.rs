@@ -32,13 +32,30 @@ pub(super) fn encode(mut output: Output, image: &Image, compression: png::Compre
 fn encode_to(output: &mut impl Write, image: &Image, compression: png::Compression) -> Result<(), png::EncodingError> {
     // Pictures of worlds are opaque: a fourth channel would only cost.
     let rgb: Vec<u8> = image.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
+    encode_as(output, image, (png::ColorType::Rgb, &rgb), compression)
+}
+
+/// A picture with its opacity, as the bytes of a PNG file.
+pub(crate) fn png_bytes(image: &Image) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    encode_as(&mut bytes, image, (png::ColorType::Rgba, image.data()), png::Compression::Balanced)
+        .expect("a picture has as many bytes as its size says, and writing to memory does not fail");
+    bytes
+}
+
+fn encode_as(
+    output: &mut impl Write,
+    image: &Image,
+    (color, data): (png::ColorType, &[u8]),
+    compression: png::Compression,
+) -> Result<(), png::EncodingError> {
     let mut encoder = png::Encoder::new(output, image.width(), image.height());
-    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_color(color);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(compression);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(&rgb)?;
+    writer.write_image_data(data)?;
     writer.finish()
 }
 

@@ -10,12 +10,13 @@ mod viewpoint;
 pub(crate) use lens::Lens;
 pub use viewpoint::Viewpoint;
 
+use crate::insect::{Crowd, Insect};
 use crate::look::Coat;
 use crate::mark::Mark;
 use crate::plan::{LEAST_RADIUS, SHADOW_OPACITY, middle, stacked};
 use crate::rounded::{NOTCH_LEAST_RADIUS, Rounded};
 use crate::trail::Trail;
-use crate::{Color, Painter, Style, WorldBox};
+use crate::{Color, Form, Painter, Style, WorldBox};
 use dart::Dart;
 use glam::{DVec2, Vec2};
 use ground::Ground;
@@ -44,6 +45,8 @@ pub(crate) struct Stage {
     piece: f64,
     /// How much larger than they are darts are drawn.
     growth: f32,
+    /// The radius of the largest body at first, pixels.
+    shown: f32,
     unit: f32,
 }
 
@@ -65,8 +68,8 @@ impl Stage {
         let holes = setting.walkable.iter().flat_map(|area| &area.holes);
         let solids = setting.obstacles.iter().map(|obstacle| Solid::obstacle(obstacle, height));
         let solids = solids.chain(holes.map(|hole| Solid::prism(hole.clone(), 0.0, height))).collect();
-        let radii = first.bodies.iter().filter(|body| body.basis.is_some()).map(|body| body.radius);
-        let shown = radii.fold(0.0, f32::max) * lens.scale(orbit.target) as f32;
+        let shown = |radii: &mut dyn Iterator<Item = f32>| radii.fold(0.0, f32::max) * lens.scale(orbit.target) as f32;
+        let darts = shown(&mut first.bodies.iter().filter(|body| body.basis.is_some()).map(|body| body.radius));
         let air = if setting.walkable.is_empty() { theme.ground } else { theme.outside };
         Self {
             orbit,
@@ -76,9 +79,15 @@ impl Stage {
             hulls: setting.shells.iter().map(|shell| Hull::new(shell, setting.origin)).collect(),
             tone: Tone { fill: theme.obstacle, edge: theme.edge, dark: Color::rgb(0x1c2026), air },
             piece: PIECE * extent.reach(),
-            growth: if shown > 0.0 { (LEAST_DART * unit / shown).max(1.0) } else { 1.0 },
+            growth: growth(LEAST_DART * unit, darts),
+            shown: shown(&mut first.bodies.iter().map(|body| body.radius)),
             unit,
         }
+    }
+
+    /// How much larger than they are insects are drawn.
+    fn insects(&self, crowd: Crowd) -> f32 {
+        growth(crowd.least, self.shown)
     }
 
     /// Takes the eye to where it is at a time.
@@ -102,6 +111,11 @@ impl Stage {
     }
 }
 
+/// How much larger something is drawn that is to be seen at so many pixels, and is shown at so many.
+fn growth(least: f32, shown: f32) -> f32 {
+    if shown > 0.0 { (least / shown).max(1.0) } else { 1.0 }
+}
+
 impl Painter {
     /// The ground, if it seems to move; shadows; and everything that stands or flies, far to near.
     pub(crate) fn scene(&self, stage: &Stage, frame: &Frame) -> Vec<(&'static str, Vec<Mark>)> {
@@ -109,19 +123,29 @@ impl Painter {
         let ground = if stage.orbit.moves() { stage.ground.marks(lens, stage.unit) } else { Vec::new() };
         let mut bodies = stacked(frame);
         bodies.retain(|body| lens.pixel(body.center()).is_some_and(|pixel| pixel.is_finite()));
-        let shadows = bodies.iter().map(|body| self.shadow(body, stage)).collect();
+        let crowd = self.crowd(frame);
+        let shadows = bodies.iter().map(|body| self.shadow(body, stage, crowd)).collect();
         let mut faces: Vec<Face> = Vec::new();
         stage.solids.iter().for_each(|solid| solid.faces(stage.tone, lens, stage.piece, stage.unit, &mut faces));
         stage.hulls.iter().for_each(|hull| hull.faces(stage.tone, lens, stage.piece, stage.unit, &mut faces));
-        let bodies = bodies.iter().map(|body| (lens.away(body.center()), self.figure(body, stage))).collect();
-        vec![("ground", ground), ("shadows", shadows), ("scene", layered(self.trails(frame.time), faces, bodies))]
+        let figure = |body: &&Body| (lens.away(body.center()), self.figure(body, stage, (frame.time, crowd)));
+        let bodies = bodies.iter().map(figure).collect();
+        let streaks = if self.look.has(Form::Insect) { self.streaks(frame, crowd) } else { Vec::new() };
+        let scene = layered([self.trails(frame.time), streaks], faces, bodies);
+        vec![("ground", ground), ("shadows", shadows), ("scene", scene)]
     }
 
     /// The shadow of a body, straight below it on the ground.
-    fn shadow(&self, body: &Body, stage: &Stage) -> Mark {
+    fn shadow(&self, body: &Body, stage: &Stage, crowd: Crowd) -> Mark {
         let (center, lens) = (body.center(), &stage.lens);
         let ground = center.with_z(0.0);
         let fill = Color::rgb(0).alpha(SHADOW_OPACITY * (1.0 - lens.haze(ground)));
+        if self.look.form(body) == Form::Insect {
+            let radius = body.radius * stage.insects(crowd) * lens.scale(ground) as f32;
+            let (center, fill) =
+                (lens.pixel(ground).unwrap_or(Vec2::NAN), fill.alpha(f32::from(fill.a) / 255.0 * crowd.left));
+            return Mark::Agent(Rounded::spot(center, 0.6 * radius, fill));
+        }
         if let Some(basis) = body.basis {
             return Dart::new(center, basis, body.radius * stage.growth).shadow(fill, lens);
         }
@@ -131,10 +155,14 @@ impl Painter {
     }
 
     /// A body: a dart, a ball, or a low block where it is oblong.
-    fn figure(&self, body: &Body, stage: &Stage) -> Vec<Mark> {
+    fn figure(&self, body: &Body, stage: &Stage, (time, crowd): (f64, Crowd)) -> Vec<Mark> {
         let (lens, unit) = (&stage.lens, stage.unit);
         let (coat, haze) = (self.look.coat(body), lens.haze(body.center()));
         let coat = Coat { fill: coat.fill.mix(stage.tone.air, haze), rim: coat.rim.mix(stage.tone.air, haze) };
+        if self.look.form(body) == Form::Insect {
+            let insect = Insect::of(body, stage.insects(crowd), coat, &self.projector(), time);
+            return insect.map(Mark::Insect).into_iter().collect();
+        }
         let mut marks = Vec::new();
         if let Some(basis) = body.basis {
             Dart::new(body.center(), basis, body.radius * stage.growth).marks(&coat, lens, unit, &mut marks);
@@ -171,18 +199,21 @@ impl Painter {
     }
 }
 
-/// Everything far to near. Between two faces, trails lie below bodies.
-fn layered(trails: Vec<Trail>, mut faces: Vec<Face>, mut bodies: Vec<Face>) -> Vec<Mark> {
+/// Everything far to near. Between two faces, trails and then streaks lie below bodies.
+fn layered(trails: [Vec<Trail>; 2], mut faces: Vec<Face>, mut bodies: Vec<Face>) -> Vec<Mark> {
     // a sort that keeps the order of equals: of two on one vertical, who comes first is the lower
     faces.sort_by(|a, b| b.0.total_cmp(&a.0));
     bodies.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut trails = if faces.is_empty() { trails } else { pieces(trails) }.into_iter().peekable();
+    let [mut trails, mut streaks] =
+        trails.map(|all| if faces.is_empty() { all } else { pieces(all) }.into_iter().peekable());
     let mut bodies = bodies.into_iter().peekable();
     let mut marks = Vec::new();
     let mut between = |far: f64, marks: &mut Vec<Mark>| {
-        let behind: Vec<Trail> = std::iter::from_fn(|| trails.next_if(|trail| trail.ends[0].away > far)).collect();
-        if !behind.is_empty() {
-            marks.push(Mark::Trails(behind));
+        for (all, mark) in [(&mut trails, Mark::Trails as fn(_) -> _), (&mut streaks, Mark::Streaks)] {
+            let behind: Vec<Trail> = std::iter::from_fn(|| all.next_if(|trail| trail.ends[0].away > far)).collect();
+            if !behind.is_empty() {
+                marks.push(mark(behind));
+            }
         }
         marks.extend(std::iter::from_fn(|| bodies.next_if(|body| body.0 > far)).flat_map(|body| body.1));
     };

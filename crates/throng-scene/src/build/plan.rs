@@ -16,7 +16,7 @@ use crate::error::Error;
 use crate::file::Problem;
 use crate::geometry::{DVec2, Solid, bounds};
 use crate::scene::{Cast, Group, Mover, Scene};
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::fmt;
 use std::sync::Arc;
 use throng::field::{Anchor, Field};
@@ -178,13 +178,14 @@ impl Scene {
         let figures = rules.as_ref().map_or_else(Vec::new, |rules| rules.figures());
         let walls = Walls::new(&walkable, &obstacles, settings.origin);
         let notes = RefCell::new(vec![]);
-        let flows = Flows { scene: self, origin: settings.origin, bounds, walls: &walls, notes: &notes };
+        let flows =
+            Flows { scene: self, origin: settings.origin, bounds, walls: &walls, notes: &notes, made: OnceCell::new() };
         let made = flows.all()?;
         let named = self.fields.iter().zip(made);
         let fields = named.map(|(said, made)| PlannedField {
             name: said.name.clone(),
-            field: made.field,
-            anchors: made.anchors,
+            field: made.field.clone(),
+            anchors: made.anchors.clone(),
         });
         let fields = fields.collect();
         let groups = self.shared(&cast, &figures, &around, &flows)?;

@@ -4,6 +4,7 @@ use super::avoid::Unavoiding;
 use super::flow::Governed;
 use super::steer::What;
 use super::{Avoid, Body, Colour, Goal, Number, Place, Source, Steer, Vehicle, WrapAround, source};
+use super::{Avoid, Body, Colour, Goal, Mark, Number, Place, Source, Steer, Vehicle, WrapAround, source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -104,6 +105,9 @@ pub struct Group {
     /// Colour in pictures. Without it, the next of the palette.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub colour: Option<Colour>,
+    /// What they look like in pictures. Without it, as their bodies are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mark: Option<Mark>,
 }
 
 impl Default for Group {
@@ -138,6 +142,7 @@ impl Default for Group {
             avoid: None,
             guard: None,
             colour: None,
+            mark: None,
         }
     }
 }

@@ -50,7 +50,7 @@ pub use surface::{
 };
 pub use time::{SubSteps, Time, Until};
 pub use vehicle::{Forces, Integrator, Vehicle, VehicleKind, WrapAround};
-pub use view::{Camera, Colour, Projection, View};
+pub use view::{Camera, Colour, Mark, Projection, View};
 
 pub use crate::file::Origin;
 use schemars::JsonSchema;

@@ -71,6 +71,16 @@ pub enum Projection {
     Perspective,
 }
 
+/// What an agent looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Mark {
+    /// As its body is: a disc or an oblong; in perspective, who flies as a vehicle is a dart.
+    Body,
+    /// An insect: a thin body with two wings that beat, and a short streak behind it.
+    Insect,
+}
+
 /// From where a scene is seen in perspective.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]

@@ -19,7 +19,7 @@ use crate::scene::flow::{Flow, Towards, Whirl};
 use crate::scene::steer::Position;
 use crate::scene::{Group, Point, Scene};
 use glam::Vec3;
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 use throng::field::{Anchor, Field, Map, Uniform};
 use throng::space::Walls;
@@ -53,6 +53,8 @@ pub(super) struct Flows<'a> {
     pub walls: &'a Walls,
     /// What is worth knowing of what was made.
     pub notes: &'a RefCell<Vec<String>>,
+    /// The fields of the scene, once they are made.
+    pub made: OnceCell<Vec<Made>>,
 }
 
 /// Where a field is made.
@@ -76,7 +78,7 @@ trait Make {
 
 impl Flows<'_> {
     /// The fields of the scene, in its order.
-    pub fn all(&self) -> Result<Vec<Made>, Problem> {
+    pub fn all(&self) -> Result<&[Made], Problem> {
         let fields = &self.scene.fields;
         let one = |i: usize| {
             let said = &fields[i];
@@ -87,7 +89,8 @@ impl Flows<'_> {
             )?;
             self.named(i, self.origin)
         };
-        (0..fields.len()).map(one).collect()
+        let made = (0..fields.len()).map(one).collect::<Result<_, _>>()?;
+        Ok(self.made.get_or_init(|| made))
     }
 
     /// A field of the scene, with its places relative to an origin.
@@ -148,7 +151,11 @@ impl At<'_> {
         let fields = &self.flows.scene.fields;
         let known = &fields[..self.known];
         if let Some(i) = known.iter().position(|field| field.name == name) {
-            return self.flows.named(i, self.origin);
+            // those who name it share it
+            return match self.flows.made.get() {
+                Some(made) if self.origin == self.flows.origin => Ok(made[i].clone()),
+                _ => self.flows.named(i, self.origin),
+            };
         }
         let message = format!("there is no field `{name}` above");
         let below = fields[self.known..].iter().any(|field| field.name == name);

@@ -1,0 +1,28 @@
+//! How the fields that lead groups are drawn.
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use throng_draw::{FlowLayer, FlowStyle};
+
+/// How the fields that lead groups are drawn.
+#[derive(Args, Clone, Debug, Default)]
+#[command(next_help_heading = "Pictures")]
+pub struct FieldArgs {
+    /// Draws the fields that lead groups, from straight above: as usual (lic, streamlines, anchors, critical), or these layers
+    #[arg(long, value_name = "LAYER,...", value_parser = layers(), value_delimiter = ',', num_args = 0.., require_equals = true)]
+    pub field: Option<Vec<FlowLayer>>,
+}
+
+/// Reads the name of a layer.
+fn layers() -> impl TypedValueParser<Value = FlowLayer> {
+    let names = PossibleValuesParser::new(FlowLayer::ALL.map(FlowLayer::name));
+    names.try_map(|name| FlowLayer::ALL.into_iter().find(|layer| layer.name() == name).ok_or("no such layer"))
+}
+
+impl FieldArgs {
+    /// What is said here; `None`: fields are not drawn.
+    pub fn style(&self) -> Option<FlowStyle> {
+        let layers = self.field.as_ref()?;
+        Some(if layers.is_empty() { FlowStyle::default() } else { FlowStyle::of(layers.clone()) })
+    }
+}

@@ -1,0 +1,61 @@
+//! Where fields are to be seen: on the ground, not under what stands on it.
+
+use crate::text::Type;
+use crate::{Camera, Color, Image, Theme, place, raster};
+use glam::Vec2;
+use throng_record::Setting;
+
+/// Black and white.
+const FREE: Color = Color::rgb(0xff_ffff);
+const TAKEN: Color = Color::rgb(0);
+
+/// A bit for each pixel.
+#[derive(Clone, Debug)]
+pub(super) struct Mask {
+    width: usize,
+    height: usize,
+    free: Vec<bool>,
+    /// With the pixels beside those: what is drawn over their rims leaves no gap to what they hold.
+    rims: Vec<bool>,
+}
+
+impl Mask {
+    /// The pixels that show the floor of a place, and nothing solid.
+    pub fn new((width, height): (u32, u32), setting: &Setting, camera: &Camera, unit: f32) -> Self {
+        // the place itself, in two colours
+        let theme = Theme { ground: FREE, obstacle: TAKEN, edge: TAKEN, ..Theme::light() };
+        let mut image = Image::new(width, height, if setting.walkable.is_empty() { FREE } else { TAKEN });
+        let mut marks = place::floor(setting, &theme, camera, unit);
+        marks.extend(place::solids(setting, &theme, camera, unit));
+        raster::draw(&mut image, &mut Type::new(), &marks);
+        let free: Vec<bool> = image.data().chunks_exact(4).map(|pixel| pixel[0] >= 128).collect();
+        let (width, height) = (width as usize, height as usize);
+        let mut rims = free.clone();
+        for (row, near) in rims.chunks_exact_mut(width).enumerate() {
+            for (column, near) in near.iter_mut().enumerate().filter(|(_, near)| !**near) {
+                let (rows, columns) = (row.saturating_sub(1)..=row + 1, column.saturating_sub(1)..=column + 1);
+                let rows = rows.filter(|&row| row < height);
+                *near = rows
+                    .flat_map(|row| columns.clone().filter(|&x| x < width).map(move |x| row * width + x))
+                    .any(|at| free[at]);
+            }
+        }
+        Self { width, height, free, rims }
+    }
+
+    /// Whether a field is to be seen at a pixel; beyond the picture it is not.
+    pub fn at(&self, pixel: Vec2) -> bool {
+        self.index(pixel).is_some_and(|index| self.free[index])
+    }
+
+    /// Whether something that fills pixels is to be drawn on one.
+    pub fn fills(&self, pixel: Vec2) -> bool {
+        self.index(pixel).is_some_and(|index| self.rims[index])
+    }
+
+    fn index(&self, pixel: Vec2) -> Option<usize> {
+        // `as` takes what is below zero to zero, where the comparison has it
+        let (x, y) = (pixel.x as usize, pixel.y as usize);
+        (pixel.x >= 0.0 && pixel.y >= 0.0 && x < self.width && y < self.height).then(|| y * self.width + x)
+    }
+}

@@ -1,0 +1,313 @@
+//! Streamlines evenly far apart, by Jobard and Lefer 1997: each new one begins beside one that is there already, and ends where
+//! it comes too near to another. They taper where they crowd.
+
+use super::Lay;
+use super::blade::{blade, head};
+use crate::mark::Mark;
+use glam::Vec2;
+
+/// How far apart they are where they begin, in units of the layout.
+const APART: f32 = 15.0;
+/// How near they come to each other, over that.
+const NEAREST: f32 = 0.5;
+/// Length of the steps in which they go on, in units of the layout.
+const STEP: f32 = 1.6;
+/// What is shorter than this, over how far apart they are, is left out.
+const SHORTEST: f32 = 1.6;
+/// Half the width where a field is fastest, and where it is all but still; how far apart heads are, and how long. In units of the layout.
+const HALF: [f32; 2] = [0.62, 0.3];
+const HEADS: f32 = 120.0;
+const HEAD: f32 = 5.2;
+const OPACITY: f32 = 0.62;
+/// Points of all lines together at most: a limit that pictures do not reach.
+const MOST: usize = 4_000_000;
+
+/// A line, from where the flow comes to where it goes.
+pub(super) type Line = Vec<Vec2>;
+
+/// A point of a line: where, of which line, and how many steps after the place at which that began.
+#[derive(Clone, Copy, Debug)]
+struct Point {
+    at: Vec2,
+    line: u32,
+    step: i32,
+}
+
+/// All points so far, in square cells as wide as lines are apart.
+struct Tracer<'a> {
+    lay: &'a Lay<'a>,
+    apart: f32,
+    step: f32,
+    columns: usize,
+    cells: Vec<Vec<Point>>,
+    count: usize,
+}
+
+/// The lines as marks.
+pub(super) fn streamlines(lay: &Lay<'_>) -> Vec<Mark> {
+    let mut tracer = Tracer::new(lay);
+    let lines = tracer.all();
+    (0..).zip(&lines).flat_map(|(index, line)| tracer.marks(index, line)).collect()
+}
+
+impl<'a> Tracer<'a> {
+    pub fn new(lay: &'a Lay<'a>) -> Self {
+        let (turn, of) = lay.turn;
+        // lines of several fields cross each other: a little more room for each
+        let apart = APART * lay.canvas.unit * lay.style.spread() * (of as f32).sqrt() * (1.0 + 0.001 * turn as f32);
+        let [columns, rows] = (lay.canvas.size / apart).ceil().to_array().map(|count| count as usize + 1);
+        let step = (STEP * lay.canvas.unit).min(0.2 * apart);
+        Self { lay, apart, step, columns, cells: vec![Vec::new(); columns * rows], count: 0 }
+    }
+
+    /// All lines there is room for.
+    pub fn all(&mut self) -> Vec<Line> {
+        let mut lines: Vec<Line> = Vec::new();
+        let mut next = 0;
+        // where nothing that is there leads to: apart from all others, the fastest first
+        for seed in self.lattice() {
+            self.draw(seed, &mut lines);
+            while next < lines.len() {
+                let line = lines[next].clone();
+                let every = ((0.5 * self.apart / self.step) as usize).max(1);
+                for index in (0..line.len()).step_by(every) {
+                    let along =
+                        (line[(index + 1).min(line.len() - 1)] - line[index.saturating_sub(1)]).normalize_or_zero();
+                    for side in [along.perp(), -along.perp()] {
+                        self.draw(line[index] + side * (1.001 * self.apart), &mut lines);
+                    }
+                }
+                next += 1;
+            }
+        }
+        lines
+    }
+
+    /// Places all over the picture, those where the flow is fastest first.
+    fn lattice(&self) -> Vec<Vec2> {
+        let size = self.lay.canvas.size;
+        let [columns, rows] = (size / self.apart).ceil().to_array().map(|count| count as usize);
+        let middle = |index: usize| (Vec2::new((index % columns) as f32, (index / columns) as f32) + 0.5) * self.apart;
+        let speed = |at: Vec2| (self.lay.flow(at).length(), at);
+        let mut seeds: Vec<(f32, Vec2)> = (0..columns * rows).map(middle).map(speed).collect();
+        seeds.sort_by(|a, b| b.0.total_cmp(&a.0));
+        seeds.into_iter().take_while(|seed| seed.0 > 0.0).map(|seed| seed.1).collect()
+    }
+
+    /// Draws the line through a place, if there is room for it.
+    fn draw(&mut self, seed: Vec2, lines: &mut Vec<Line>) {
+        let number = lines.len() as u32;
+        if self.lay.flow(seed) == Vec2::ZERO || self.is_near(seed, self.apart, |_| true) || self.count > MOST {
+            return;
+        }
+        let (ahead, closed) = self.trace(seed, 1, number);
+        let behind = if closed { Vec::new() } else { self.trace(seed, -1, number).0 };
+        let length = (ahead.len() + behind.len()) as f32 * self.step;
+        if length < SHORTEST * self.apart {
+            self.forget(number, ahead.iter().chain(&behind));
+            return;
+        }
+        self.keep(Point { at: seed, line: number, step: 0 });
+        lines.push(behind.into_iter().rev().chain([seed]).chain(ahead).collect());
+    }
+
+    /// Goes from a place with the flow, or against it; and whether that leads back to the place.
+    fn trace(&mut self, seed: Vec2, sense: i32, line: u32) -> (Line, bool) {
+        let way = |at: Vec2| self.lay.flow(at).try_normalize().map(|way| way * sense as f32);
+        let (mut at, mut points): (Vec2, Line) = (seed, Vec::new());
+        let nearest = NEAREST * self.apart;
+        let few = (3.0 * nearest / self.step) as i32;
+        let mut kept = Vec::new();
+        let mut closed = false;
+        for step in 1..(MOST as i32) {
+            // the midpoint rule
+            let Some(half) = way(at).and_then(|first| way(at + first * (0.5 * self.step))) else { break };
+            let to = at + half * self.step;
+            if self.lay.flow(to) == Vec2::ZERO {
+                break;
+            }
+            if step > few && to.distance(seed) < self.step {
+                points.push(seed);
+                closed = true;
+                break;
+            }
+            // of the line itself, what is not just behind; and not where it began, which it may come back to
+            let others = |other: &Point| {
+                other.line != line
+                    || (other.step != 0 && (step - other.step * sense).abs() > few && other.step.abs() > few)
+            };
+            if self.is_near(to, nearest, others)
+                || kept
+                    .iter()
+                    .rev()
+                    .skip(few as usize)
+                    .any(|&p: &Vec2| p.distance(to) < 0.5 * nearest && p.distance(seed) > nearest)
+            {
+                break;
+            }
+            points.push(to);
+            kept.push(to);
+            at = to;
+            if self.count + kept.len() > MOST {
+                break;
+            }
+        }
+        (0..).zip(&points).for_each(|(index, &at)| self.keep(Point { at, line, step: (index + 1) * sense }));
+        (points, closed)
+    }
+
+    fn cell(&self, at: Vec2) -> Option<usize> {
+        let cell = (at / self.apart).max(Vec2::ZERO);
+        let index = cell.y as usize * self.columns + cell.x as usize;
+        ((cell.x as usize) < self.columns && index < self.cells.len()).then_some(index)
+    }
+
+    fn keep(&mut self, point: Point) {
+        if let Some(cell) = self.cell(point.at) {
+            self.cells[cell].push(point);
+            self.count += 1;
+        }
+    }
+
+    fn forget<'p>(&mut self, line: u32, points: impl Iterator<Item = &'p Vec2>) {
+        for point in points {
+            if let Some(cell) = self.cell(*point) {
+                let before = self.cells[cell].len();
+                self.cells[cell].retain(|point| point.line != line);
+                self.count -= before - self.cells[cell].len();
+            }
+        }
+    }
+
+    /// The points within how far lines are apart of a place, or a little farther.
+    fn round(&self, at: Vec2) -> impl Iterator<Item = &Point> {
+        let cell = (at / self.apart).floor();
+        let neighbours = (0..9).map(move |k| cell + Vec2::new((k % 3) as f32 - 1.0, (k / 3) as f32 - 1.0));
+        neighbours
+            .filter(|cell| cell.cmpge(Vec2::ZERO).all())
+            .filter_map(|cell| self.cell((cell + 0.5) * self.apart))
+            .flat_map(|cell| &self.cells[cell])
+    }
+
+    fn is_near(&self, at: Vec2, distance: f32, counts: impl Fn(&Point) -> bool) -> bool {
+        self.round(at).any(|point| point.at.distance_squared(at) < distance * distance && counts(point))
+    }
+
+    /// A line as a blade with heads.
+    fn marks(&self, index: u32, line: &Line) -> Vec<Mark> {
+        let (lay, unit) = (self.lay, self.lay.canvas.unit);
+        let fill = lay.ink.alpha(OPACITY);
+        let taper = |at: Vec2| {
+            let others = self.round(at).filter(|point| point.line != index);
+            let nearest = others.map(|point| point.at.distance(at)).fold(self.apart, f32::min);
+            ((nearest / self.apart - NEAREST) / (1.0 - NEAREST)).clamp(0.0, 1.0)
+        };
+        let tip = 0.5 * self.apart / self.step;
+        let half = |index: usize, at: Vec2| {
+            let part = lay.part(lay.grid.at(at)).sqrt();
+            // both ends run out into nothing
+            let end = ((index.min(line.len() - 1 - index) as f32 + 0.5) / tip).min(1.0);
+            unit * (HALF[1] + (HALF[0] - HALF[1]) * part) * (0.55 + 0.45 * taper(at)) * end.max(0.25)
+        };
+        let points: Vec<(Vec2, f32)> = (0..).zip(line).map(|(index, &at)| (at, half(index, at))).collect();
+        // of a line that turns little a few points are enough
+        let few: Vec<(Vec2, f32)> = thin(&points, 0.08 * unit);
+        let length = (line.len() - 1) as f32 * self.step;
+        let heads = (length / (HEADS * unit * lay.style.spread().sqrt())).round().max(1.0);
+        let head_at = |k: usize| {
+            let at = ((k as f32 + 0.5) / heads * (line.len() - 1) as f32) as usize;
+            let along = (line[(at + 1).min(line.len() - 1)] - line[at.saturating_sub(1)]).normalize_or_zero();
+            let size = HEAD * unit * (0.7 + 0.3 * lay.part(lay.grid.at(line[at])));
+            let ring = head(line[at] + along * (0.5 * size), along, size);
+            Mark::Area { rings: vec![ring], fill: lay.ink.alpha(OPACITY + 0.15) }
+        };
+        blade(&few, fill).into_iter().chain((0..heads as usize).map(head_at)).collect()
+    }
+}
+
+/// Without the points that a straight line from the last that is kept would pass within a distance of.
+fn thin(points: &[(Vec2, f32)], off: f32) -> Vec<(Vec2, f32)> {
+    /// So many at most are left out in a row.
+    const ROW: usize = 8;
+    let mut few: Vec<(Vec2, f32)> = points.first().copied().into_iter().collect();
+    let mut last = 0;
+    for index in 1..points.len() {
+        let end = index + 1 == points.len();
+        let strays = !end && {
+            let (from, to) = (points[last].0, points[index + 1].0);
+            let along = (to - from).normalize_or_zero();
+            points[last + 1..=index].iter().any(|point| along.perp_dot(point.0 - from).abs() > off)
+        };
+        if end || strays || index - last >= ROW {
+            few.push(points[index]);
+            last = index;
+        }
+    }
+    few
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Canvas, FlowStyle, Grid, Mask};
+    use super::*;
+    use crate::{Camera, Theme, WorldBox};
+    use glam::{DVec2, Vec3};
+    use std::sync::Arc;
+    use throng_record::{Flow, Setting};
+
+    /// The lines of a field over 20 by 15 m at 20 pixels a metre.
+    fn lines(field: fn(Vec3) -> Vec3) -> (Vec<Line>, f32) {
+        let half = DVec2::new(10.0, 7.5);
+        let size = Vec2::new(400.0, 300.0);
+        let camera = Camera::fit(WorldBox { min: -half, max: half }, Vec2::ZERO, size);
+        let free = Mask::new((400, 300), &Setting::default(), &camera, 1.0);
+        let canvas = Canvas { camera, origin: DVec2::ZERO, size, unit: 1.0, free };
+        let flow = Flow::of(Arc::new(move |place: Vec3, _: f64| field(place)));
+        let grid = Grid::of(&flow, &canvas, 0.0).unwrap();
+        let (style, theme) = (FlowStyle::default(), Theme::light());
+        let ink = theme.text;
+        let lay = Lay { grid: &grid, canvas: &canvas, style: &style, theme: &theme, ink, fastest: 5.0, turn: (0, 1) };
+        let mut tracer = Tracer::new(&lay);
+        (tracer.all(), tracer.apart)
+    }
+
+    const FIELDS: [fn(Vec3) -> Vec3; 5] = [
+        |_| Vec3::new(1.0, 0.3, 0.0),
+        |at| Vec3::Z.cross(at),
+        |at| Vec3::new(at.x, -at.y, 0.0),
+        |at| Vec3::Z.cross(at) * 0.5 - at * 0.3,
+        |at| Vec3::new(2.0, (0.7 * at.x).sin() * 2.0, 0.0),
+    ];
+
+    #[test]
+    fn lines_follow_the_field() {
+        for field in FIELDS {
+            for pair in lines(field).0.iter().flat_map(|line| line.windows(2)) {
+                let middle = (pair[0] + pair[1]) * 0.5;
+                let place = Vec3::new((middle.x - 200.0) / 20.0, (150.0 - middle.y) / 20.0, 0.0);
+                let want = (field(place).truncate() * Vec2::new(1.0, -1.0)).normalize_or_zero();
+                let way = (pair[1] - pair[0]).normalize_or(want);
+                assert!(way.dot(want) > 0.0 && way.perp_dot(want).abs() < 0.05, "{way}, not {want}, at {place}");
+            }
+        }
+    }
+
+    #[test]
+    fn lines_keep_apart_and_leave_no_room() {
+        for field in FIELDS {
+            let (lines, apart) = lines(field);
+            for (index, line) in lines.iter().enumerate() {
+                let others = || lines[..index].iter().flatten();
+                let nearest = |at: &Vec2| others().map(|other| other.distance(*at)).fold(f32::INFINITY, f32::min);
+                let near = line.iter().map(nearest).fold(f32::INFINITY, f32::min);
+                assert!(near >= NEAREST * apart - 1e-3, "{near} pixels between lines");
+            }
+            // all over the picture, but where a line would be too short, there is one
+            let spots = (2..18).flat_map(|x| (2..13).map(move |y| Vec2::new(x as f32, y as f32) * 20.0));
+            let gaps = spots
+                .map(|spot| lines.iter().flatten().map(|point| point.distance(spot)).fold(f32::INFINITY, f32::min));
+            let widest = gaps.fold(0.0, f32::max);
+            assert!(widest <= 1.5 * apart, "a gap of {widest} pixels");
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! Insects: a thin body between two translucent wings that beat, however they are projected.
+
+mod streak;
+
+pub(crate) use streak::{lay, streak};
+
+use crate::Color;
+use crate::flow::lot;
+use crate::image::{Image, blend};
+use crate::look::Coat;
+use crate::projector::Projector;
+use glam::{DVec2, Vec2, Vec3};
+use std::f32::consts::TAU;
+use throng::motion::Basis;
+use throng_record::Body;
+
+/// Ahead, aside and up, in radii of the body: head, tail, root of the wings, and the tip of a wing that lies flat.
+const HEAD: f32 = 1.0;
+const TAIL: f32 = -1.15;
+const ROOT: f32 = 0.25;
+const TIP: Vec2 = Vec2::new(-0.25, 1.5);
+/// Half the width of a wing, and of the body.
+const CHORD: f32 = 0.46;
+const WAIST: f32 = 0.17;
+/// How far wings beat up and down, radians, about how often a second, and how much of that is their own.
+const BEAT: f32 = 0.95;
+const RATE: f32 = 9.0;
+const OWN: f32 = 0.3;
+/// The least radius that insects are drawn with, in units of the layout, pixels.
+const LEAST_RADIUS: f32 = 2.4;
+/// Of more insects than this each steps back.
+const MANY: f32 = 500.0;
+
+/// How much room a swarm leaves to each of its insects.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Crowd {
+    /// The least radius they are drawn with, pixels.
+    pub least: f32,
+    /// What is left of their streaks and shadows, 0 to 1.
+    pub left: f32,
+}
+
+impl Crowd {
+    /// Of so many insects.
+    pub fn of(count: usize, unit: f32) -> Self {
+        let share = (MANY / count as f32).min(1.0);
+        Self { least: LEAST_RADIUS * unit * share.powf(0.25).max(0.45), left: share.sqrt().max(0.15) }
+    }
+}
+
+/// An insect in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Insect {
+    pub head: Vec2,
+    pub tail: Vec2,
+    /// Where the wings begin, and where each ends.
+    pub root: Vec2,
+    pub tips: [Vec2; 2],
+    /// Half the width of the wings.
+    pub chords: [f32; 2],
+    /// Half the width of the body.
+    pub waist: f32,
+    pub body: Color,
+    /// With their opacity.
+    pub wings: Color,
+}
+
+/// Where the wings of somebody are at a time: radians above flat. Everybody beats a little faster or slower than the next.
+fn beat(number: u32, time: f64) -> f32 {
+    let rate = RATE * (1.0 + OWN * (lot(number, 1) - 0.5));
+    // only the part of a turn: whole turns of long times leave no digits
+    let turns = (time * f64::from(rate) + f64::from(lot(number, 2))).fract() as f32;
+    0.15 + BEAT * (TAU * turns).sin()
+}
+
+impl Insect {
+    /// A body as an insect, so many times as large as it is; `None` if it cannot be seen.
+    pub fn of(body: &Body, growth: f32, coat: Coat, projector: &Projector, time: f64) -> Option<Self> {
+        let upright = || Basis::facing(DVec2::from_angle(f64::from(body.heading)).as_vec2().extend(0.0));
+        let basis = body.basis.unwrap_or_else(upright);
+        let (center, size) = (body.center(), body.radius * growth);
+        let pixel = |local: Vec3| {
+            let offset = basis.forward * local.x + basis.side * local.y + basis.up * local.z;
+            projector.pixel(center + (offset * size).as_dvec3()).filter(|pixel| pixel.is_finite())
+        };
+        let (sin, cos) = beat(body.number, time).sin_cos();
+        let tip = |aside: f32| pixel(Vec3::new(TIP.x, aside * TIP.y * cos, TIP.y * sin));
+        let scale = size * projector.scale(center) as f32;
+        // a wing that is seen along its edge is thin
+        let sight = projector.sight(center).as_vec3();
+        let chord = |aside: f32| {
+            let normal = basis.up * cos - basis.side * (aside * sin);
+            CHORD * scale * (0.3 + 0.7 * normal.dot(sight).abs())
+        };
+        Some(Self {
+            head: pixel(Vec3::X * HEAD)?,
+            tail: pixel(Vec3::X * TAIL)?,
+            root: pixel(Vec3::X * ROOT)?,
+            tips: [tip(1.0)?, tip(-1.0)?],
+            chords: [1.0, -1.0].map(chord),
+            waist: WAIST * scale,
+            body: coat.fill.mix(coat.rim, 0.55),
+            wings: coat.fill.mix(coat.rim, 0.12).alpha(0.5),
+        })
+    }
+
+    /// Lays it over the picture.
+    pub fn draw(&self, image: &mut Image) {
+        let points = [self.head, self.tail, self.root, self.tips[0], self.tips[1]];
+        let reach = self.chords[0].max(self.chords[1]).max(self.waist) + 1.0;
+        let low = points.into_iter().fold(Vec2::INFINITY, Vec2::min) - reach;
+        let high = points.into_iter().fold(Vec2::NEG_INFINITY, Vec2::max) + reach;
+        let (width, height) = (image.width() as usize, image.height() as usize);
+        // `as` takes what is below zero to zero
+        let (columns, rows) =
+            (low.x as usize..(high.x as usize + 1).min(width), low.y as usize..(high.y as usize + 1).min(height));
+        if !(low.is_finite() && high.is_finite()) || columns.is_empty() || rows.is_empty() {
+            return;
+        }
+        let wings = [0, 1].map(|side| Blade::new(self.root, self.tips[side], self.chords[side]));
+        let (body, wing) = ([self.body.r, self.body.g, self.body.b], [self.wings.r, self.wings.g, self.wings.b]);
+        let trunk = Blade::new(self.tail, self.head, self.waist);
+        for y in rows {
+            let first = (y * width + columns.start) * 4;
+            let row = &mut image.data_mut()[first..first + columns.len() * 4];
+            for (x, pixel) in columns.clone().zip(row.chunks_exact_mut(4)) {
+                let at = Vec2::new(x as f32, y as f32) + 0.5;
+                for cover in wings.map(|blade| blade.leaf(at)) {
+                    if cover > 0.0 {
+                        blend(&mut pixel[..3], wing, (cover * f32::from(self.wings.a) + 0.5) as u32);
+                    }
+                }
+                let cover = trunk.rod(at);
+                if cover > 0.0 {
+                    blend(&mut pixel[..3], body, (cover * f32::from(self.body.a) * (256.0 / 255.0) + 0.5) as u32);
+                }
+            }
+        }
+    }
+}
+
+/// A segment with a width.
+#[derive(Clone, Copy, Debug)]
+struct Blade {
+    from: Vec2,
+    along: Vec2,
+    /// One over its length squared; 0 for none.
+    unit: f32,
+    half: f32,
+}
+
+impl Blade {
+    fn new(from: Vec2, to: Vec2, half: f32) -> Self {
+        let along = to - from;
+        let length2 = along.length_squared();
+        Self { from, along, unit: if length2 > 1e-6 { 1.0 / length2 } else { 0.0 }, half }
+    }
+
+    /// How far along it a pixel is, 0 to 1, and how far off.
+    fn place(&self, at: Vec2) -> (f32, f32) {
+        let offset = at - self.from;
+        let part = (offset.dot(self.along) * self.unit).clamp(0.0, 1.0);
+        (part, (offset - self.along * part).length())
+    }
+
+    /// How much of a pixel is covered where it is as wide all along, and round at the ends; a hair covers less.
+    fn rod(&self, at: Vec2) -> f32 {
+        let (_, off) = self.place(at);
+        let half = self.half.max(0.55);
+        (half + 0.5 - off).clamp(0.0, 1.0)
+    }
+
+    /// How much is covered where it is a leaf: thin where it begins, widest beyond its middle.
+    fn leaf(&self, at: Vec2) -> f32 {
+        let (part, off) = self.place(at);
+        let half = (self.half * (part * (2.6 - 1.9 * part * part)).max(0.0)).max(0.3);
+        (half + 0.5 - off).clamp(0.0, 1.0).min(2.0 * half)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wings_beat_the_same_every_time_and_not_in_step() {
+        for number in [0, 7, 90_000] {
+            let angles: Vec<f32> = (0..100).map(|k| beat(number, f64::from(k) * 0.013)).collect();
+            let (low, high) = angles.iter().fold((1.0f32, 0.0f32), |(low, high), &a| (low.min(a), high.max(a)));
+            assert!(low < -0.7 && high > 1.0, "{low} to {high}");
+            assert_eq!(beat(number, 1e6), beat(number, 1e6));
+        }
+        let phases: Vec<f32> = (0..200).map(|number| beat(number, 3.0)).collect();
+        let up = phases.iter().filter(|angle| **angle > 0.15).count();
+        assert!((70..130).contains(&up), "{up} of 200 wings are up");
+    }
+}
