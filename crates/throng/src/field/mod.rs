@@ -6,6 +6,8 @@
 mod anchors;
 mod brush;
 mod critical;
+mod eikonal;
+mod goal;
 mod governed;
 mod hull;
 mod plate;
@@ -15,6 +17,7 @@ mod sampled;
 pub use anchors::{Anchor, Anchors, Note, Sketch};
 pub use brush::{Stamp, Stroke, erase};
 pub use critical::{Critical, CriticalPoint};
+pub use goal::{Density, Destination, Survey, Terrain, ToGoal};
 pub use governed::Governed;
 pub use plate::Kernel;
 pub use sampled::Sampled;
