@@ -344,14 +344,29 @@ pub(super) fn slope<const D: usize>(
     Some(slope)
 }
 
-/// The direction in which the front came to a node of the plane, backwards, from where between its neighbours it came: for nodes that
-/// lack neighbours. Zero where a front starts.
+/// The direction in which the front came to a node of the plane, backwards: where it came straight from between two neighbours, as close
+/// to walls, towards there; else down the slope. Zero where no front came.
 pub(super) fn backwards(
     lattice: &Lattice<2>,
     (links, cost): (&[Links], &[f32]),
     times: &[f32],
     node: usize,
 ) -> [f32; 2] {
-    let now = key(times[node], node) - 1;
-    Update { strides: lattice.strides(), links, cost, times, now, length: lattice.cell }.from_triangles(node).1
+    if times[node].is_infinite() {
+        return [0.0; 2];
+    }
+    let straight = || {
+        let now = key(times[node], node) - 1;
+        Update { strides: lattice.strides(), links, cost, times, now, length: lattice.cell }.from_triangles(node)
+    };
+    if links[node] > SIDES
+        && let (time, way) = straight()
+        && time <= times[node] * (1.0 + 1e-6)
+    {
+        return way;
+    }
+    match slope(lattice, (links, cost), times, node) {
+        Some(slope) => slope.map(|slope| -slope),
+        None => straight().1,
+    }
 }

@@ -20,6 +20,9 @@ const MARGIN: f32 = 4.0;
 /// What clearance costs less than this is left out.
 const LITTLE: f32 = 0.01;
 
+/// Ways to the neighbours right, above and across the corners above, with their bits and those of the ways back.
+const WAYS: [(isize, isize, Links, Links); 4] = [(1, 0, 2, 1), (0, 1, 8, 4), (1, 1, 128, 16), (-1, 1, 64, 32)];
+
 /// Over which box, in which cells and for whom a [`Terrain`] is surveyed. Metres, from the world's origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Survey {
@@ -76,8 +79,10 @@ pub struct Terrain {
     cost: Vec<f32>,
     /// Between cells that can be walked on.
     pub(super) links: Vec<Links>,
-    /// To cells that are too close to walls: for who has been pushed there.
-    pub(super) margin: Vec<Links>,
+    /// To cells that are too close to walls, and between these: for who has been pushed there.
+    margin: Vec<Links>,
+    /// Those cells, farthest from walls first.
+    close: Vec<u32>,
 }
 
 impl Terrain {
@@ -115,6 +120,7 @@ impl Terrain {
             cost: vec![f32::INFINITY; lattice.len()],
             links: vec![0; lattice.len()],
             margin: vec![0; lattice.len()],
+            close: Vec::new(),
             solid,
         };
         // where links and directions look for walls, and where these cost something
@@ -149,19 +155,43 @@ impl Terrain {
         });
     }
 
+    /// The cell that is so many farther right and up, if there is one.
+    fn next(&self, cell: usize, (right, up): (isize, isize)) -> Option<usize> {
+        let [columns, rows] = self.lattice.counts;
+        let column = (cell % columns).checked_add_signed(right).filter(|&column| column < columns)?;
+        let row = (cell / columns).checked_add_signed(up).filter(|&row| row < rows)?;
+        Some(row * columns + column)
+    }
+
+    /// Gives cells that are too close to walls the ways out: lengths and directions by the neighbours that are farther from walls than
+    /// they are. So nobody is led on through gaps that are too narrow.
+    pub(super) fn lead_out(&self, cost: &[f32], lengths: &mut [f32], directions: &mut [Vec2]) {
+        for &cell in &self.close {
+            let cell = cell as usize;
+            let mut best = (f32::INFINITY, Vec2::ZERO);
+            for (right, up, there, back) in WAYS {
+                for (right, up, bit) in [(right, up, there), (-right, -up, back)] {
+                    let next = self.next(cell, (right, up)).filter(|_| self.margin[cell] & bit != 0);
+                    let Some(next) = next.filter(|&next| self.distances[next] >= self.distances[cell]) else {
+                        continue;
+                    };
+                    let way = Vec2::new(right as f32, up as f32);
+                    let length = lengths[next] + way.length() * self.lattice.cell as f32 * cost[cell];
+                    if length < best.0 {
+                        best = (length, way.normalize());
+                    }
+                }
+            }
+            (lengths[cell], directions[cell]) = best;
+        }
+    }
+
     /// Finds the ways between neighbouring cells.
     fn link(&mut self) {
-        // to the neighbours with greater indices, and those across the corners above; and back
-        const WAYS: [(isize, usize, Links, Links); 4] = [(1, 0, 2, 1), (0, 1, 8, 4), (1, 1, 128, 16), (-1, 1, 64, 32)];
-        let [columns, rows] = self.lattice.counts;
-        let next = |node: usize, (right, up): (isize, usize)| {
-            let (column, row) = ((node % columns).checked_add_signed(right)?, node / columns + up);
-            (column < columns && row < rows).then(|| row * columns + column)
-        };
         let mut onwards: Vec<(Links, Links)> = vec![(0, 0); self.lattice.len()];
         parallel::rows(&mut onwards[..], |(): &mut (), node, (links, margin)| {
             for (right, up, there, _) in WAYS {
-                let Some(next) = next(node, (right, up)) else { continue };
+                let Some(next) = self.next(node, (right, up)) else { continue };
                 if self.solid[node] || self.solid[next] {
                     continue;
                 }
@@ -184,11 +214,15 @@ impl Terrain {
             self.links[node] |= links;
             self.margin[node] |= margin;
             for (right, up, there, back) in WAYS {
-                let Some(next) = next(node, (right, up)) else { continue };
+                let Some(next) = self.next(node, (right, up)) else { continue };
                 self.links[next] |= if links & there != 0 { back } else { 0 };
                 self.margin[next] |= if margin & there != 0 { back } else { 0 };
             }
         }
+        let close = (0..self.lattice.len()).filter(|&node| !self.is_open(node) && self.margin[node] != 0);
+        self.close = close.map(|node| node as u32).collect();
+        let far = |node: u32| self.distances[node as usize];
+        self.close.sort_by(|&a, &b| far(b).total_cmp(&far(a)).then(a.cmp(&b)));
     }
 
     /// Multiplies what a metre costs: below 1 for ways that people like, above 1 for ground that they avoid. Given the middles of

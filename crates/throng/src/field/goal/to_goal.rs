@@ -1,7 +1,7 @@
 //! Flow to a goal: the way that takes the least time, from everywhere.
 
 use super::super::Field;
-use super::super::eikonal::{Front, backwards, march, slope};
+use super::super::eikonal::{Front, backwards, march};
 use super::destination::Destination;
 use super::limits::Limits;
 use super::terrain::{TOUCH, Terrain};
@@ -164,24 +164,13 @@ impl ToGoal {
         }
         let first = starts.iter().map(|start| start.0);
         march(&terrain.lattice, (&terrain.links, cost), first, lengths, front);
-        // who has been pushed close to walls finds out; no way leads through there
-        let open = |cell: u32| terrain.margin[cell as usize] != 0 && lengths[cell as usize].is_finite();
-        let edge: Vec<u32> = (0..lengths.len() as u32).filter(|&cell| open(cell)).collect();
-        march(&terrain.lattice, (&terrain.margin, cost), edge.into_iter(), lengths, front);
         parallel::ranges(&mut directions[..], |cells, directions| {
             for (cell, direction) in cells.zip(directions) {
-                if lengths[cell].is_infinite() {
-                    *direction = Vec2::ZERO;
-                    continue;
-                }
-                let links = if terrain.is_open(cell) { &terrain.links } else { &terrain.margin };
-                let front = (&links[..], &cost[..]);
-                *direction = match slope(&terrain.lattice, front, lengths, cell) {
-                    Some(slope) => -Vec2::from(slope).normalize_or_zero(),
-                    None => backwards(&terrain.lattice, front, lengths, cell).into(),
-                };
+                let way = backwards(&terrain.lattice, (&terrain.links, cost), lengths, cell);
+                *direction = Vec2::from(way).normalize_or_zero();
             }
         });
+        terrain.lead_out(cost, lengths, directions);
         // beside goals fronts are too round for differences
         for &(cell, nearest) in starts.iter() {
             let place = terrain.middle(cell as usize);
@@ -258,17 +247,15 @@ impl ToGoal {
         let nearest = around.iter().map(|&(cell, _)| self.terrain.distances()[cell]).fold(f32::INFINITY, f32::min);
         let clear = f64::from(nearest) > 0.708 * self.terrain.cell();
         let sees = |index: usize| clear || self.terrain.walls.keep_off((place, middles[index]), TOUCH);
-        let mut by = [f32::INFINITY; 4];
-        for (index, &(cell, _)) in around.iter().enumerate() {
-            if self.lengths[cell].is_finite() && sees(index) {
-                by[index] = self.lengths[cell] + self.cost[cell] * place.distance(middles[index]) as f32;
-            }
-        }
+        let seen: [bool; 4] = std::array::from_fn(sees);
         // what is too close to walls tells only those who are there how to get out
         let open = around.map(|(cell, _)| self.terrain.is_open(cell));
-        if (0..4).any(|index| open[index] && by[index].is_finite()) {
-            (0..4).filter(|&index| !open[index]).for_each(|index| by[index] = f32::INFINITY);
-        }
+        let any_open = (0..4).any(|index| seen[index] && open[index]);
+        let by: [f32; 4] = std::array::from_fn(|index| {
+            let (cell, far) = (around[index].0, place.distance(middles[index]) as f32);
+            let counts = seen[index] && (open[index] || !any_open) && self.lengths[cell].is_finite();
+            if counts { self.lengths[cell] + self.cost[cell] * far } else { f32::INFINITY }
+        });
         let best = (0..4).reduce(|best, index| if by[index] < by[best] { index } else { best })?;
         if by[best].is_infinite() {
             return None;
