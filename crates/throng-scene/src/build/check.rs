@@ -349,7 +349,7 @@ fn check_stops(path: &Path, stops: &[Stop], inner: bool) -> Checked {
     Ok(())
 }
 
-fn check_region(path: &Path, region: &Region) -> Checked {
+pub(super) fn check_region(path: &Path, region: &Region) -> Checked {
     match region {
         Region::Disc(disc) => {
             check_point(&path.key("disc.center"), &disc.center)?;

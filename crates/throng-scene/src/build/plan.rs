@@ -21,7 +21,7 @@ use std::fmt;
 use std::sync::Arc;
 use throng::field::{Anchor, Field};
 use throng::space::surface::{Barrier, Surface};
-use throng::space::{Pathway, Walls};
+use throng::space::{Pathway, Place, Walls};
 
 /// Everything a scene puts into a world: what [`Scene::build`] adds, in this order.
 #[derive(Clone, Debug)]
@@ -178,8 +178,10 @@ impl Scene {
         let figures = rules.as_ref().map_or_else(Vec::new, |rules| rules.figures());
         let walls = Walls::new(&walkable, &obstacles, settings.origin);
         let notes = RefCell::new(vec![]);
-        let flows =
-            Flows { scene: self, origin: settings.origin, bounds, walls: &walls, notes: &notes, made: OnceCell::new() };
+        let place = Place { areas: walkable.clone(), obstacles: obstacles.iter().cloned().map(Some).collect() };
+        let (origin, place, walls) = (settings.origin, &place, &walls);
+        let made = OnceCell::new();
+        let flows = Flows { scene: self, origin, bounds, place, walls, around: &around, notes: &notes, made };
         let made = flows.all()?;
         let named = self.fields.iter().zip(made);
         let fields = named.map(|(said, made)| PlannedField {

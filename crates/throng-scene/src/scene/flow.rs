@@ -1,7 +1,7 @@
 //! Vector fields: velocities at every place, that lead crowds and that swarms follow.
 
-use super::steer::{Position, parameters};
-use super::{Number, Point};
+use super::steer::{Position, What, parameters};
+use super::{Number, Point, PointGoal, Region};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -37,6 +37,10 @@ pub enum Flow {
     Picture(Picture),
     /// What a file says: a table (CSV), or a vector field of Menge's (text).
     Table(Table),
+    /// The way to a goal that costs the least time, from everywhere.
+    ToGoal(ToGoal),
+    /// Eddies by chance, without sources and sinks (Bridson et al. 2007).
+    Noise(Noise),
     /// The sum of fields.
     Sum(Vec<FlowPart>),
     /// The mean of fields, directions and speeds each on their own.
@@ -217,6 +221,61 @@ parameters! {
         file: String,
     }
 
+    /// The way to a goal.
+    ToGoal {
+        /// Where to: the nearest of these.
+        to: Vec<Destination>,
+        /// How fast, m/s. Without it, 1.3. Limit: > 0.
+        speed: Option<f64>,
+        /// Radius of the bodies, metres: nobody is led nearer to a wall. Without it, 0.25. Limit: >= 0.
+        radius: Option<f64>,
+        /// How dear it is to go close to walls, square metres: at a distance `d` a metre costs `clearance / (d - radius)^2` more. Without
+        /// it, 0.05. Limit: >= 0.
+        clearance: Option<f64>,
+        /// What a metre costs more, painted: 1 is twice as dear.
+        cost: Option<Map>,
+        /// It leads round jams.
+        jams: Option<Jams>,
+        /// Width of the cells, metres. Without it, 0.25, or more in wide scenes. Limit: > 0.
+        cell: Option<f64>,
+        /// The lower left corner of the ground that ways are searched on. Without it, that of the scene.
+        min: Option<Point>,
+        /// The upper right corner. Without it, that of the scene.
+        max: Option<Point>,
+    }
+
+    /// How a way to a goal leads round jams.
+    Jams {
+        /// The density at which ground costs twice as much, people a square metre. Without it, 1. Limit: > 0.
+        weary: Option<f64>,
+        /// Metres over which people are counted. Without it, 1.5. Limit: > 0.
+        radius: Option<f64>,
+        /// Seconds after which it looks again. Without it, 0.5. Limit: > 0.
+        every: Option<f64>,
+        /// What part of what it saw last is what it sees now, the rest is from before. Without it, 0.5. Limit: > 0, at most 1.
+        part: Option<f64>,
+    }
+
+    /// Eddies by chance.
+    Noise {
+        /// How wide eddies are, metres. Limit: > 0.
+        length: f64,
+        /// How long they live, seconds. Without it, for ever. Limit: > 0.
+        period: Option<f64>,
+        /// The root of the mean square of the speed, m/s. Limit: >= 0.
+        speed: f64,
+        /// Octaves, each half as wide. Without it, 1. Limit: 1 to 16.
+        octaves: Option<u32>,
+        /// Where it flows. Without it, along the ground.
+        potential: Option<Potential>,
+        /// Others with another seed. Without it, 0.
+        seed: Option<u64>,
+        /// What it flows along: names of surfaces and of obstacles, `"obstacles"`, or `"everything"`. Without it, nothing.
+        walls: Option<What>,
+        /// How far walls change it, metres. Without it, as wide as eddies are. Limit: > 0.
+        width: Option<f64>,
+    }
+
     /// A field that is part of another.
     FlowPart {
         /// The field.
@@ -318,6 +377,29 @@ parameters! {
         /// Beyond this distance it says nothing, metres. Without it, everywhere. Limit: > 0.
         reach: Option<f64>,
     }
+}
+
+/// Where a way leads to.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Destination {
+    /// A point.
+    Point(PointGoal),
+    /// A region, entered anywhere.
+    Area(Region),
+}
+
+/// What noise is the curl of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Potential {
+    /// Along the ground.
+    #[default]
+    Plane,
+    /// In space.
+    Space,
+    /// In space, faster, and less even.
+    Crossed,
 }
 
 /// What a stamp does about its middle.

@@ -3,7 +3,6 @@
 use super::avoid::Unavoiding;
 use super::flow::Governed;
 use super::steer::What;
-use super::{Avoid, Body, Colour, Goal, Number, Place, Source, Steer, Vehicle, WrapAround, source};
 use super::{Avoid, Body, Colour, Goal, Mark, Number, Place, Source, Steer, Vehicle, WrapAround, source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

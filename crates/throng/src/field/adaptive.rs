@@ -1,6 +1,7 @@
 //! Fields that change with where people are.
 
 use super::Field;
+use crate::Error;
 use glam::Vec2;
 use std::sync::Arc;
 
@@ -8,6 +9,12 @@ use std::sync::Arc;
 /// it makes another of itself that holds until the next time. What it remembers in between is part of the world's state, so
 /// that saved worlds go on with the same bits.
 pub trait Adaptive: Send + Sync {
+    /// What is wrong with its parameters, if anything is.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] names the parameter.
+    fn check(&self) -> Result<(), Error>;
+
     /// Seconds from one time to the next. Limit: > 0.
     fn interval(&self) -> f64;
 

@@ -1,6 +1,6 @@
 //! Crowds that a field governs, as far as it does.
 
-use super::{Field, Interaction, Map};
+use super::{Adaptive, Field, Interaction, Map};
 use crate::Error;
 use crate::motion::angle;
 use glam::{Vec2, Vec3};
@@ -52,6 +52,7 @@ impl Governed {
 
     pub(crate) fn check(&self) -> Result<(), Error> {
         Error::unless((0.0..=1.0).contains(&self.ratio), "ratio of a field", self.ratio, "0 to 1")?;
+        self.field.adaptive().map_or(Ok(()), Adaptive::check)?;
         self.around.iter().try_for_each(Interaction::check)
     }
 

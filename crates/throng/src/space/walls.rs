@@ -2,7 +2,7 @@
 //!
 //! Edges are directed: what is solid lies on the left, free ground on the right. A thin wall is two opposite edges.
 
-use super::{Cells, Obstacle, Walkable};
+use super::{Cells, Core, Obstacle, Walkable};
 use glam::{DVec2, Vec2};
 
 /// A solid edge.
@@ -54,6 +54,31 @@ pub fn nearest_on_segment(a: DVec2, b: DVec2, p: DVec2) -> DVec2 {
     let t = (p - a).dot(along) / along.length_squared();
     // a segment without length has t NaN: its start is as near as any
     if t > 0.0 { a + along * t.min(1.0) } else { a }
+}
+
+/// A wall.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Wall<'a> {
+    /// One of the edges.
+    Edge(&'a Edge),
+    /// One of the discs.
+    Disc(&'a Disc),
+}
+
+impl Wall<'_> {
+    /// How far a point is from it, metres, and the unit vector from it to the point; none on it, or inside a disc's middle.
+    pub fn off(&self, p: DVec2) -> (f64, Option<DVec2>) {
+        match self {
+            Self::Edge(edge) => {
+                let off = p - edge.nearest(p);
+                (off.length(), off.try_normalize())
+            }
+            Self::Disc(disc) => {
+                let off = p - disc.center;
+                (off.length() - disc.radius, off.try_normalize())
+            }
+        }
+    }
 }
 
 /// All walls of a place.
@@ -264,6 +289,36 @@ impl Walls {
                 }
             }
         }
+    }
+
+    /// Calls `see` with every wall within `range` of `from`, and perhaps with some that are farther, or with one twice; always in
+    /// the same order.
+    pub(crate) fn visit(&self, from: DVec2, range: f64, mut see: impl FnMut(Wall<'_>)) {
+        if self.is_empty() || self.are_far(from, range) {
+            return;
+        }
+        let away = (range - REACH).max(0.0);
+        for cell in self.cells.touched(from - away, from + away) {
+            for &item in self.cells.items(cell).iter().filter(|&&item| self.may_be_near(item, from, range)) {
+                match self.edges.get(item as usize) {
+                    Some(edge) => see(Wall::Edge(edge)),
+                    None => see(Wall::Disc(&self.discs[item as usize - self.edges.len()])),
+                }
+            }
+        }
+    }
+
+    /// Whether a straight way between two points comes nowhere as near to a wall as this, metres; 0: whether it touches none.
+    pub(crate) fn keep_off(&self, (a, b): (DVec2, DVec2), gap: f64) -> bool {
+        let way = Core::segment(a, b);
+        let mut clear = true;
+        self.visit(way.center, way.half.x + gap, |wall| {
+            clear &= match wall {
+                Wall::Edge(edge) => way.separation(&Core::segment(edge.start, edge.end)).distance > gap,
+                Wall::Disc(disc) => nearest_on_segment(a, b, disc.center).distance(disc.center) - disc.radius > gap,
+            };
+        });
+        clear
     }
 
     /// Whether the box round an item is within `range`: cheaper than its distance.

@@ -3,15 +3,17 @@
 //! A kind of field is made by its own `impl Make`; what is wrong with its numbers, the library says.
 
 mod combine;
+mod goal;
 mod govern;
 mod map;
+mod noise;
 mod paint;
 mod picture;
 mod sketch;
 mod table;
 
 use super::limits::{Limit, check, check_point, check_some};
-use super::steer::refused;
+use super::steer::{Around, refused};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
@@ -22,7 +24,7 @@ use glam::Vec3;
 use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 use throng::field::{Anchor, Field, Map, Uniform};
-use throng::space::Walls;
+use throng::space::{Place, Walls};
 
 pub(super) use govern::note_silence;
 
@@ -49,8 +51,12 @@ pub(super) struct Flows<'a> {
     pub origin: DVec2,
     /// Lower left and upper right corner of the scene.
     pub bounds: [DVec2; 2],
-    /// What is solid, relative to the origin.
+    /// What is solid, in world coordinates.
+    pub place: &'a Place,
+    /// The same, relative to the origin.
     pub walls: &'a Walls,
+    /// Surfaces and obstacles by name.
+    pub around: &'a Around<'a>,
     /// What is worth knowing of what was made.
     pub notes: &'a RefCell<Vec<String>>,
     /// The fields of the scene, once they are made.
@@ -137,6 +143,8 @@ impl At<'_> {
             Flow::Paint(of) => ("paint", of),
             Flow::Picture(of) => ("picture", of),
             Flow::Table(of) => ("table", of),
+            Flow::ToGoal(of) => ("to_goal", of),
+            Flow::Noise(of) => ("noise", of),
             Flow::Sum(of) => ("sum", &combine::Parts { of, blended: false }),
             Flow::Blend(of) => ("blend", &combine::Parts { of, blended: true }),
             Flow::Keyframes(of) => ("keyframes", of),

@@ -1,6 +1,8 @@
 //! What behaviours find around agents: surfaces and paths by name, and what is solid.
 
+use super::place::unknown;
 use super::refused;
+use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
 use crate::scene::Scene;
@@ -8,6 +10,7 @@ use crate::scene::steer::What;
 use std::sync::Arc;
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Surface};
+use throng::steer::Barriers;
 
 /// What has a side to stay on.
 type Side = Barrier<Arc<dyn Surface>>;
@@ -36,7 +39,7 @@ impl<'a> Around<'a> {
         let paths = scene.paths.iter().zip(paths).map(|(said, made)| (said.name.as_str(), made.clone()));
         let mut around =
             Self { surfaces: surfaces.collect(), paths: paths.collect(), obstacles: vec![], edges: vec![] };
-        if scene.groups.iter().any(|group| group.steer.is_some() || group.solid.is_some()) {
+        if !scene.fields.is_empty() || scene.groups.iter().any(|group| group.steer.is_some() || group.solid.is_some()) {
             let edges = throng::Walkable::union(walkable.to_vec()).and_then(|areas| Barrier::of_ground(&areas, origin));
             around.edges = edges.map_err(|error| refused(&Path::of("walkable"), &error))?;
             for (i, (said, made)) in scene.obstacles.iter().zip(obstacles).enumerate() {
@@ -60,5 +63,20 @@ impl<'a> Around<'a> {
         let all = || self.surfaces.iter().chain(&self.obstacles).filter(|(known, _)| !known.is_empty());
         let found: Vec<Side> = all().filter(|(known, _)| *known == name).map(|(_, side)| side.clone()).collect();
         if found.is_empty() { Err(all().map(|(known, _)| *known).collect()) } else { Ok(found) }
+    }
+
+    /// What has these names.
+    pub fn sides(&self, what: &What, at: &Path, mend: &str) -> Result<Barriers, Problem> {
+        let named = what.0.iter().enumerate().map(|(i, name)| {
+            self.named(name).map_err(|known| {
+                let at = if what.0.len() == 1 { at.clone() } else { at.index(i) };
+                unknown(&at, "surface or obstacle", name, &known)
+            })
+        });
+        let named: Vec<_> = named.collect::<Result<_, _>>()?;
+        if named.is_empty() {
+            return Err(Problem::new(at, Kind::MissingKey, "this list of names is empty").hint(mend));
+        }
+        Ok(Barriers(named.concat()))
     }
 }

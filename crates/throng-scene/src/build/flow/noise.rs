@@ -1,0 +1,40 @@
+//! Noise.
+
+use super::{At, Made, Make};
+use crate::build::limits::{Limit, check, check_some};
+use crate::error::Kind;
+use crate::file::Problem;
+use crate::scene::flow::{Noise, Potential};
+use throng::field::{self, CurlNoise, Octave, Wall};
+
+impl Make for Noise {
+    fn make(&self, at: &At) -> Result<Made, Problem> {
+        check(&at.path.key("length"), self.length, Limit::Positive)?;
+        check(&at.path.key("speed"), self.speed, Limit::Between(0.0, 1000.0))?;
+        check_some(&at.path.key("period"), self.period, Limit::Positive)?;
+        check_some(&at.path.key("width"), self.width, Limit::Positive)?;
+        let octaves = self.octaves.unwrap_or(1);
+        check(&at.path.key("octaves"), f64::from(octaves), Limit::Between(1.0, 16.0))?;
+        let period = self.period.map_or(f32::INFINITY, |period| period as f32);
+        let octaves = Octave::turbulence(self.length as f32, period, self.speed as f32, octaves as usize);
+        let potential = match self.potential.unwrap_or_default() {
+            Potential::Plane => field::Potential::Plane,
+            Potential::Space => field::Potential::Space,
+            Potential::Crossed => field::Potential::Crossed,
+        };
+        let made = octaves.and_then(|octaves| CurlNoise::new(potential, &octaves, self.seed.unwrap_or(0)));
+        let mut noise = made.map_err(|error| at.refused(&error))?;
+        if let Some(walls) = &self.walls {
+            if at.origin != at.flows.origin {
+                let problem = Problem::new(&at.path.key("walls"), Kind::Conflict, "walls do not go with anybody");
+                return Err(problem.hint("leave `walls` away where a field goes with others"));
+            }
+            let sides = at.flows.around.sides(walls, &at.path.key("walls"), "leave `walls` away for nothing")?;
+            for side in sides.0 {
+                let wall = Wall::new(side.surface, self.width.unwrap_or(self.length) as f32);
+                noise = noise.with_wall(wall.map_err(|error| at.refused(&error))?);
+            }
+        }
+        Ok(Made::of(noise))
+    }
+}

@@ -1,0 +1,372 @@
+//! The eikonal equation |grad T| = c on lattices of two or three dimensions, by fast marching.
+//!
+//! Sethian, *A fast marching level set method for monotonically advancing fronts*, PNAS 93(4), 1996: nodes get their times in the order in
+//! which a front reaches them, each from those before it, by Godunov's upwind differences; of second order where the cost varies little
+//! (Sethian, *Fast marching methods*, SIAM Review 41(2), 1999, section 4.4). Ties are broken by index: the order is always the same.
+
+use std::f64::consts::SQRT_2;
+
+/// Nodes side by side, row by row, layer by layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lattice<const D: usize> {
+    /// Nodes along each axis.
+    pub counts: [usize; D],
+    /// Distance of neighbours, metres.
+    pub cell: f64,
+}
+
+impl<const D: usize> Lattice<D> {
+    /// Nodes of all.
+    pub fn len(&self) -> usize {
+        self.counts.iter().product()
+    }
+
+    /// How far apart the indices of neighbours along each axis are.
+    pub fn strides(&self) -> [usize; D] {
+        let mut strides = [1; D];
+        for axis in 1..D {
+            strides[axis] = strides[axis - 1] * self.counts[axis - 1];
+        }
+        strides
+    }
+
+    /// Where a node is along each axis.
+    pub fn coordinates(&self, node: usize) -> [usize; D] {
+        let strides = self.strides();
+        std::array::from_fn(|axis| node / strides[axis] % self.counts[axis])
+    }
+}
+
+/// Towards which neighbours there is a way: a bit a side, that of the neighbour before it along the first axis first, then the one
+/// after it; then those along the second axis. In the plane then those across the corners, which count close to walls: along a wall
+/// that goes up in steps, differences along the axes know too little.
+pub(super) type Links = u8;
+
+/// The bits of all sides, in the plane.
+pub(super) const SIDES: Links = 0b1111;
+
+/// The bit of a side of an axis; `after`: 1 for the neighbour with the greater index, else 0.
+pub(super) fn bit(axis: usize, after: usize) -> Links {
+    1 << (2 * axis + after)
+}
+
+/// The bit of the neighbour across a corner, in the plane; `after`: 1 for the greater index along each axis, else 0.
+pub(super) fn corner_bit(after: [usize; 2]) -> Links {
+    1 << (4 + after[0] + 2 * after[1])
+}
+
+/// Costs of neighbours that differ by more than this part: a front that bends there, for which the second order would overshoot.
+const SMOOTH: f32 = 0.35;
+
+/// What a march keeps its memory in.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Front {
+    /// Nodes that it gets to next: those with the earliest time first.
+    heap: Vec<u64>,
+    /// A bit a node: whether it starts there.
+    starts: Vec<u64>,
+}
+
+/// Gives every node that can be reached the time when a front gets there: from the nodes that have a time already, `starts`, in any
+/// order. These keep theirs: beside a point differences know less than who gave them. Times of others must be infinite or later; costs,
+/// metres of front for a metre of way, greater than 0.
+pub(super) fn march<const D: usize>(
+    lattice: &Lattice<D>,
+    (links, cost): (&[Links], &[f32]),
+    starts: impl Iterator<Item = u32>,
+    times: &mut [f32],
+    Front { heap, starts: fixed }: &mut Front,
+) {
+    let strides = lattice.strides();
+    heap.clear();
+    fixed.clear();
+    fixed.resize(lattice.len().div_ceil(64), 0);
+    for node in starts {
+        fixed[node as usize / 64] |= 1 << (node % 64);
+        push(heap, key(times[node as usize], node as usize));
+    }
+    while let Some(now) = pop(heap) {
+        let (time, node) = (f32::from_bits((now >> 32) as u32), now as u32 as usize);
+        // a node that has got an earlier time since has been there already
+        if time > times[node] {
+            continue;
+        }
+        let mut reach = |next: usize| {
+            if key(times[next], next) > now && fixed[next / 64] >> (next % 64) & 1 == 0 {
+                let update = Update { strides, links, cost, times, now, length: lattice.cell };
+                let arrival = update.arrival(next).max(time);
+                if arrival < times[next] {
+                    times[next] = arrival;
+                    push(heap, key(arrival, next));
+                }
+            }
+        };
+        let links = links[node];
+        for axis in 0..D {
+            for after in 0..2 {
+                if links & bit(axis, after) != 0 {
+                    reach(beside(node, strides[axis], after));
+                }
+            }
+        }
+        if D == 2 && links > SIDES {
+            for after in CORNERS {
+                if links & corner_bit(after) != 0 {
+                    reach(beside(beside(node, strides[0], after[0]), strides[1], after[1]));
+                }
+            }
+        }
+    }
+}
+
+/// The corners of a cell of the plane.
+const CORNERS: [[usize; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
+
+/// The neighbour of a node with the smaller or the greater index.
+fn beside(node: usize, stride: usize, after: usize) -> usize {
+    if after == 1 { node + stride } else { node - stride }
+}
+
+/// What a time of a node is found from.
+struct Update<'a, const D: usize> {
+    strides: [usize; D],
+    links: &'a [Links],
+    cost: &'a [f32],
+    times: &'a [f32],
+    /// The node that the front has just reached: those before it have their times for good.
+    now: u64,
+    length: f64,
+}
+
+impl<const D: usize> Update<'_, D> {
+    /// When the front gets to a node, from those of its neighbours that it has reached.
+    fn arrival(&self, node: usize) -> f32 {
+        let along = self.along_axes(node);
+        if D == 2 && self.links[node] > SIDES { along.min(self.from_triangles(node).0) } else { along }
+    }
+
+    /// When it comes straight from somewhere between a neighbour and the next, as the earliest does, and the direction there: Tsitsiklis,
+    /// *Efficient algorithms for globally optimal trajectories*, IEEE Transactions on Automatic Control 40(9), 1995. In the plane.
+    fn from_triangles(&self, node: usize) -> (f32, [f32; 2]) {
+        let links = self.links[node];
+        let step = self.length * f64::from(self.cost[node]);
+        let reached = |node: usize| (key(self.times[node], node) <= self.now).then(|| f64::from(self.times[node]));
+        let mut best = (f64::INFINITY, [0.0; 2]);
+        let mut offer = |time: f64, way: [f64; 2]| {
+            if time < best.0 {
+                best = (time, way);
+            }
+        };
+        for after in CORNERS {
+            let sign = after.map(|after| if after == 1 { 1.0 } else { -1.0 });
+            let sides = [0, 1].map(|axis| {
+                let linked = links & bit(axis, after[axis]) != 0;
+                linked.then(|| reached(beside(node, self.strides[axis], after[axis]))).flatten()
+            });
+            let across = || reached(beside(beside(node, self.strides[0], after[0]), self.strides[1], after[1]));
+            let corner = (links & corner_bit(after) != 0).then(across).flatten();
+            for (axis, side) in sides.into_iter().enumerate() {
+                let Some(side) = side else { continue };
+                // the front's slope between the two, as the sine of an angle
+                let sine = corner.map_or(0.0, |corner| ((side - corner) / step).max(0.0));
+                if sine * sine < 0.5 {
+                    let cosine = (1.0 - sine * sine).sqrt();
+                    let mut way = [sign[0] * sine, sign[1] * sine];
+                    way[axis] = sign[axis] * cosine;
+                    offer(side + step * cosine, way);
+                }
+            }
+            if let Some(corner) = corner {
+                offer(corner + step * SQRT_2, sign.map(|sign| sign / SQRT_2));
+            }
+        }
+        (best.0 as f32, best.1.map(|way| way as f32))
+    }
+
+    /// As [`arrival`](Self::arrival), by differences along the axes.
+    fn along_axes(&self, node: usize) -> f32 {
+        // for each axis: the neighbour's time, then what the difference is taken from, and its weight
+        let mut terms = [(0.0f64, 0.0f64, 0.0f64); D];
+        let mut count = 0;
+        for axis in 0..D {
+            if let Some(term) = self.term(node, axis) {
+                terms[count] = term;
+                count += 1;
+            }
+        }
+        let terms = &mut terms[..count];
+        // latest first: it is the first to be left out
+        terms.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+        let step = self.length * f64::from(self.cost[node]);
+        for from in 0..count {
+            let (latest, base) = (terms[from].0, terms[count - 1].0);
+            let (mut a, mut b, mut c) = (0.0, 0.0, -step * step);
+            for &(_, value, weight) in &terms[from..] {
+                let above = value - base;
+                a += weight;
+                b += weight * above;
+                c += weight * above * above;
+            }
+            let root = b * b - a * c;
+            if root >= 0.0 {
+                let arrival = base + (b + root.sqrt()) / a;
+                if arrival >= latest {
+                    return arrival as f32;
+                }
+            }
+        }
+        f32::INFINITY
+    }
+
+    /// What the neighbours along an axis contribute, if the front has reached one.
+    fn term(&self, node: usize, axis: usize) -> Option<(f64, f64, f64)> {
+        let stride = self.strides[axis];
+        let mut nearest: Option<(f32, usize, usize)> = None;
+        for after in 0..2 {
+            if self.links[node] & bit(axis, after) == 0 {
+                continue;
+            }
+            let next = beside(node, stride, after);
+            let time = self.times[next];
+            if key(time, next) <= self.now && nearest.is_none_or(|nearest| time < nearest.0) {
+                nearest = Some((time, next, after));
+            }
+        }
+        let (time, next, after) = nearest?;
+        let first = f64::from(time);
+        let (cost, beside_cost) = (self.cost[node], self.cost[next]);
+        if self.links[next] & bit(axis, after) != 0 && (beside_cost - cost).abs() <= SMOOTH * cost {
+            let second = f64::from(self.times[beside(next, stride, after)]);
+            if second <= first {
+                return Some((first, (4.0 * first - second) / 3.0, 2.25));
+            }
+        }
+        Some((first, first, 1.0))
+    }
+}
+
+/// A node and its time: earlier times come first, at the same time lower indices. Times are not negative, so that their bits are in
+/// the order of their values.
+fn key(time: f32, node: usize) -> u64 {
+    u64::from(time.to_bits()) << 32 | node as u64
+}
+
+/// Children of an entry of the heap.
+const CHILDREN: usize = 4;
+
+fn push(heap: &mut Vec<u64>, key: u64) {
+    let mut at = heap.len();
+    heap.push(key);
+    while at > 0 {
+        let parent = (at - 1) / CHILDREN;
+        if heap[parent] <= key {
+            break;
+        }
+        heap[at] = heap[parent];
+        at = parent;
+    }
+    heap[at] = key;
+}
+
+fn pop(heap: &mut Vec<u64>) -> Option<u64> {
+    let last = heap.pop()?;
+    let Some(&least) = heap.first() else { return Some(last) };
+    let mut at = 0;
+    loop {
+        let first = CHILDREN * at + 1;
+        let end = (first + CHILDREN).min(heap.len());
+        let Some(child) = (first..end).min_by_key(|&child| heap[child]) else { break };
+        if heap[child] >= last {
+            break;
+        }
+        heap[at] = heap[child];
+        at = child;
+    }
+    heap[at] = last;
+    Some(least)
+}
+
+/// A bend of the times over three nodes, in metres of front for a cell's width at the cost there, from which on fronts meet between
+/// them: the slope is that on one side.
+const KINK: f32 = 0.05;
+/// The same where they bend the other way, as away from a point: what bends more is too narrow for the second order.
+const ROUND: f32 = 0.4;
+
+/// The slope of the times at a node along each axis, a unit of time a metre; none where along an axis only a side that the front goes on
+/// to is known.
+///
+/// Fronts that meet leave a ridge: there it is the slope of the side from which the front came first. Elsewhere it is that of both sides,
+/// where it bends little.
+pub(super) fn slope<const D: usize>(
+    lattice: &Lattice<D>,
+    (links, cost): (&[Links], &[f32]),
+    times: &[f32],
+    node: usize,
+) -> Option<[f32; D]> {
+    let strides = lattice.strides();
+    let width = lattice.cell as f32;
+    let mut slope = [0.0; D];
+    for axis in 0..D {
+        let beside = |node: usize, after: usize| beside(node, strides[axis], after);
+        let rise_from = |node: usize, after: usize| {
+            let linked = links[node] & bit(axis, after) != 0;
+            let rise = if linked { times[node] - times[beside(node, after)] } else { f32::NEG_INFINITY };
+            (rise > f32::NEG_INFINITY).then_some(rise)
+        };
+        let (before, after) = (rise_from(node, 0), rise_from(node, 1));
+        let unit = width * cost[node];
+        if let (Some(before), Some(after)) = (before, after) {
+            if (-ROUND * unit..=KINK * unit).contains(&(before + after)) {
+                slope[axis] = 0.5 * (before - after) / width;
+                continue;
+            }
+            // the bottom of a narrow valley
+            if before.max(after) <= 0.0 {
+                continue;
+            }
+        }
+        let (rise, side) = match (before, after) {
+            (Some(before), Some(after)) if after > before => (after, 1),
+            (Some(before), _) => (before, 0),
+            (None, Some(after)) => (after, 1),
+            (None, None) => return None,
+        };
+        if rise < 0.0 {
+            return None;
+        }
+        // of second order where it bends little, as away from a point, and no fronts meet
+        let rise = match rise_from(beside(node, side), side) {
+            Some(next) if (-KINK * unit..=ROUND * unit).contains(&(rise - next)) => 1.5 * rise - 0.5 * next,
+            _ => rise,
+        };
+        slope[axis] = if side == 1 { -rise / width } else { rise / width };
+    }
+    Some(slope)
+}
+
+/// The direction in which the front came to a node of the plane, backwards: where it came straight from between two neighbours, as close
+/// to walls, towards there; else down the slope. Zero where no front came.
+pub(super) fn backwards(
+    lattice: &Lattice<2>,
+    (links, cost): (&[Links], &[f32]),
+    times: &[f32],
+    node: usize,
+) -> [f32; 2] {
+    if times[node].is_infinite() {
+        return [0.0; 2];
+    }
+    let straight = || {
+        let now = key(times[node], node) - 1;
+        Update { strides: lattice.strides(), links, cost, times, now, length: lattice.cell }.from_triangles(node)
+    };
+    if links[node] > SIDES
+        && let (time, way) = straight()
+        && time <= times[node] * (1.0 + 1e-6)
+    {
+        return way;
+    }
+    match slope(lattice, (links, cost), times, node) {
+        Some(slope) => slope.map(|slope| -slope),
+        None => straight().1,
+    }
+}

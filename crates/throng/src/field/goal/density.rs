@@ -1,0 +1,88 @@
+//! How crowded the cells of a terrain are.
+
+use super::terrain::Terrain;
+use crate::Error;
+use glam::{DVec2, Vec2};
+
+/// Parts of a person that are counted: whole numbers, so that the sum is the same in whatever order people come.
+const PARTS: f64 = (1 << 20) as f64;
+
+/// People a square metre in every cell of a terrain, row by row.
+///
+/// ```
+/// use glam::{DVec2, Vec2};
+/// use throng::field::{Density, Survey, Terrain};
+/// let ground = Terrain::of(|_| false, Survey { high: DVec2::splat(20.0), ..Survey::default() })?;
+/// let people = (0..400).map(|k| Vec2::new((k % 20) as f32 + 0.5, (k / 20) as f32 + 0.5));
+/// let mut density = Density::empty(&ground);
+/// let now = Density::of(&ground, people, 2.0)?;
+/// let middle = ground.cell_at(DVec2::splat(10.0)).unwrap();
+/// assert!((now.cells()[middle] - 1.0).abs() < 0.05);
+/// density.follow(&now, 0.25);
+/// assert_eq!(density.cells()[middle], 0.25 * now.cells()[middle]);
+/// # Ok::<(), throng::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Density(Vec<f32>);
+
+impl Density {
+    /// Nobody anywhere.
+    pub fn empty(terrain: &Terrain) -> Self {
+        Self(vec![0.0; terrain.cost().len()])
+    }
+
+    /// That of people at some places, metres from the world's origin. Everybody counts as much as one, spread over the cells within
+    /// `radius` metres that are not solid, by a kernel `(1 - (d / radius)^2)^2`. Who is off the terrain does not count. The order of
+    /// people does not matter.
+    ///
+    /// # Errors
+    /// A radius that is not greater than 0 and finite.
+    pub fn of(terrain: &Terrain, people: impl IntoIterator<Item = Vec2>, radius: f64) -> Result<Self, Error> {
+        let holds = radius > 0.0 && radius.is_finite();
+        Error::unless(holds, "radius of a density", radius, "greater than 0 and finite")?;
+        let mut parts = vec![0u64; terrain.cost().len()];
+        let mut kernel: Vec<(usize, f64)> = Vec::new();
+        for person in people {
+            let person = person.as_dvec2();
+            let Some(own) = terrain.cell_at(person) else { continue };
+            kernel.clear();
+            terrain.within((person - radius, person + radius), |cell| {
+                let far = terrain.middle(cell).distance_squared(person) / (radius * radius);
+                if far < 1.0 && !terrain.is_solid(cell) {
+                    kernel.push((cell, (1.0 - far) * (1.0 - far)));
+                }
+            });
+            let sum: f64 = kernel.iter().map(|&(_, part)| part).sum();
+            for &(cell, part) in &kernel {
+                parts[cell] += (part / sum * PARTS) as u64;
+            }
+            // narrower than the cells
+            if kernel.is_empty() {
+                parts[own] += PARTS as u64;
+            }
+        }
+        let cell = terrain.cell();
+        let density = |parts: u64| (parts as f64 / (PARTS * cell * cell)) as f32;
+        Ok(Self(parts.into_iter().map(density).collect()))
+    }
+
+    /// Comes nearer to another by a part of the way, 0 to 1: what changes within moments is smoothed.
+    ///
+    /// # Panics
+    /// Never; cells that the other lacks stay as they are.
+    pub fn follow(&mut self, now: &Self, part: f32) {
+        self.0.iter_mut().zip(&now.0).for_each(|(old, now)| *old += (now - *old) * part);
+    }
+
+    /// People a square metre, one a cell.
+    pub fn cells(&self) -> &[f32] {
+        &self.0
+    }
+}
+
+impl Terrain {
+    /// Calls `inside` with the cells whose middles are in a box.
+    fn within(&self, corners: (DVec2, DVec2), inside: impl FnMut(usize)) {
+        super::cover::within(corners, (self.low + 0.5 * self.cell(), &self.lattice), inside);
+    }
+}

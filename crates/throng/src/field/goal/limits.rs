@@ -1,0 +1,65 @@
+//! Velocities that lead into no wall.
+
+use glam::DVec2;
+
+/// Walls that are looked at together; farther from each other than a cell there are no more.
+const MOST: usize = 8;
+/// Directions that differ less are one.
+const SAME: f64 = 1e-9;
+
+/// How fast one may go towards the walls nearby.
+#[derive(Default)]
+pub(super) struct Limits {
+    /// Unit vectors away from walls, and how fast one may go against them, at least 0.
+    all: [(DVec2, f64); MOST],
+    count: usize,
+}
+
+impl Limits {
+    /// Against a unit vector nobody may go faster than this.
+    pub fn add(&mut self, away: DVec2, most: f64) {
+        match self.all[..self.count].iter_mut().find(|limit| limit.0.distance_squared(away) < SAME) {
+            Some(limit) => limit.1 = limit.1.min(most),
+            None if self.count < MOST => {
+                self.all[self.count] = (away, most);
+                self.count += 1;
+            }
+            // the nearest count
+            None => {
+                if let Some(widest) = self.all.iter_mut().max_by(|a, b| a.1.total_cmp(&b.1))
+                    && widest.1 > most
+                {
+                    *widest = (away, most);
+                }
+            }
+        }
+    }
+
+    /// The velocity nearest to one that keeps all limits: that one, or the nearest on the line of a limit, or where two of them meet.
+    /// Standing always keeps them.
+    pub fn nearest(&self, velocity: DVec2) -> DVec2 {
+        let limits = &self.all[..self.count];
+        let slack = 1e-9 * velocity.length();
+        let keeps = |v: DVec2| limits.iter().all(|&(away, most)| -v.dot(away) <= most + slack);
+        if keeps(velocity) {
+            return velocity;
+        }
+        let mut best = DVec2::ZERO;
+        let mut offer = |v: DVec2| {
+            if v.distance_squared(velocity) < best.distance_squared(velocity) && keeps(v) {
+                best = v;
+            }
+        };
+        for (index, &(away, most)) in limits.iter().enumerate() {
+            offer(velocity - away * (velocity.dot(away) + most));
+            for &(other, other_most) in &limits[..index] {
+                let sine = away.perp_dot(other);
+                if sine.abs() > SAME {
+                    // v . away = -most, v . other = -other_most
+                    offer((other.perp() * most - away.perp() * other_most) / sine);
+                }
+            }
+        }
+        best
+    }
+}

@@ -1,0 +1,379 @@
+//! The ground that ways to goals are searched on: what can be walked on, how far the walls are, and what a metre costs.
+
+use super::super::eikonal::{Lattice, Links};
+use super::cover;
+use crate::Error;
+use crate::parallel;
+use crate::space::{NearWalls, Obstacle, Place, Walls};
+use glam::{DVec2, Vec2};
+use std::fmt;
+
+/// Cells of a terrain at most.
+const MOST: usize = 1 << 24;
+/// The part of a body's radius that links between cells keep off walls: round the corner of a wall they dip below the radius. With
+/// cells as wide as the radius that is by this part: a half of the square root of 3.
+const KEPT: f64 = 0.866;
+/// Ways that come closer to a wall than this, metres, touch it.
+pub(super) const TOUCH: f64 = 1e-6;
+/// How many times as dear as at most it is where bodies would reach into walls: who is there goes straight out.
+const MARGIN: f32 = 4.0;
+/// What clearance costs less than this is left out.
+const LITTLE: f32 = 0.01;
+
+/// Ways to the neighbours right, above and across the corners above, with their bits and those of the ways back.
+const WAYS: [(isize, isize, Links, Links); 4] = [(1, 0, 2, 1), (0, 1, 8, 4), (1, 1, 128, 16), (-1, 1, 64, 32)];
+
+/// Over which box, in which cells and for whom a [`Terrain`] is surveyed. Metres, from the world's origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Survey {
+    /// The corner with the least coordinates.
+    pub low: DVec2,
+    /// The corner with the greatest coordinates; the last cells may reach beyond it.
+    pub high: DVec2,
+    /// Width of a cell. Ways through gaps that are wider than two radii and 1.5 cells are found, narrower ones perhaps not.
+    /// Limit: > 0, at most 16 million cells.
+    pub cell: f64,
+    /// Radius of the bodies: no centre comes nearer to a wall. Limit: >= 0.
+    pub radius: f64,
+    /// How dear it is to go close to walls, square metres: at a distance `d` from a wall a metre costs `clearance / (d - radius)^2`
+    /// more. 0: shortest ways, along the walls. Limit: >= 0.
+    pub clearance: f32,
+    /// What a metre costs more at most because of walls. Limit: >= 0.
+    pub dearest: f32,
+}
+
+impl Default for Survey {
+    fn default() -> Self {
+        Self { low: DVec2::ZERO, high: DVec2::ZERO, cell: 0.25, radius: 0.25, clearance: 0.05, dearest: 10.0 }
+    }
+}
+
+/// Ground in square cells, for [`ToGoal`](super::ToGoal): which of them can be walked on, how far their middles are from the walls, and
+/// what a metre costs there.
+///
+/// ```
+/// use glam::DVec2;
+/// use throng::field::{Survey, Terrain};
+/// use throng::space::Place;
+/// use throng::Obstacle;
+/// let pillar = Obstacle::Circle { center: DVec2::splat(5.0), radius: 1.0 };
+/// let place = Place { areas: vec![], obstacles: vec![Some(pillar)] };
+/// let survey = Survey { high: DVec2::splat(10.0), cell: 0.5, radius: 0.3, ..Survey::default() };
+/// let mut ground = Terrain::of_place(&place, DVec2::ZERO, survey)?;
+/// let there = ground.cell_at(DVec2::new(5.25, 7.25)).expect("it is on the terrain");
+/// assert!((ground.distances()[there] - 1.264).abs() < 1e-3 && ground.is_open(there));
+/// assert!(!ground.is_open(ground.cell_at(DVec2::splat(5.2)).unwrap()), "inside the pillar");
+/// // grass: twice as dear
+/// ground.paint(|at| if at.x < 2.0 { 2.0 } else { 1.0 })?;
+/// # Ok::<(), throng::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct Terrain {
+    pub(super) lattice: Lattice<2>,
+    pub(super) low: DVec2,
+    pub(super) radius: f64,
+    pub(super) walls: Walls,
+    solid: Vec<bool>,
+    distances: Vec<f32>,
+    /// Metres that a metre costs; infinite where nobody can be.
+    cost: Vec<f32>,
+    /// Between cells that can be walked on.
+    pub(super) links: Vec<Links>,
+    /// To cells that are too close to walls, and between these: for who has been pushed there.
+    margin: Vec<Links>,
+    /// Those cells, farthest from walls first.
+    close: Vec<u32>,
+}
+
+impl Terrain {
+    /// The ground of a place in world coordinates, round the world's origin.
+    ///
+    /// # Errors
+    /// Numbers out of their limits, a box without width or height, more than 16 million cells.
+    pub fn of_place(place: &Place, origin: DVec2, survey: Survey) -> Result<Self, Error> {
+        let lattice = survey.lattice()?;
+        let walls = Walls::new(&place.areas, place.obstacles(), origin);
+        let first = origin + survey.low + 0.5 * survey.cell;
+        Ok(Self::surveyed(survey, lattice, walls, cover::solid(place, first, &lattice)))
+    }
+
+    /// Ground as a function says: a cell is what its middle is.
+    ///
+    /// # Errors
+    /// As [`of_place`](Self::of_place).
+    pub fn of(is_solid: impl Fn(DVec2) -> bool, survey: Survey) -> Result<Self, Error> {
+        let lattice = survey.lattice()?;
+        let middle = |node: usize| middle(survey.low, &lattice, node);
+        let solid: Vec<bool> = (0..lattice.len()).map(|node| is_solid(middle(node))).collect();
+        let walls: Vec<Obstacle> = cover::outlines(survey.low, &lattice, &solid);
+        Ok(Self::surveyed(survey, lattice, Walls::new(&[], &walls, DVec2::ZERO), solid))
+    }
+
+    fn surveyed(survey: Survey, lattice: Lattice<2>, walls: Walls, solid: Vec<bool>) -> Self {
+        let Survey { low, cell, radius, clearance, dearest, .. } = survey;
+        let mut ground = Self {
+            lattice,
+            low,
+            radius,
+            walls,
+            distances: vec![f32::INFINITY; lattice.len()],
+            cost: vec![f32::INFINITY; lattice.len()],
+            links: vec![0; lattice.len()],
+            margin: vec![0; lattice.len()],
+            close: Vec::new(),
+            solid,
+        };
+        // where links and directions look for walls, and where these cost something
+        let reach = radius + (2.0 * cell).max(f64::from((clearance / LITTLE).sqrt()));
+        ground.measure(reach);
+        ground.link();
+        let (radius, far) = (radius as f32, (clearance / LITTLE).sqrt());
+        for (node, cost) in ground.cost.iter_mut().enumerate().filter(|&(node, _)| !ground.solid[node]) {
+            let gap = ground.distances[node] - radius;
+            let close = if gap < far { clearance / (gap * gap) } else { 0.0 };
+            *cost = if gap > 0.0 { 1.0 + close.min(dearest) } else { MARGIN * (1.0 + dearest) };
+        }
+        ground
+    }
+
+    /// Distances of the middles of cells from walls, as far as `reach`.
+    fn measure(&mut self, reach: f64) {
+        let Self { lattice, low, walls, solid, distances, .. } = self;
+        let (cell, solid) = (lattice.cell, &solid[..]);
+        parallel::ranges_with(&mut distances[..], &mut Vec::new(), |near: &mut NearWalls, nodes, out| {
+            let mut before = f64::INFINITY;
+            for (node, out) in nodes.zip(out) {
+                if node.is_multiple_of(lattice.counts[0]) {
+                    before = f64::INFINITY;
+                }
+                // it cannot be farther than that of the one before it in the row by more than the way between them
+                let range = (before + 1.001 * cell).min(reach);
+                let distance = walls.distance(middle(*low, lattice, node), range, near);
+                before = distance.max(0.0);
+                *out = if solid[node] { -distance.abs() } else { distance } as f32;
+            }
+        });
+    }
+
+    /// The cell that is so many farther right and up, if there is one.
+    fn next(&self, cell: usize, (right, up): (isize, isize)) -> Option<usize> {
+        let [columns, rows] = self.lattice.counts;
+        let column = (cell % columns).checked_add_signed(right).filter(|&column| column < columns)?;
+        let row = (cell / columns).checked_add_signed(up).filter(|&row| row < rows)?;
+        Some(row * columns + column)
+    }
+
+    /// Gives cells that are too close to walls the ways out: lengths and directions by the neighbours that are farther from walls than
+    /// they are. So nobody is led on through gaps that are too narrow.
+    pub(super) fn lead_out(&self, cost: &[f32], lengths: &mut [f32], directions: &mut [Vec2]) {
+        for &cell in &self.close {
+            let cell = cell as usize;
+            let mut best = (f32::INFINITY, Vec2::ZERO);
+            for (right, up, there, back) in WAYS {
+                for (right, up, bit) in [(right, up, there), (-right, -up, back)] {
+                    let next = self.next(cell, (right, up)).filter(|_| self.margin[cell] & bit != 0);
+                    let Some(next) = next.filter(|&next| self.distances[next] >= self.distances[cell]) else {
+                        continue;
+                    };
+                    let way = Vec2::new(right as f32, up as f32);
+                    let length = lengths[next] + way.length() * self.lattice.cell as f32 * cost[cell];
+                    if length < best.0 {
+                        best = (length, way.normalize());
+                    }
+                }
+            }
+            (lengths[cell], directions[cell]) = best;
+        }
+    }
+
+    /// Finds the ways between neighbouring cells.
+    fn link(&mut self) {
+        let mut onwards: Vec<(Links, Links)> = vec![(0, 0); self.lattice.len()];
+        parallel::rows(&mut onwards[..], |(): &mut (), node, (links, margin)| {
+            for (right, up, there, _) in WAYS {
+                let Some(next) = self.next(node, (right, up)) else { continue };
+                if self.solid[node] || self.solid[next] {
+                    continue;
+                }
+                let open = self.is_open(node) && self.is_open(next);
+                // ways across corners matter close to walls only
+                let close = |node: usize| f64::from(self.distances[node]) < self.radius + 1.5 * self.lattice.cell;
+                if right != 0 && up != 0 && open && !close(node) && !close(next) {
+                    continue;
+                }
+                let gap = if open { (KEPT * self.radius).max(TOUCH) } else { TOUCH };
+                let (from, to) = (self.middle(node), self.middle(next));
+                // no point between them is farther from both than half the way
+                let sum = f64::from(self.distances[node]) + f64::from(self.distances[next]);
+                if sum > 2.0 * gap + 1.001 * from.distance(to) || self.walls.keep_off((from, to), gap) {
+                    *if open { &mut *links } else { &mut *margin } |= there;
+                }
+            }
+        });
+        for (node, (links, margin)) in onwards.into_iter().enumerate() {
+            self.links[node] |= links;
+            self.margin[node] |= margin;
+            for (right, up, there, back) in WAYS {
+                let Some(next) = self.next(node, (right, up)) else { continue };
+                self.links[next] |= if links & there != 0 { back } else { 0 };
+                self.margin[next] |= if margin & there != 0 { back } else { 0 };
+            }
+        }
+        let close = (0..self.lattice.len()).filter(|&node| !self.is_open(node) && self.margin[node] != 0);
+        self.close = close.map(|node| node as u32).collect();
+        let far = |node: u32| self.distances[node as usize];
+        self.close.sort_by(|&a, &b| far(b).total_cmp(&far(a)).then(a.cmp(&b)));
+    }
+
+    /// Multiplies what a metre costs: below 1 for ways that people like, above 1 for ground that they avoid. Given the middles of
+    /// cells.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] with the place of a cost that is not greater than 0 and finite; nothing is painted then.
+    pub fn paint(&mut self, cost: impl Fn(DVec2) -> f32) -> Result<(), Error> {
+        let painted: Vec<f32> = (0..self.cost.len()).map(|node| cost(self.middle(node))).collect();
+        self.paint_cells(&painted)
+    }
+
+    /// As [`paint`](Self::paint), given one a cell, row by row.
+    ///
+    /// # Errors
+    /// As that, and another number of cells.
+    pub fn paint_cells(&mut self, cost: &[f32]) -> Result<(), Error> {
+        let fail = |why: String| Err(Error::Shape { what: "what is painted on the terrain".into(), why });
+        if cost.len() != self.cost.len() {
+            return fail(format!("{} costs are not one for each of its {} cells", cost.len(), self.cost.len()));
+        }
+        if let Some(node) = cost.iter().position(|&cost| !(cost > 0.0 && cost.is_finite())) {
+            let (at, cost) = (self.middle(node), cost[node]);
+            return fail(format!(
+                "the cost at ({:.3}, {:.3}) is {cost}, but must be greater than 0 and finite",
+                at.x, at.y
+            ));
+        }
+        self.cost.iter_mut().zip(cost).for_each(|(all, cost)| *all *= cost);
+        Ok(())
+    }
+
+    /// The width of its cells, metres.
+    pub fn cell(&self) -> f64 {
+        self.lattice.cell
+    }
+
+    /// Its corner with the least coordinates.
+    pub fn low(&self) -> DVec2 {
+        self.low
+    }
+
+    /// Its corner with the greatest coordinates.
+    pub fn high(&self) -> DVec2 {
+        let [columns, rows] = self.lattice.counts.map(|count| count as f64);
+        self.low + DVec2::new(columns, rows) * self.lattice.cell
+    }
+
+    /// Cells in a row.
+    pub fn columns(&self) -> usize {
+        self.lattice.counts[0]
+    }
+
+    /// Rows of cells.
+    pub fn rows(&self) -> usize {
+        self.lattice.counts[1]
+    }
+
+    /// The middle of a cell; cells are counted row by row from the low corner, towards +x, then +y.
+    pub fn middle(&self, cell: usize) -> DVec2 {
+        middle(self.low, &self.lattice, cell)
+    }
+
+    /// The cell that a place is in; none beyond the rim.
+    pub fn cell_at(&self, place: DVec2) -> Option<usize> {
+        let at = (place - self.low) / self.lattice.cell;
+        let counts = DVec2::new(self.columns() as f64, self.rows() as f64);
+        let inside = at.cmpge(DVec2::ZERO).all() && at.cmple(counts).all();
+        let [column, row] = at.floor().min(counts - 1.0).to_array().map(|at| at as usize);
+        inside.then(|| row * self.columns() + column)
+    }
+
+    /// Whether a body's centre can be in the middle of a cell.
+    pub fn is_open(&self, cell: usize) -> bool {
+        !self.solid[cell] && f64::from(self.distances[cell]) >= self.radius * (1.0 - 1e-6)
+    }
+
+    /// Whether the middle of a cell is inside something solid, or off what can be walked on.
+    pub fn is_solid(&self, cell: usize) -> bool {
+        self.solid[cell]
+    }
+
+    /// How far the middles of cells are from the nearest walls, metres: negative inside what is solid, infinite where walls are too far
+    /// to matter.
+    pub fn distances(&self) -> &[f32] {
+        &self.distances
+    }
+
+    /// What a metre costs in each cell, in metres; infinite inside what is solid.
+    pub fn cost(&self) -> &[f32] {
+        &self.cost
+    }
+
+    /// The four cells whose middles are nearest to a place on it, row by row, and their parts of it: bilinear weights; on the rim, beyond the
+    /// middles, below 0.
+    pub(super) fn around(&self, place: DVec2) -> [(usize, f32); 4] {
+        let last = DVec2::new((self.columns() - 1) as f64, (self.rows() - 1) as f64);
+        let at = (place - self.low) / self.lattice.cell - 0.5;
+        let corner = at.floor().clamp(DVec2::ZERO, (last - 1.0).max(DVec2::ZERO));
+        let Vec2 { x, y } = (at - corner).as_vec2();
+        let first = corner.y as usize * self.columns() + corner.x as usize;
+        // of one row or column only, the next is the same
+        let right = usize::from(self.columns() > 1);
+        let up = if self.rows() > 1 { self.columns() } else { 0 };
+        let (left_part, low_part) = (1.0 - x, 1.0 - y);
+        [
+            (first, left_part * low_part),
+            (first + right, x * low_part),
+            (first + up, left_part * y),
+            (first + up + right, x * y),
+        ]
+    }
+}
+
+impl fmt::Debug for Terrain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { lattice, low, radius, .. } = self;
+        f.debug_struct("Terrain")
+            .field("low", low)
+            .field("lattice", lattice)
+            .field("radius", radius)
+            .finish_non_exhaustive()
+    }
+}
+
+/// The middle of a node's cell.
+fn middle(low: DVec2, lattice: &Lattice<2>, node: usize) -> DVec2 {
+    let [column, row] = lattice.coordinates(node).map(|at| at as f64 + 0.5);
+    low + DVec2::new(column, row) * lattice.cell
+}
+
+impl Survey {
+    /// The middles of its cells.
+    fn lattice(&self) -> Result<Lattice<2>, Error> {
+        let Self { low, high, cell, radius, clearance, dearest } = *self;
+        Error::unless_finite("corner of a terrain", (low + high).element_sum())?;
+        Error::unless(cell > 0.0 && cell.is_finite(), "width of a terrain's cell", cell, "greater than 0 and finite")?;
+        let limit = "at least 0 and finite";
+        Error::unless(radius >= 0.0 && radius.is_finite(), "radius of bodies on a terrain", radius, limit)?;
+        Error::unless(clearance >= 0.0 && clearance.is_finite(), "clearance of a terrain", clearance, limit)?;
+        Error::unless(dearest >= 0.0 && dearest.is_finite(), "greatest cost close to walls", dearest, limit)?;
+        let fail = |why: String| Err(Error::Shape { what: "the terrain".into(), why });
+        let size = high - low;
+        if size.min_element() <= 0.0 {
+            return fail(format!("a box from ({}, {}) to ({}, {}) holds nothing", low.x, low.y, high.x, high.y));
+        }
+        // who lies on the rim by rounding needs no other cell; `as` saturates
+        let counts = size.to_array().map(|length| (length / cell - 1e-9).ceil().max(1.0) as usize);
+        if counts[0].saturating_mul(counts[1]) > MOST {
+            return fail(format!("{} by {} cells are more than {MOST}: make them wider", counts[0], counts[1]));
+        }
+        Ok(Lattice { counts, cell })
+    }
+}

@@ -1,0 +1,365 @@
+//! Flow to a goal: the way that takes the least time, from everywhere.
+
+use super::super::Field;
+use super::super::eikonal::{Front, backwards, march};
+use super::destination::Destination;
+use super::limits::Limits;
+use super::terrain::{TOUCH, Terrain};
+use crate::Error;
+use crate::parallel;
+use crate::space::Wall;
+use glam::{DVec2, Vec2, Vec3};
+use std::fmt;
+use std::sync::Arc;
+
+/// Beside a point goal, within as many cells, ways lead straight there.
+const STRAIGHT: f64 = 3.0;
+/// Cosine of the angle between directions from which on they do not belong to the same way: between them fronts meet.
+const SAME_WAY: f32 = 0.5;
+/// A part of what lies between middles that says too little.
+const LITTLE: f32 = 1e-3;
+
+/// A flow to the nearest of some goals on a terrain: along the ways that cost least, to which every cell knows the direction.
+///
+/// The times from which the directions come are the solution of the eikonal equation (|grad T| = cost) by fast marching, see Sethian
+/// 1996; Treuille, Cooper, Popovic, *Continuum crowds*, 2006, led crowds so. Who follows it goes round walls, keeps off them as the
+/// terrain's clearance asks, and never comes nearer to one than the terrain's radius. Zero where no way leads to a goal, beyond the
+/// terrain, and at the goal.
+///
+/// ```
+/// use glam::{DVec2, Vec3};
+/// use std::sync::Arc;
+/// use throng::field::{Destination, Field, Survey, Terrain, ToGoal};
+/// use throng::space::Place;
+/// use throng::Obstacle;
+/// // a wall across the room, open at the top
+/// let wall = Obstacle::Wall { points: vec![DVec2::new(5.0, -1.0), DVec2::new(5.0, 8.0)] };
+/// let place = Place { areas: vec![], obstacles: vec![Some(wall)] };
+/// let ground = Terrain::of_place(&place, DVec2::ZERO, Survey { high: DVec2::splat(10.0), ..Survey::default() })?;
+/// let goal = Destination::Point { at: DVec2::new(8.0, 2.0), tolerance: 0.2 };
+/// let flow = ToGoal::new(Arc::new(ground), vec![goal], 1.3)?;
+/// let up = flow.velocity(Vec3::new(4.5, 2.0, 0.0), 0.0);
+/// assert!(up.y > 1.2, "along the wall: {up}");
+/// let seconds = flow.time_to_goal(DVec2::new(4.5, 2.0)).expect("there is a way");
+/// assert!(seconds > 12.0 / 1.3);
+/// # Ok::<(), throng::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct ToGoal {
+    terrain: Arc<Terrain>,
+    goals: Arc<[Destination]>,
+    /// Cells from which fronts start, with the nearest point of the goal that they see.
+    starts: Arc<[(u32, DVec2)]>,
+    speed: f32,
+    slowing: f32,
+    /// Metres that a metre costs in each cell, crowds counted.
+    cost: Vec<f32>,
+    /// Metres to the goal, each as dear as it is; infinite where no way leads there.
+    lengths: Vec<f32>,
+    /// Unit vectors; zero where none leads on.
+    directions: Vec<Vec2>,
+    front: Front,
+}
+
+impl ToGoal {
+    /// A flow at a speed, m/s, to the nearest of these goals. It slows down within a metre of a point.
+    ///
+    /// # Errors
+    /// A speed that is not greater than 0 and finite; no goals, one with numbers out of their limits, beyond the terrain, inside
+    /// something solid, or where no open cell sees it.
+    pub fn new(terrain: Arc<Terrain>, goals: Vec<Destination>, speed: f32) -> Result<Self, Error> {
+        Error::unless_positive("speed of a flow to a goal", speed)?;
+        let fail = |what: String, why: String| Err(Error::Shape { what, why });
+        if goals.is_empty() {
+            return fail("the goals of a flow".into(), "there are none".into());
+        }
+        let mut starts = Vec::new();
+        for (index, goal) in goals.iter().enumerate() {
+            goal.check()?;
+            let before = starts.len();
+            goal.starts(&terrain, &mut starts);
+            if starts.len() == before {
+                let at = goal.place();
+                let why = match terrain.cell_at(at) {
+                    None => "it is beyond the terrain".into(),
+                    Some(cell) if terrain.is_solid(cell) => "it is inside something solid".into(),
+                    Some(_) => {
+                        let (radius, cell) = (terrain.radius, terrain.cell());
+                        format!("no cell of {cell} m close to it has room for a body of radius {radius} m and sees it")
+                    }
+                };
+                return fail(format!("goal {} at ({:.3}, {:.3})", index + 1, at.x, at.y), why);
+            }
+        }
+        let count = terrain.cost().len();
+        let mut flow = Self {
+            terrain,
+            goals: goals.into(),
+            starts: starts.into(),
+            speed,
+            slowing: 1.0,
+            cost: vec![0.0; count],
+            lengths: vec![0.0; count],
+            directions: vec![Vec2::ZERO; count],
+            front: Front::default(),
+        };
+        flow.lead(|_| 1.0);
+        Ok(flow)
+    }
+
+    /// The same, slowing down within this many metres of a point. 0: full speed until it is there.
+    ///
+    /// # Errors
+    /// A distance that is not at least 0 and finite.
+    pub fn slowing(self, slowing: f32) -> Result<Self, Error> {
+        let holds = slowing >= 0.0 && slowing.is_finite();
+        Error::unless(holds, "slowing distance of a flow to a goal", slowing, "at least 0 and finite")?;
+        Ok(Self { slowing, ..self })
+    }
+
+    /// Leads round crowds from now on: a metre costs `1 + density / weary` times as much, with the density in people a square metre, one
+    /// a cell ([`Density`](super::Density)), and `weary` that at which it costs twice as much. Treuille, Cooper, Popovic 2006 have a
+    /// like term, discomfort.
+    ///
+    /// Whoever goes on with the flow as it was has a clone of it; the terrain and the goals are shared.
+    ///
+    /// # Errors
+    /// Another number of cells, a density that is not at least 0 and finite, `weary` not greater than 0 and finite; the flow stays as it
+    /// was then.
+    pub fn avoid_crowds(&mut self, density: &[f32], weary: f32) -> Result<(), Error> {
+        Error::unless_positive("density at which ground costs twice as much", weary)?;
+        let fail = |why: String| Err(Error::Shape { what: "the density on the terrain".into(), why });
+        if density.len() != self.cost.len() {
+            return fail(format!("{} densities are not one for each of its {} cells", density.len(), self.cost.len()));
+        }
+        if let Some(cell) = density.iter().position(|&density| !(density >= 0.0 && density.is_finite())) {
+            let (at, density) = (self.terrain.middle(cell), density[cell]);
+            return fail(format!("that at ({:.3}, {:.3}) is {density}, but must be at least 0 and finite", at.x, at.y));
+        }
+        self.lead(|cell| 1.0 + density[cell] / weary);
+        Ok(())
+    }
+
+    /// The same flow led round crowds: see [`avoid_crowds`](Self::avoid_crowds).
+    ///
+    /// # Errors
+    /// As that.
+    pub fn with_density(&self, density: &[f32], weary: f32) -> Result<Self, Error> {
+        let mut flow = self.clone();
+        flow.avoid_crowds(density, weary)?;
+        Ok(flow)
+    }
+
+    /// Finds lengths and directions with cells that are dearer by a factor.
+    fn lead(&mut self, dearer: impl Fn(usize) -> f32) {
+        let Self { terrain, starts, cost, lengths, directions, front, .. } = self;
+        for (cell, cost) in cost.iter_mut().enumerate() {
+            *cost = terrain.cost()[cell] * dearer(cell);
+        }
+        lengths.fill(f32::INFINITY);
+        for &(cell, nearest) in starts.iter() {
+            let straight = terrain.straight(terrain.middle(cell as usize), nearest, cost) as f32;
+            let length = &mut lengths[cell as usize];
+            *length = length.min(straight);
+        }
+        let first = starts.iter().map(|start| start.0);
+        march(&terrain.lattice, (&terrain.links, cost), first, lengths, front);
+        parallel::ranges(&mut directions[..], |cells, directions| {
+            for (cell, direction) in cells.zip(directions) {
+                let way = backwards(&terrain.lattice, (&terrain.links, cost), lengths, cell);
+                *direction = Vec2::from(way).normalize_or_zero();
+            }
+        });
+        terrain.lead_out(cost, lengths, directions);
+        // beside goals fronts are too round for differences
+        for &(cell, nearest) in starts.iter() {
+            let place = terrain.middle(cell as usize);
+            if lengths[cell as usize] == terrain.straight(place, nearest, cost) as f32 {
+                directions[cell as usize] = (nearest - place).as_vec2().normalize_or_zero();
+            }
+        }
+    }
+
+    /// The ground that it flows on.
+    pub fn terrain(&self) -> &Arc<Terrain> {
+        &self.terrain
+    }
+
+    /// What it leads to.
+    pub fn goals(&self) -> &[Destination] {
+        &self.goals
+    }
+
+    /// Its speed, m/s.
+    pub fn speed(&self) -> f32 {
+        self.speed
+    }
+
+    /// How long the way is from the middle of each cell, in metres that are as dear as they are; infinite where none leads to a goal.
+    pub fn lengths(&self) -> &[f32] {
+        &self.lengths
+    }
+
+    /// The cells that can be walked on, but from which no way leads to a goal.
+    pub fn unreachable(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.lengths.len()).filter(|&cell| self.terrain.is_open(cell) && self.lengths[cell].is_infinite())
+    }
+
+    /// Seconds to the nearest goal at its speed, dear ground counted as it costs; none where no way leads there.
+    pub fn time_to_goal(&self, place: DVec2) -> Option<f32> {
+        self.terrain.cell_at(place)?;
+        if self.there(place) {
+            return Some(0.0);
+        }
+        let length = match self.in_sight(place, STRAIGHT * self.terrain.cell()) {
+            Some((way, _)) => self.terrain.straight(place, place + way, &self.cost) as f32,
+            None => self.onwards(place)?.length,
+        };
+        Some(length / self.speed)
+    }
+
+    /// Whether a place counts as there.
+    fn there(&self, place: DVec2) -> bool {
+        self.goals.iter().any(|goal| match goal {
+            Destination::Point { at, tolerance } => {
+                at.distance_squared(place) <= tolerance * tolerance && self.terrain.walls.keep_off((place, *at), TOUCH)
+            }
+            area => area.nearest(place) == place,
+        })
+    }
+
+    /// The straight way to the nearest goal that is seen from a place within `reach` metres, and whether it is a point.
+    fn in_sight(&self, place: DVec2, reach: f64) -> Option<(DVec2, bool)> {
+        let ways =
+            self.goals.iter().map(|goal| (goal.nearest(place) - place, matches!(goal, Destination::Point { .. })));
+        let seen = ways.filter(|(way, _)| {
+            way.length_squared() < reach * reach && self.terrain.walls.keep_off((place, place + *way), TOUCH)
+        });
+        seen.min_by(|a, b| a.0.length_squared().total_cmp(&b.0.length_squared()))
+    }
+
+    /// What leads on from a place: from the cells round it, between them bilinearly. What lies beyond a wall does not count, nor what
+    /// leads another way round.
+    fn onwards(&self, place: DVec2) -> Option<Onwards> {
+        let around = self.terrain.around(place);
+        let middles = around.map(|(cell, _)| self.terrain.middle(cell));
+        // no point between the middles is farther from all of them than half a diagonal
+        let nearest = around.iter().map(|&(cell, _)| self.terrain.distances()[cell]).fold(f32::INFINITY, f32::min);
+        let clear = f64::from(nearest) > 0.708 * self.terrain.cell();
+        let sees = |index: usize| clear || self.terrain.walls.keep_off((place, middles[index]), TOUCH);
+        let seen: [bool; 4] = std::array::from_fn(sees);
+        // what is too close to walls tells only those who are there how to get out
+        let open = around.map(|(cell, _)| self.terrain.is_open(cell));
+        let any_open = (0..4).any(|index| seen[index] && open[index]);
+        let by: [f32; 4] = std::array::from_fn(|index| {
+            let (cell, far) = (around[index].0, place.distance(middles[index]) as f32);
+            let counts = seen[index] && (open[index] || !any_open) && self.lengths[cell].is_finite();
+            if counts { self.lengths[cell] + self.cost[cell] * far } else { f32::INFINITY }
+        });
+        let best = (0..4).reduce(|best, index| if by[index] < by[best] { index } else { best })?;
+        if by[best].is_infinite() {
+            return None;
+        }
+        let own = self.directions[around[best].0];
+        let same = |index: usize| by[index].is_finite() && self.directions[around[index].0].dot(own) >= SAME_WAY;
+        let all = (0..4).all(same);
+        let (mut direction, mut length, mut sum) = (Vec2::ZERO, 0.0, 0.0);
+        for (index, &(cell, part)) in around.iter().enumerate().filter(|&(index, _)| same(index)) {
+            // all together say what is on the rim, some do not
+            let part = if all { part } else { part.max(0.0) };
+            let (there, off) = (self.directions[cell], (place - middles[index]).as_vec2());
+            direction += there * part;
+            length += (self.lengths[cell] - self.cost[cell] * there.dot(off)) * part;
+            sum += part;
+        }
+        if sum < LITTLE {
+            (direction, length, sum) = (own, by[best], 1.0);
+        }
+        let by = (middles[best] - place).as_vec2();
+        Some(Onwards { direction: direction.normalize_or_zero(), length: (length / sum).max(0.0), by })
+    }
+
+    /// The velocity nearest to one that leads into no wall: towards those closer than a cell's width less and less, not at all where
+    /// the body touches.
+    fn keep_off(&self, place: DVec2, velocity: DVec2) -> DVec2 {
+        let (radius, cell) = (self.terrain.radius, self.terrain.cell());
+        let mut limits = Limits::default();
+        self.terrain.walls.visit(place, radius + cell, |wall: Wall<'_>| {
+            if let (distance, Some(away)) = wall.off(place) {
+                let part = ((distance - radius) / cell).clamp(0.0, 1.0);
+                limits.add(away, f64::from(self.speed) * part);
+            }
+        });
+        limits.nearest(velocity)
+    }
+}
+
+impl Field for ToGoal {
+    fn velocity(&self, place: Vec3, _: f64) -> Vec3 {
+        let place = place.truncate().as_dvec2();
+        let Some(cell) = self.terrain.cell_at(place) else { return Vec3::ZERO };
+        if self.there(place) {
+            return Vec3::ZERO;
+        }
+        let straight = STRAIGHT * self.terrain.cell();
+        let slowing = f64::from(self.slowing);
+        let goal = self.in_sight(place, slowing.max(straight));
+        let far = goal.map_or(f64::INFINITY, |(way, _)| way.length());
+        let speed = match goal {
+            Some((_, true)) if far < slowing => self.speed * (far / slowing) as f32,
+            _ => self.speed,
+        };
+        let (direction, by) = match goal {
+            Some((way, _)) if far < straight => ((way / far).as_vec2(), Vec2::ZERO),
+            _ => match self.onwards(place) {
+                Some(Onwards { direction, by, .. }) => (direction, by),
+                None => return Vec3::ZERO,
+            },
+        };
+        // walls are farther from here than from the middle of the cell by less than half a diagonal
+        if f64::from(self.terrain.distances()[cell]) > self.terrain.radius + 1.708 * self.terrain.cell() {
+            return (direction * speed).extend(0.0);
+        }
+        let along = |direction: Vec2| self.keep_off(place, (direction * speed).as_dvec2()).as_vec2();
+        let velocity = along(direction);
+        if velocity.length() >= 0.5 * speed {
+            return velocity.extend(0.0);
+        }
+        // round a corner the next cell leads into the wall: to that cell first
+        let other = along(by.normalize_or_zero());
+        if other.length() > velocity.length() { other } else { velocity }.extend(0.0)
+    }
+}
+
+/// What leads on from a place.
+struct Onwards {
+    /// A unit vector.
+    direction: Vec2,
+    /// How long the way is, in metres that are as dear as they are.
+    length: f32,
+    /// Straight to the middle of the cell by which it leads.
+    by: Vec2,
+}
+
+impl fmt::Debug for ToGoal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("ToGoal").field("goals", &self.goals).field("speed", &self.speed).finish_non_exhaustive()
+    }
+}
+
+impl Terrain {
+    /// What a straight way costs: pieces of half a cell, each as dear as the cell that it is in.
+    fn straight(&self, from: DVec2, to: DVec2, cost: &[f32]) -> f64 {
+        let length = from.distance(to);
+        let pieces = (2.0 * length / self.cell()).ceil().max(1.0);
+        let mut sum = 0.0;
+        for piece in 0..pieces as usize {
+            let at = from.lerp(to, (piece as f64 + 0.5) / pieces);
+            // a goal may be beyond the rim: there a metre is as dear as at the start
+            let cost_there = self.cell_at(at).map_or(f32::INFINITY, |cell| cost[cell]);
+            let start = self.cell_at(from).map_or(1.0, |cell| cost[cell]);
+            sum += f64::from(if cost_there.is_finite() { cost_there } else { start });
+        }
+        sum / pieces * length
+    }
+}

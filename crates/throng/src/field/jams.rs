@@ -1,0 +1,102 @@
+//! Flows to goals that lead round jams.
+
+use super::goal::{Density, ToGoal};
+use super::{Adaptive, Field};
+use crate::Error;
+use glam::{DVec2, Vec2, Vec3};
+use std::sync::Arc;
+
+/// A flow to a goal that leads round jams: every so often it looks where people are, and where they are many, ground is dearer. What it
+/// saw before counts too, so that a way that has just become free is not taken by everybody at once.
+///
+/// ```
+/// use glam::DVec2;
+/// use std::sync::Arc;
+/// use throng::field::{Destination, Governed, RoundJams, Survey, Terrain, ToGoal};
+/// use throng::{Agent, Group, Settings, World};
+/// let mut world = World::new(Settings { step: 0.1, ..Settings::default() })?;
+/// let survey = Survey { low: DVec2::splat(-12.0), high: DVec2::splat(12.0), ..Survey::default() };
+/// let ground = Terrain::of_place(world.place(), DVec2::ZERO, survey)?;
+/// let to = Destination::Point { at: DVec2::X * 9.0, tolerance: 0.2 };
+/// let flow = RoundJams::new(ToGoal::new(Arc::new(ground), vec![to], 1.3)?);
+/// let group = world.add_group(Group { field: Some(Governed::new(flow, 1.0)), ..Group::default() })?;
+/// // ten people stand in the way
+/// for y in -5..5 {
+///     world.add_agent(Agent { position: DVec2::Y * (0.5 * f64::from(y)), ..Agent::default() })?;
+/// }
+/// let walker = world.add_agent(Agent { position: DVec2::X * -6.0, group, ..Agent::default() })?;
+/// let mut farthest = 0.0f64;
+/// while world.time() < 15.0 {
+///     world.step();
+///     farthest = farthest.max(world.position(walker).map_or(0.0, |at| at.y.abs()));
+/// }
+/// assert!(world.position(walker).unwrap().distance(DVec2::X * 9.0) < 0.5 && farthest > 2.5);
+/// # Ok::<(), throng::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct RoundJams {
+    /// The flow where nobody is.
+    pub flow: ToGoal,
+    /// The density at which ground costs twice as much, people a square metre. Limit: > 0.
+    pub weary: f32,
+    /// Metres over which people are counted. Limit: > 0.
+    pub radius: f64,
+    /// Seconds after which it looks again. Limit: > 0.
+    pub interval: f64,
+    /// What part of what it minds is what it sees, the rest is from before. Limit: > 0, at most 1.
+    pub part: f32,
+}
+
+impl RoundJams {
+    /// Minds people within 1.5 m, of whom one a square metre makes ground twice as dear, twice a second.
+    pub fn new(flow: ToGoal) -> Self {
+        Self { flow, weary: 1.0, radius: 1.5, interval: 0.5, part: 0.5 }
+    }
+}
+
+impl Field for RoundJams {
+    fn velocity(&self, place: Vec3, time: f64) -> Vec3 {
+        self.flow.velocity(place, time)
+    }
+
+    fn row(&self, row: (DVec2, f64), from: usize, time: f64, out: &mut [Vec2]) {
+        self.flow.row(row, from, time, out);
+    }
+
+    fn adaptive(&self) -> Option<&dyn Adaptive> {
+        Some(self)
+    }
+}
+
+impl Adaptive for RoundJams {
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("density at which ground costs twice as much", self.weary)?;
+        let positive = |what, value: f64| {
+            Error::unless(value > 0.0 && value.is_finite(), what, value, "greater than 0 and finite")
+        };
+        positive("radius of a density", self.radius)?;
+        positive("interval of a field", self.interval)?;
+        Error::unless(self.part > 0.0 && self.part <= 1.0, "part of a density", self.part, "greater than 0, at most 1")
+    }
+
+    fn interval(&self) -> f64 {
+        self.interval
+    }
+
+    fn memory(&self) -> Vec<f32> {
+        vec![0.0; self.flow.lengths().len()]
+    }
+
+    fn notice(&self, memory: &mut [f32], people: &[Vec2]) {
+        // limits have been checked
+        let Ok(now) = Density::of(self.flow.terrain(), people.iter().copied(), self.radius) else { return };
+        memory.iter_mut().zip(now.cells()).for_each(|(old, now)| *old += (now - *old) * self.part);
+    }
+
+    fn adapted(&self, memory: &[f32]) -> Arc<dyn Field> {
+        match self.flow.with_density(memory, self.weary) {
+            Ok(flow) => Arc::new(flow),
+            Err(_) => Arc::new(self.flow.clone()),
+        }
+    }
+}
