@@ -202,6 +202,19 @@ fn mistakes_are_named() {
             "who wraps around cannot be guarded",
             "leave out `guard`",
         ),
+        (
+            "wander = {}\nsolid = [\"dome\", \"oak\"]",
+            Kind::UnknownKey,
+            "there is no surface or obstacle `oak`",
+            "there is: dome, pillar",
+        ),
+        ("wander = {}\nsolid = []", Kind::MissingKey, "this list of names is empty", "leave `solid` away for nothing"),
+        (
+            "wander = {}\nwrap_around = { radius = 9 }\nsolid = \"dome\"",
+            Kind::Conflict,
+            "who wraps around has no `solid`",
+            "leave out `solid` or `wrap_around`",
+        ),
         ("wander = {}\nwrap_around = { radius = 0 }", Kind::OutOfRange, "radius is 0", ""),
         (
             "wander = {}\nvehicle.kind = \"level\"\nwrap_around = { center = [0, 0, 5], radius = 9 }",
@@ -221,6 +234,35 @@ fn mistakes_are_named() {
     assert!(walks.plan().unwrap_err().to_string().contains("only those who steer wrap around"));
     let named: Scene = PLACE.replace("\"dome\"", "\"everything\"").parse().unwrap();
     assert!(named.plan().unwrap_err().to_string().contains("the name `everything` means something else"));
+}
+
+#[test]
+fn what_is_solid_holds_those_who_would_get_in() {
+    let scene = |solid: &str| -> Scene {
+        format!(
+            "time = {{ step = 0.1, until = \"limit\", limit = 9 }}\n[[surface]]\nname = \"ball\"\nshape.sphere = {{ radius = 1 }}\n\
+             at = [104, 50]\n[[surface]]\nname = \"cage\"\nshape.sphere = {{ radius = 9 }}\nat = [100, 50]\n\
+             seen_from = \"inside\"\n[[obstacle]]\nname = \"post\"\nshape.circle = {{ center = [100, 57], radius = 0.5 }}\n\
+             [[group]]\nplace.point = [100, 50]\nheading = 0\nbody.radius = 0.25\nvehicle.max_speed = 2\n\
+             steer.move_forward = {{ part = 1 }}\n{solid}"
+        )
+        .parse()
+        .unwrap()
+    };
+    let solids = |said: &str| scene(said).plan().unwrap().groups[0].solid.0.len();
+    let all = ["", "solid = \"ball\"", "solid = [\"ball\", \"cage\", \"post\"]", "solid = \"everything\""];
+    assert_eq!(all.map(solids), [0, 1, 3, 3]);
+    let run = |said: &str| {
+        let (mut world, _) = scene(said).build().unwrap();
+        (0..90).for_each(|_| world.step());
+        let x = f64::from(world.agents().position[0].x) + world.settings().origin.x;
+        (x, world.summary())
+    };
+    let (free, summary) = run("");
+    assert!(free > 110.0 && summary.least_wall_separation.is_infinite(), "{free}: {summary:?}");
+    let (held, summary) = run("solid = [\"ball\", \"cage\"]");
+    assert!(held < 109.0 - 0.25 + 1e-4 && summary.overlaps == 0, "{held}: {summary:?}");
+    assert!((0.9999..1.1).contains(&summary.least_wall_separation), "{summary:?}");
 }
 
 #[test]

@@ -179,7 +179,8 @@ impl Scene {
     fn shared(&self, cast: &Cast, figures: &[String], around: &Around) -> Result<Vec<throng::Group>, Problem> {
         let one = |(i, group): (usize, &Group)| {
             let making = Making { scene: self, cast, figures, around, group: i };
-            Ok(shared(group, cast.named[i].0.to_owned(), making.steering()?, cast.origin))
+            let (steering, solid) = (making.steering()?, making.solid()?);
+            Ok(throng::Group { solid, ..shared(group, cast.named[i].0.to_owned(), steering, cast.origin) })
         };
         let groups: Vec<throng::Group> = self.groups.iter().enumerate().map(one).collect::<Result<_, Problem>>()?;
         Ok(groups.into_iter().chain(movers::groups(self)).collect())

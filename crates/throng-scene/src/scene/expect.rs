@@ -22,7 +22,8 @@ pub struct Expect {
     /// overlap. Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub least_separation: Option<f64>,
-    /// The least distance between a centre and a wall at any time, over the radius: 1 is touching. Limit: >= 0.
+    /// The least distance between a centre and a wall, or what is `solid` to its group, at any time, over the radius: 1 is
+    /// touching. Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub least_wall_separation: Option<f64>,
     /// How much headings turn on the way, the mean over agents, degrees a second: at most this. Limit: > 0.

@@ -1,6 +1,7 @@
 //! Groups of agents.
 
 use super::avoid::Unavoiding;
+use super::steer::What;
 use super::{Avoid, Body, Colour, Goal, Number, Place, Source, Steer, Vehicle, WrapAround, source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -72,6 +73,10 @@ pub struct Group {
     /// A ball that those who steer leave on one side and enter on the other. Only without `guard`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrap_around: Option<WrapAround>,
+    /// What none of them ever gets into, by name: surfaces, from the side from which each is seen, obstacles, `"obstacles"` or
+    /// `"everything"`. Without it, nothing but what `guard` keeps them off. Not with `wrap_around`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub solid: Option<What>,
     /// Degrees by which the preferred velocity is turned clockwise; negative keeps left. Without it, 5, or 0 for those
     /// who steer. Limit: -28 to 28.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -120,6 +125,7 @@ impl Default for Group {
             start_speed: None,
             vehicle: None,
             wrap_around: None,
+            solid: None,
             keep_right: None,
             detour: None,
             queue: None,

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A surface that behaviours refer to by its name: something to avoid, to follow, to stay in, to hide behind. It is
-/// solid for nobody: what is solid is an obstacle.
+/// solid to those groups only that say so.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Surface {

@@ -36,7 +36,7 @@ impl<'a> Around<'a> {
         let paths = scene.paths.iter().zip(paths).map(|(said, made)| (said.name.as_str(), made.clone()));
         let mut around =
             Self { surfaces: surfaces.collect(), paths: paths.collect(), obstacles: vec![], edges: vec![] };
-        if scene.groups.iter().any(|group| group.steer.is_some()) {
+        if scene.groups.iter().any(|group| group.steer.is_some() || group.solid.is_some()) {
             let edges = throng::Walkable::union(walkable.to_vec()).and_then(|areas| Barrier::of_ground(&areas, origin));
             around.edges = edges.map_err(|error| refused(&Path::of("walkable"), &error))?;
             for (i, (said, made)) in scene.obstacles.iter().zip(obstacles).enumerate() {

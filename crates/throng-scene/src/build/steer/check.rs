@@ -73,6 +73,10 @@ fn check_wrap_around(path: &Path, group: &Group) -> Result<(), Problem> {
         let message = "who wraps around cannot be guarded: nobody knows who is on the other side";
         return Err(Problem::new(path, Kind::Conflict, message).hint("leave out `guard`"));
     }
+    if group.solid.is_some() {
+        let message = "who wraps around has no `solid`: one may be in the way on the other side";
+        return Err(Problem::new(path, Kind::Conflict, message).hint("leave out `solid` or `wrap_around`"));
+    }
     Ok(())
 }
 

@@ -19,17 +19,26 @@ impl Making<'_> {
     /// What a behaviour asks; everything if nothing is said.
     pub(super) fn barriers(&self, what: &Option<What>, at: &Path) -> Result<Barriers, Problem> {
         let what = what.clone().unwrap_or_default();
+        self.sides(&what, &at.key("what"), "leave `what` away for everything")
+    }
+
+    /// What is solid to the group.
+    pub fn solid(&self) -> Result<Barriers, Problem> {
+        let at = Path::of("group").index(self.group).key("solid");
+        let what = self.scene.groups[self.group].solid.as_ref();
+        what.map_or(Ok(Barriers::default()), |what| self.sides(what, &at, "leave `solid` away for nothing"))
+    }
+
+    fn sides(&self, what: &What, at: &Path, mend: &str) -> Result<Barriers, Problem> {
         let named = what.0.iter().enumerate().map(|(i, name)| {
-            let at = at.key("what");
             self.around.named(name).map_err(|known| {
-                let at = if what.0.len() == 1 { at } else { at.index(i) };
+                let at = if what.0.len() == 1 { at.clone() } else { at.index(i) };
                 unknown(&at, "surface or obstacle", name, &known)
             })
         });
         let named: Vec<_> = named.collect::<Result<_, _>>()?;
         if named.is_empty() {
-            let problem = Problem::new(&at.key("what"), Kind::MissingKey, "this list of names is empty");
-            return Err(problem.hint("leave `what` away for everything"));
+            return Err(Problem::new(at, Kind::MissingKey, "this list of names is empty").hint(mend));
         }
         Ok(Barriers(named.concat()))
     }
