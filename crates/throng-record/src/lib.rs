@@ -1,7 +1,8 @@
 //! What happened in a world: its moments ([`Setting`], [`Frame`], [`Body`]) and the files that hold them.
 //!
-//! [`series`] makes figures over time of them, [`csv`] writes trajectories as a table. Every file is written through
-//! [`Output`], under a temporary name until it is complete. [`Behind`] lets another thread write them.
+//! [`series`] makes figures over time of them, [`swarm`] those of a swarm; [`csv`] writes trajectories as a table, [`Tracks`] reads
+//! them back. Every file is written through [`Output`], under a temporary name until it is complete. [`Behind`] lets another
+//! thread write them.
 
 mod behind;
 mod capture;
@@ -9,7 +10,10 @@ pub mod csv;
 mod frame;
 mod output;
 pub mod series;
+pub mod swarm;
+mod tracks;
 
 pub use behind::{Behind, Pool};
 pub use frame::{Body, Frame, Setting, Shell};
 pub use output::{Output, OutputError};
+pub use tracks::{Spot, Tracks, TracksError};

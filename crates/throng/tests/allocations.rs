@@ -4,9 +4,9 @@
 mod crossing;
 
 use crossing::crossing;
+use glam::Vec3;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
-use glam::Vec3;
 use throng::perceive::Instructions;
 use throng::space::surface::{SeenFrom, Sphere};
 use throng::steer::Barriers;

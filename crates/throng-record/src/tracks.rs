@@ -1,0 +1,236 @@
+//! Trajectories read back: tables as [`csv`](crate::csv) writes them, or another program's with the same names.
+
+use glam::DVec3;
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+
+/// Who was where, and when.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tracks {
+    /// Names of the groups, in the order in which they come.
+    pub groups: Vec<String>,
+    /// Everything that the table says, by time, then by number.
+    pub spots: Vec<Spot>,
+}
+
+/// Where somebody was.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// Its number.
+    pub number: u32,
+    /// Index into [`Tracks::groups`].
+    pub group: u32,
+    /// Seconds.
+    pub time: f64,
+    /// Metres.
+    pub place: DVec3,
+}
+
+/// Why a table cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub enum TracksError {
+    /// The system does not let it be read.
+    #[error("cannot read {}: {source}", path.display())]
+    File {
+        /// Its name.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// It is no such table.
+    #[error("{}:{line}: {why}\n  hint: a table of trajectories has the columns number, time, x and y, and may have group and z, as `throng run -o NAME.csv` writes them", path.display())]
+    Content {
+        /// Its name.
+        path: PathBuf,
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong.
+        why: String,
+    },
+}
+
+impl Tracks {
+    /// Reads a table: a line of names, then a line an agent and moment. The columns `number`, `time`, `x` and `y` must
+    /// be there; without `group` all are of one without a name, without `z` all are on the ground; others do not count.
+    ///
+    /// ```
+    /// # let folder = tempfile::tempdir()?;
+    /// # let path = folder.path().join("run.csv");
+    /// use throng_record::Tracks;
+    /// std::fs::write(&path, "time,number,x,y,z\n0,7,1.5,2,3\n0.1,7,1.6,2,3\n")?;
+    /// let tracks = Tracks::read(&path)?;
+    /// assert_eq!((tracks.spots.len(), tracks.spots[1].place.x), (2, 1.6));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`TracksError::File`] if it cannot be read, [`TracksError::Content`] with the line if a column is missing, a line is
+    /// shorter than that of the names, or a field is no number.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, TracksError> {
+        let path = path.as_ref();
+        let text = std::fs::read_to_string(path).map_err(|source| TracksError::File { path: path.into(), source })?;
+        Self::parse(&text).map_err(|(line, why)| TracksError::Content { path: path.into(), line, why })
+    }
+
+    fn parse(text: &str) -> Result<Self, (usize, String)> {
+        let mut records = Records { rest: text.strip_prefix('\u{feff}').unwrap_or(text), line: 1 };
+        let (_, names) = records.next().ok_or((1, "it is empty".to_owned()))?;
+        let column = |name: &str| names.iter().position(|other| other.trim() == name);
+        let needed = |name: &str| column(name).ok_or_else(|| (1, format!("there is no column `{name}`")));
+        let [number, time, x, y] = [needed("number")?, needed("time")?, needed("x")?, needed("y")?];
+        let (group, z) = (column("group"), column("z"));
+        let mut tracks = Self::default();
+        for (line, fields) in records {
+            if fields.len() < names.len() {
+                return Err((line, format!("{} fields, but {} names", fields.len(), names.len())));
+            }
+            let value = |at: usize| {
+                let value = fields[at].trim().parse::<f64>().ok().filter(|value| value.is_finite());
+                value.ok_or_else(|| (line, format!("`{}` is no number for {}", fields[at], names[at])))
+            };
+            let name = group.map_or("", |at| &*fields[at]);
+            let group = tracks.groups.iter().rposition(|other| other == name).unwrap_or_else(|| {
+                tracks.groups.push(name.to_owned());
+                tracks.groups.len() - 1
+            });
+            let place = DVec3::new(value(x)?, value(y)?, z.map_or(Ok(0.0), value)?);
+            let of = fields[number]
+                .trim()
+                .parse()
+                .map_err(|_| (line, format!("`{}` is no number of an agent", fields[number])))?;
+            tracks.spots.push(Spot { number: of, group: group as u32, time: value(time)?, place });
+        }
+        tracks.spots.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.number.cmp(&b.number)));
+        Ok(tracks)
+    }
+
+    /// The moments, in order, with who of a group was where, by number.
+    pub fn moments(&self, group: u32) -> impl Iterator<Item = (f64, Vec<(u32, DVec3)>)> + '_ {
+        self.spots.chunk_by(|a, b| a.time == b.time).map(move |spots| {
+            let members = spots.iter().filter(|spot| spot.group == group);
+            (spots[0].time, members.map(|spot| (spot.number, spot.place)).collect())
+        })
+    }
+}
+
+/// The records of a text of comma-separated values, with the lines on which they begin; empty lines are none.
+struct Records<'a> {
+    rest: &'a str,
+    line: usize,
+}
+
+impl<'a> Iterator for Records<'a> {
+    type Item = (usize, Vec<Cow<'a, str>>);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        while let Some(rest) = self.rest.strip_prefix("\r\n").or_else(|| self.rest.strip_prefix('\n')) {
+            self.rest = rest;
+            self.line += 1;
+        }
+        if self.rest.is_empty() {
+            return None;
+        }
+        let (start, mut fields) = (self.line, Vec::new());
+        loop {
+            let (field, rest) = field(self.rest);
+            self.line += self.rest[..self.rest.len() - rest.len()].matches('\n').count();
+            fields.push(field);
+            match rest.strip_prefix(',') {
+                Some(rest) => self.rest = rest,
+                None => {
+                    self.rest = rest;
+                    return Some((start, fields));
+                }
+            }
+        }
+    }
+}
+
+/// The first field of a text, and what comes after it: a comma, a line's end, or nothing.
+fn field(text: &str) -> (Cow<'_, str>, &str) {
+    let Some(mut quoted) = text.strip_prefix('"') else {
+        let end = text.find([',', '\n']).unwrap_or(text.len());
+        let (field, rest) = text.split_at(end);
+        return (field.strip_suffix('\r').unwrap_or(field).into(), rest);
+    };
+    let mut value = String::new();
+    while let Some((part, after)) = quoted.split_once('"') {
+        value.push_str(part);
+        match after.strip_prefix('"') {
+            Some(after) => {
+                value.push('"');
+                quoted = after;
+            }
+            // what stands behind the closing quote up to the next comma is none of it
+            None => return (value.into(), after.trim_start_matches(|c| c != ',' && c != '\n')),
+        }
+    }
+    (value.into(), "")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::csv::CsvWriter;
+    use crate::{Body, Frame, Setting};
+    use glam::Vec2;
+    use throng::Status;
+
+    fn body(number: u32, group: u32, place: DVec3) -> Body {
+        Body {
+            number,
+            group,
+            goal: None,
+            position: place.truncate(),
+            altitude: place.z as f32,
+            velocity: Vec2::X,
+            climb: 0.0,
+            heading: 0.0,
+            basis: None,
+            radius: 0.2,
+            core: Vec2::ZERO,
+            preferred_speed: 1.0,
+            status: Status::Walking,
+        }
+    }
+
+    #[test]
+    fn what_was_written_is_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("run.csv");
+        for in_space in [false, true] {
+            let groups = vec!["a, \"b\"\nc".into(), "midges".into()];
+            let setting = Setting { groups: groups.clone(), in_space, ..Setting::default() };
+            let mut writer = CsvWriter::create(&path, &setting).unwrap();
+            let place = |k: u32| DVec3::new(0.1 * f64::from(k), -2.0, 1.5);
+            for k in 0..3 {
+                let bodies = vec![body(4, 0, place(k)), body(9, 1, place(k + 5))];
+                writer.push(&Frame { time: f64::from(k) * 0.1, bodies, ..Frame::default() }).unwrap();
+            }
+            writer.finish().unwrap();
+            let tracks = Tracks::read(&path).unwrap();
+            assert_eq!(tracks.groups, groups);
+            let moments: Vec<_> = tracks.moments(1).collect();
+            let want = if in_space { place(6) } else { place(6).with_z(0.0) };
+            assert_eq!((moments.len(), &moments[1]), (3, &(0.1, vec![(9, want)])));
+        }
+    }
+
+    #[test]
+    fn mistakes_are_named_with_their_lines() {
+        let wrong = |text: &str| Tracks::parse(text).unwrap_err();
+        assert_eq!(wrong(""), (1, "it is empty".into()));
+        assert_eq!(wrong("number,time,x\n"), (1, "there is no column `y`".into()));
+        assert_eq!(wrong("number,time,x,y\r\n1,0,0\r\n"), (2, "3 fields, but 4 names".into()));
+        assert_eq!(wrong("number,time,x,y\n\n1,0,0,0\n1,nan,0,0\n").0, 4);
+        assert!(wrong("number,time,x,y\n-1,0,0,0\n").1.contains("`-1` is no number of an agent"));
+        let text = "\u{feff}x , y,time,number,group\n1,2,3,4,\"a\nb\"\n5,6,1,4,c";
+        let tracks = Tracks::parse(text).unwrap();
+        assert_eq!(tracks.groups, ["a\nb", "c"]);
+        assert_eq!((tracks.spots[0].place, tracks.spots[0].group), (DVec3::new(5.0, 6.0, 0.0), 1));
+        assert_eq!(wrong(&format!("{text},,,\n\"x\",1,1,1,1")).0, 5);
+        assert!(Tracks::parse("number,time,x,y\n\"").is_err());
+        let missing = Tracks::read("no/such/file.csv").unwrap_err().to_string();
+        assert!(missing.starts_with("cannot read no/such/file.csv: "), "{missing}");
+    }
+}
