@@ -5,6 +5,7 @@ use crate::bench::args::{self as bench, BenchArgs};
 use crate::compare::{COMPARE, COMPARE_SHORT, CompareArgs};
 use crate::explain::args::{self as explain, ExplainArgs};
 use crate::look::LookArgs;
+use crate::measure::args::{self as measure, MeasureArgs};
 use crate::options::{EndArgs, FilmArgs, ThreadArgs};
 use crate::sheet::args::{self as sheet, SheetArgs};
 use crate::source::SceneArgs;
@@ -29,6 +30,7 @@ Examples:
   throng check plan.toml             is it right, and what would it do?
   throng show doorway                a picture of the start, doorway.png
   throng sheet                       a still of each scene of the gallery, sheet.png
+  throng measure flocking            how its members move: distributions of speeds and the like
   throng explain circle --agent 3    why agent 3 goes where it goes, circle-agent-3.svg
   throng bench                       how long steps take on this machine
 
@@ -67,6 +69,11 @@ pub enum Command {
     /// under the headings of the gallery's groups. Without names, the whole gallery.
     #[command(after_help = sheet::EXAMPLES, after_long_help = sheet::EXAMPLES)]
     Sheet(SheetArgs),
+    /// Measures swarms: how speeds, accelerations and distances are distributed, how long velocities last, how wide they are
+    ///
+    /// Of the scene that it runs, or of a table of trajectories; docs/swarms.md says what the figures mean.
+    #[command(after_help = measure::SHORT, after_long_help = measure::LONG)]
+    Measure(Box<MeasureArgs>),
     /// Draws why one agent goes where it goes: its velocity space at one moment
     #[command(after_help = explain::SHORT, after_long_help = explain::LONG)]
     Explain(Box<ExplainArgs>),
@@ -116,7 +123,7 @@ Keys of --json (one object on standard output):
   agent_steps_per_second    moves of one agent by one sub-step, a second of computing the steps
   expect                    { passed, checks: [{ name, expected, found, passed }] }: the scene's [expect]
   figures                   what the rules of a game count, by name; empty without rules
-  least_wall_separation     least distance of a centre to a wall over the radius
+  least_wall_separation     least distance of a centre to a wall or solid over the radius
   wall_seconds              seconds the whole run took, files included
   step_seconds              those of them for the steps alone
   cpu_per_simulated_second  processor seconds (all threads, files included) a simulated second

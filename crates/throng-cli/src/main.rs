@@ -14,10 +14,12 @@ mod files;
 mod interrupt;
 mod list;
 mod look;
+mod measure;
 mod moment;
 mod options;
 mod out;
 mod pace;
+mod page;
 mod progress;
 mod recorder;
 mod report;
@@ -50,6 +52,7 @@ fn main() -> ExitCode {
         Command::Check(args) => check::check(args, &mut out),
         Command::Show(args) => show::show(args, &mut out),
         Command::Sheet(args) => sheet::sheet(args, &mut out),
+        Command::Measure(args) => measure::measure(args, &mut out),
         Command::Explain(args) => explain::explain(args, &mut out),
         Command::Schema => schema::schema(&mut out),
         Command::Completions(args) => completions::completions(args, &mut out),

@@ -1,4 +1,4 @@
-//! Figures over time as SVG; colours come from the page's style.
+//! Figures over time, and distributions, as SVG; colours come from the page's style.
 
 use std::fmt::Write;
 
@@ -14,14 +14,63 @@ pub struct Plot<'a> {
     pub title: &'a str,
     /// Its unit, as it stands at the axis.
     pub unit: &'a str,
-    /// The lines, by model: times and values; gaps where a value is no number.
+    /// The lines: what is across and values, ascending; gaps where a value is no number.
     pub lines: Vec<Vec<(f64, f64)>>,
-    /// The top of the axis is at least the first; values above the second are cut off.
-    pub top: [f64; 2],
+    /// Which values there is room for.
+    pub height: Height,
     /// A value to mark, and what it means.
     pub mark: Option<(f64, &'a str)>,
-    /// The end of the time axis, seconds.
-    pub end: f64,
+    /// What is across, with its unit.
+    pub axis: &'a str,
+    /// From where to where that goes; lines beyond are cut off.
+    pub span: [f64; 2],
+}
+
+/// Which values a plot has room for.
+#[derive(Clone, Copy)]
+pub enum Height {
+    /// From 0 to the highest: at least the first; values above the second are cut off.
+    FromZero([f64; 2]),
+    /// From one value to another.
+    Between([f64; 2]),
+    /// Powers of ten, from this one to above the highest; what is below, 0 too, is a gap.
+    Decades(f64),
+}
+
+/// The axis upwards: its ends, as they are drawn, which are logarithms where it shows powers of ten.
+struct Up {
+    low: f64,
+    high: f64,
+    decades: bool,
+}
+
+impl Up {
+    fn new(height: Height, values: impl Iterator<Item = f64>) -> Self {
+        let highest = values.filter(|y| y.is_finite()).fold(0.0, f64::max);
+        let (low, high) = match height {
+            Height::FromZero([least, most]) => (0.0, round_up(highest.max(least).min(most))),
+            Height::Between([low, high]) => (low, high),
+            Height::Decades(least) => (least.log10(), highest.max(10.0 * least).log10().ceil()),
+        };
+        Self { low, high, decades: matches!(height, Height::Decades(_)) }
+    }
+
+    /// How high a value is, 0 to 1; not a number for none.
+    fn share(&self, value: f64) -> f64 {
+        let value = if self.decades && value != f64::INFINITY { value.log10() } else { value };
+        let value = if self.decades && value < self.low { f64::NAN } else { value };
+        let held = if value.is_nan() { value } else { value.clamp(self.low, self.high) };
+        (held - self.low) / (self.high - self.low)
+    }
+
+    /// Values at the axis, and how they are written.
+    fn ticks(&self) -> Vec<(f64, String)> {
+        if self.decades {
+            let powers = self.low.ceil() as i32..=self.high as i32;
+            return powers.map(|power| (10f64.powi(power), format!("1e{power}"))).collect();
+        }
+        ticks(self.low, self.high).into_iter().map(|tick| (tick, number(tick))).collect()
+    }
 }
 
 impl Plot<'_> {
@@ -29,11 +78,11 @@ impl Plot<'_> {
     pub fn svg(&self) -> String {
         let [width, height] = SIZE;
         let ([left, below], [right, above]) = (CORNER, ROOM);
-        let highest = self.lines.iter().flatten().map(|point| point.1).filter(|y| y.is_finite()).fold(0.0, f64::max);
-        let top = round_up(highest.max(self.top[0]).min(self.top[1]));
-        let end = self.end.max(1e-3);
-        let x = |t: f64| left + t / end * (width - left - right);
-        let y = |value: f64| height - below - value.min(top) / top * (height - below - above);
+        let up = Up::new(self.height, self.lines.iter().flatten().map(|point| point.1));
+        let start = self.span[0];
+        let end = self.span[1].max(start + 1e-3);
+        let x = |t: f64| left + (t - start) / (end - start) * (width - left - right);
+        let y = |value: f64| height - below - up.share(value) * (height - below - above);
         let mut out = format!(
             "<figure class=\"plot\"><figcaption>{} <small>{}</small></figcaption>\n\
              <svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{}\" data-left=\"{left}\" \
@@ -43,19 +92,20 @@ impl Plot<'_> {
             self.title,
             width - right
         );
-        for tick in ticks(top) {
-            let (at, label) = (y(tick), number(tick));
+        for (tick, label) in up.ticks() {
+            let at = y(tick);
             let _ = write!(out, "<path class=\"grid\" d=\"M{left} {at:.1}H{:.1}\"/>", width - right);
             let _ = writeln!(out, "<text class=\"tick end\" x=\"{}\" y=\"{:.1}\">{label}</text>", left - 7.0, at + 4.0);
         }
-        for tick in ticks(end) {
+        for tick in ticks(start, end) {
             let (at, base) = (x(tick), height - below);
             let _ = write!(out, "<path class=\"axis\" d=\"M{at:.1} {base}v4\"/>");
             let _ =
                 writeln!(out, "<text class=\"tick mid\" x=\"{at:.1}\" y=\"{}\">{}</text>", base + 18.0, number(tick));
         }
         let _ = writeln!(out, "<path class=\"axis\" d=\"M{left} {}H{}\"/>", height - below, width - right);
-        let _ = writeln!(out, "<text class=\"tick end\" x=\"{}\" y=\"{}\">time, s</text>", width - right, height - 4.0);
+        let (x_end, foot) = (width - right, height - 4.0);
+        let _ = writeln!(out, "<text class=\"tick end\" x=\"{x_end}\" y=\"{foot}\">{}</text>", self.axis);
         if let Some((value, _)) = self.mark {
             let _ = writeln!(out, "<path class=\"mark\" d=\"M{left} {:.1}H{:.1}\"/>", y(value), width - right);
         }
@@ -63,7 +113,7 @@ impl Plot<'_> {
             let mut path = String::new();
             let mut pen = 'M';
             for &(t, value) in line {
-                if value.is_finite() || value == f64::INFINITY {
+                if !y(value).is_nan() && (start..=end).contains(&t) {
                     let _ = write!(path, "{pen}{:.1} {:.1}", x(t), y(value));
                     pen = 'L';
                 } else {
@@ -85,22 +135,25 @@ impl Plot<'_> {
 }
 
 /// The least of 1, 1.5, 2, 3, 4, 5, 6, 8 and 10 times a power of ten that is not below `value`.
-fn round_up(value: f64) -> f64 {
+pub fn round_up(value: f64) -> f64 {
     let power = 10f64.powf(value.log10().floor());
     let steps = [1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
     steps.into_iter().map(|step| step * power).find(|&top| top >= value * (1.0 - 1e-9)).unwrap_or(10.0 * power)
 }
 
-/// Round numbers from 0 to `end`, three to six of them.
-fn ticks(end: f64) -> Vec<f64> {
-    let power = 10f64.powf((end / 5.0).log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|step| step * power).find(|step| end / step <= 5.0 + 1e-9);
+/// Round numbers from one to another, three to six of them.
+fn ticks(start: f64, end: f64) -> Vec<f64> {
+    let length = end - start;
+    let power = 10f64.powf((length / 5.0).log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|step| step * power).find(|step| length / step <= 5.0 + 1e-9);
     let step = step.unwrap_or(10.0 * power);
-    (0..=(end / step + 1e-9) as u32).map(|k| f64::from(k) * step).collect()
+    let first = (start / step - 1e-9).ceil() as i64;
+    (first..=(end / step + 1e-9).floor() as i64).map(|k| k as f64 * step).collect()
 }
 
 fn number(value: f64) -> String {
-    format!("{}", (value * 1e4).round() / 1e4)
+    // no negative nought
+    format!("{}", (value * 1e4).round() / 1e4 + 0.0)
 }
 
 #[cfg(test)]
@@ -109,21 +162,36 @@ mod tests {
 
     #[test]
     fn axes_have_a_few_round_numbers() {
-        assert_eq!(ticks(15.04), [0.0, 5.0, 10.0, 15.0]);
-        assert_eq!(ticks(3.0), [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(ticks(0.0, 15.04), [0.0, 5.0, 10.0, 15.0]);
+        assert_eq!(ticks(0.0, 3.0), [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(ticks(-0.4, 1.0), [0.0, 0.5, 1.0]);
         assert_eq!((round_up(36.0), round_up(0.11), round_up(300.0)), (40.0, 0.15000000000000002, 300.0));
         for k in 1..1000 {
             let end = f64::from(k) * 0.37;
-            assert!((3..=6).contains(&ticks(end).len()), "{end}: {:?}", ticks(end));
+            assert!((3..=6).contains(&ticks(0.0, end).len()), "{end}: {:?}", ticks(0.0, end));
+            assert!((2..=6).contains(&ticks(-0.3 * end, end).len()), "{end}: {:?}", ticks(-0.3 * end, end));
         }
+    }
+
+    fn plot(line: Vec<(f64, f64)>, height: Height) -> String {
+        let plot = Plot { title: "", unit: "", lines: vec![line], height, mark: None, axis: "", span: [0.0, 4.0] };
+        plot.svg().lines().find(|line| line.contains("line m0")).unwrap_or_default().to_owned()
     }
 
     #[test]
     fn a_gap_lifts_the_pen() {
-        let line = vec![(0.0, 1.0), (1.0, 1.0), (2.0, f64::NAN), (3.0, 1.0), (4.0, 1.0)];
-        let plot = Plot { title: "", unit: "", lines: vec![line], top: [1.0, 9.0], mark: None, end: 4.0 };
-        let svg = plot.svg();
-        let path = svg.lines().find(|line| line.contains("line m0")).unwrap();
+        let line = vec![(0.0, 1.0), (1.0, 1.0), (2.0, f64::NAN), (3.0, 1.0), (4.0, 1.0), (5.0, 1.0)];
+        let path = plot(line, Height::FromZero([1.0, 9.0]));
         assert_eq!((path.matches('M').count(), path.matches('L').count()), (2, 2), "{path}");
+    }
+
+    #[test]
+    fn powers_of_ten_are_evenly_apart_and_nothing_is_none() {
+        let line = vec![(0.0, 0.1), (1.0, 0.01), (2.0, 0.001), (3.0, 0.0), (4.0, 1e-9)];
+        let path = plot(line, Height::Decades(1e-3));
+        let heights: Vec<f64> =
+            path.split(['M', 'L']).skip(1).map(|at| at.split([' ', '"']).nth(1).unwrap().parse().unwrap()).collect();
+        assert_eq!(heights.len(), 3, "{path}");
+        assert!((heights[2] + heights[0] - 2.0 * heights[1]).abs() < 0.2 && heights[2] == 212.0, "{heights:?}");
     }
 }

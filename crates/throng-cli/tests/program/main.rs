@@ -8,6 +8,7 @@ mod errors;
 mod explain;
 #[cfg(unix)]
 mod interrupt;
+mod measure;
 mod mistakes;
 mod run;
 mod shared;

@@ -1,6 +1,6 @@
 //! The figures over time that the page shows.
 
-use super::plot::Plot;
+use crate::page::{Height, Plot};
 use throng_record::series::{Point, Series};
 
 /// Points of a line of a plot, at most.
@@ -17,7 +17,15 @@ pub fn plots(series: &[&Series], agents: usize) -> String {
     };
     let plot = |title, unit, top: [f64; 2], figure: fn(&Point) -> f64| {
         let mark = (top[1] == FAR).then_some((1.0, "1: two touch"));
-        Plot { title, unit, lines: lines(figure), top, mark, end }
+        Plot {
+            title,
+            unit,
+            lines: lines(figure),
+            height: Height::FromZero(top),
+            mark,
+            axis: "time, s",
+            span: [0.0, end],
+        }
     };
     let any = f64::INFINITY;
     let plots = [

@@ -3,7 +3,6 @@
 mod charts;
 mod moments;
 mod place;
-mod plot;
 mod tracks;
 
 use super::figures::{FIGURES, Results};
@@ -12,6 +11,7 @@ use super::table::{Row, caption, rows};
 use crate::failure::Failure;
 use crate::moment;
 use crate::options::FilmArgs;
+use crate::page::{STYLE, escape, fill, swatch};
 use glam::DVec2;
 use place::place;
 use serde_json::{Value, json};
@@ -21,7 +21,6 @@ use throng_record::{Frame, Setting};
 use tracks::Tracks;
 
 const PAGE: &str = include_str!("page.html");
-const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
 /// A page being made.
@@ -183,52 +182,9 @@ fn legend(results: &Results) -> String {
     results.models.iter().enumerate().map(entry).collect()
 }
 
-/// The line of a model in plots.
-fn swatch(model: usize) -> String {
-    let line = format!("<path class=\"line m{}\" d=\"M1 4H25\"/>", model % 8);
-    format!("<svg class=\"swatch\" viewBox=\"0 0 26 8\">{line}</svg>")
-}
-
-/// A template with its `{{names}}` replaced; what is put in is not looked at again.
-fn fill(template: &str, parts: &[(&str, String)]) -> String {
-    let mut out = String::with_capacity(template.len() + parts.iter().map(|part| part.1.len()).sum::<usize>());
-    let mut rest = template;
-    while let Some((before, after)) = rest.split_once("{{") {
-        let (name, after) = after.split_once("}}").unwrap_or((after, ""));
-        out.push_str(before);
-        out.push_str(parts.iter().find(|part| part.0 == name).map_or("", |part| &part.1));
-        rest = after;
-    }
-    out.push_str(rest);
-    out
-}
-
-/// Text as it may stand in HTML, between tags and in attributes.
-fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if c.is_control() => out.push(' '),
-            c => out.push(c),
-        }
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn what_is_put_in_is_not_looked_at_again() {
-        let parts = [("a", "{{b}}".to_owned()), ("b", "B".to_owned())];
-        assert_eq!(fill("x{{a}}y{{b}}{{c}}z", &parts), "x{{b}}yBz");
-        assert_eq!(fill("x{{", &parts), "x");
-    }
 
     #[test]
     fn the_template_names_every_part_once() {

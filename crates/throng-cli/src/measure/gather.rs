@@ -1,0 +1,93 @@
+//! What is measured, from a scene that runs or from a table.
+
+use super::Measured;
+use super::args::MeasureArgs;
+use crate::failure::Failure;
+use crate::files::is;
+use crate::out::complain;
+use crate::progress::{Progress, share};
+use crate::source::Loaded;
+use crate::{interrupt, moment, threads};
+use throng_record::swarm::Swarm;
+use throng_record::{Frame, Tracks};
+
+/// The name of what was measured, and its groups: those of which somebody was there.
+///
+/// # Errors
+/// It cannot be read or built, or has no such group.
+pub fn gather(args: &MeasureArgs) -> Result<(String, Vec<Measured>), Failure> {
+    let (name, mut groups) = if is(&args.of, "csv") {
+        let changes = &args.changes;
+        if changes.seed.is_some() || !changes.set.is_empty() || changes.exit.is_some() || changes.people.is_some() {
+            let text = format!("{}: what is recorded cannot be changed", args.of.display());
+            return Err(Failure::hint(text, "leave out --seed, --set, --exit and --people"));
+        }
+        (args.of.display().to_string(), recorded(args)?)
+    } else {
+        let loaded = args.changes.load(&args.of)?;
+        if !args.quiet {
+            loaded.notes.iter().for_each(|note| complain(&format!("note: {note}")));
+        }
+        let groups = threads::with(args.threads.count(), || simulated(args, &loaded))?;
+        (loaded.name, groups)
+    };
+    groups.retain(|group| group.swarm.moments().iter().any(|moment| moment.count > 0));
+    Ok((name, groups))
+}
+
+fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failure> {
+    let (mut world, built) = loaded.build()?;
+    let scene = &loaded.scene;
+    let names: Vec<String> = built.groups[..scene.groups.len()].iter().map(|group| group.name.clone()).collect();
+    let chosen = chosen(args, &names)?;
+    let mut groups: Vec<Measured> = chosen.iter().map(|&k| begin(args, &names[k])).collect();
+    let progress = Progress::new(args.quiet);
+    let mut frame = Frame::default();
+    // half a step, so that rounding leaves out nothing
+    let (half, to) = (0.5 * scene.time.step, args.to.unwrap_or(f64::INFINITY));
+    loop {
+        let time = world.time();
+        if time >= args.from - half {
+            moment::capture(&world, &mut frame);
+            for (&k, group) in chosen.iter().zip(&mut groups) {
+                group.swarm.push_frame(&frame, k as u32);
+            }
+        }
+        let over = if args.to.is_some() { time + half >= to } else { scene.time.over(&world) };
+        if over || interrupt::asked() {
+            break;
+        }
+        world.step();
+        progress.show(share(&world, to.min(scene.time.limit)), || format!("{time:.1} s"));
+    }
+    progress.done();
+    Ok(groups)
+}
+
+fn recorded(args: &MeasureArgs) -> Result<Vec<Measured>, Failure> {
+    let tracks = Tracks::read(&args.of)?;
+    let chosen = chosen(args, &tracks.groups)?;
+    let to = args.to.unwrap_or(f64::INFINITY);
+    let measured = |&k: &usize| {
+        let mut group = begin(args, &tracks.groups[k]);
+        let within = tracks.moments(k as u32).filter(|&(time, _)| time >= args.from - 1e-9 && time <= to + 1e-9);
+        within.for_each(|(time, places)| group.swarm.push(time, &places));
+        group
+    };
+    Ok(chosen.iter().map(measured).collect())
+}
+
+fn begin(args: &MeasureArgs, name: &str) -> Measured {
+    Measured { name: name.to_owned(), swarm: Swarm::new(args.lag) }
+}
+
+/// The groups that are asked for, by index.
+fn chosen(args: &MeasureArgs, names: &[String]) -> Result<Vec<usize>, Failure> {
+    let Some(name) = &args.group else { return Ok((0..names.len()).collect()) };
+    let found: Vec<usize> = (0..names.len()).filter(|&k| names[k] == *name).collect();
+    if found.is_empty() {
+        let text = format!("--group {name}: there is no group `{name}` in {}", args.of.display());
+        return Err(Failure::hint(text, format!("there is: {}", names.join(", "))));
+    }
+    Ok(found)
+}

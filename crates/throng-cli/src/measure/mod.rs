@@ -1,0 +1,71 @@
+//! `throng measure`: what swarms are like.
+
+pub mod args;
+mod gather;
+mod json;
+mod page;
+mod text;
+
+use crate::failure::Failure;
+use crate::files::{distinct, is};
+use crate::interrupt;
+use crate::out::{Out, complain};
+use args::MeasureArgs;
+use throng_record::Output;
+use throng_record::swarm::{Moment, Swarm};
+
+/// A group and what was measured.
+pub struct Measured {
+    /// Its name; empty where it has none.
+    pub name: String,
+    /// Its figures.
+    pub swarm: Swarm,
+}
+
+/// Runs a scene, or reads a table, and tells the figures of its groups.
+///
+/// # Errors
+/// The scene or the table cannot be read, there is no such group, nobody was there, or a file cannot be written.
+pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
+    distinct(&args.output)?;
+    if let Some(path) = args.output.iter().find(|path| !is(path, "html") && !is(path, "htm")) {
+        let text = format!("{}: `measure` writes pages of plots", path.display());
+        return Err(Failure::hint(text, "end the name in .html; --json writes the figures to standard output"));
+    }
+    if let Some(to) = args.to.filter(|&to| to <= args.from) {
+        return Err(Failure::hint(format!("--to {to}: it begins at {} s", args.from), "give --to more than --from"));
+    }
+    interrupt::watch();
+    let (name, groups) = gather::gather(args)?;
+    if groups.is_empty() {
+        let to = args.to.map_or_else(|| "the end".to_owned(), |to| format!("{to} s"));
+        let text = format!("{name}: nobody was there from {} s to {to}", args.from);
+        return Err(Failure::hint(text, "change --from and --to"));
+    }
+    for path in &args.output {
+        let mut output = Output::create(path)?;
+        output.put(page::text(&name, &groups).as_bytes())?;
+        output.finish()?;
+    }
+    if args.json {
+        out.line(format_args!("{}", json::of(&name, &groups, &args.output)))?;
+    } else if !args.quiet {
+        out.text(text::text(&name, &groups).as_bytes())?;
+        args.output.iter().try_for_each(|path| out.line(format_args!("wrote {}", path.display())))?;
+    }
+    out.flush()?;
+    if interrupt::asked() {
+        if !args.quiet {
+            complain("interrupted; the figures are those up to there");
+        }
+        return Err(Failure::Interrupted);
+    }
+    Ok(())
+}
+
+/// The mean over moments of what is known.
+fn mean(swarm: &Swarm, figure: impl Fn(&Moment) -> f64) -> f64 {
+    let known = swarm.moments().iter().map(figure).filter(|value| value.is_finite());
+    let (sum, count) = known.fold((0.0, 0u32), |(sum, count), value| (sum + value, count + 1));
+    sum / f64::from(count)
+}

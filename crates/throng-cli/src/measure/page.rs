@@ -1,0 +1,120 @@
+//! The page: one file without network, the figures and their plots.
+
+use super::Measured;
+use super::json::BIN;
+use super::text;
+use crate::page::{Height, Plot, STYLE, escape, fill, swatch};
+use std::f64::consts::{PI, TAU};
+use throng_record::swarm::{Distribution, Moment, Swarm};
+
+const PAGE: &str = include_str!("page.html");
+/// Points of a line over time, at most.
+const POINTS: usize = 400;
+/// Densities below this are not told apart.
+const RARE: f64 = 1e-4;
+/// Standard deviations to each side that plots show.
+const WIDE: f64 = 6.0;
+
+/// The page about these groups.
+pub fn text(name: &str, groups: &[Measured]) -> String {
+    let sections: String = groups.iter().map(|group| section(name, group)).collect();
+    let parts = [
+        ("title", escape(name)),
+        ("style", STYLE.to_owned()),
+        ("version", env!("CARGO_PKG_VERSION").to_owned()),
+        ("groups", sections),
+    ];
+    fill(PAGE, &parts)
+}
+
+fn section(scene: &str, group: &Measured) -> String {
+    let Measured { name, swarm } = group;
+    let figures = escape_lines(&text::of(scene, group));
+    let plots: String = plots(swarm).iter().map(Plot::svg).collect();
+    let names = [(0, "measured, or along x"), (1, "along y"), (2, "along z"), (3, "the closed form, or in all")];
+    let legend: String = names.iter().map(|(k, name)| format!("<span>{}{name}</span>\n", swatch(*k))).collect();
+    format!(
+        "<section>\n<h2>{}</h2>\n<pre>{figures}</pre>\n<p class=\"legend\">\n{legend}</p>\n<div class=\"plots\">\n{plots}</div>\n</section>\n",
+        escape(name)
+    )
+}
+
+/// Text with its line breaks.
+fn escape_lines(text: &str) -> String {
+    text.lines().map(escape).collect::<Vec<_>>().join("\n")
+}
+
+fn plots(swarm: &Swarm) -> Vec<Plot<'static>> {
+    let time = |figures: &[fn(&Moment) -> f64]| -> Vec<Vec<(f64, f64)>> {
+        let moments = swarm.moments();
+        let thin = moments.len().div_ceil(POINTS).max(1);
+        let line = |figure: &fn(&Moment) -> f64| moments.iter().step_by(thin).map(|at| (at.time, figure(at))).collect();
+        figures.iter().map(line).collect()
+    };
+    let span = [0, swarm.moments().len().saturating_sub(1)].map(|k| swarm.moments().get(k).map_or(0.0, |at| at.time));
+    let over_time = |title, unit, lines, height| Plot { title, unit, lines, height, mark: None, axis: "time, s", span };
+    let correlation = swarm.correlation().points();
+    let lowest = correlation.iter().map(|point| point.1).fold(0.0, f64::min);
+    let longest = correlation.last().map_or(0.0, |point| point.0);
+    let any = f64::INFINITY;
+    vec![
+        density("Speed", "density, s/m", "speed, m/s", swarm.speed(), maxwell),
+        standardised("Velocity along each axis", "density", "standard deviations from the mean", swarm.velocity()),
+        standardised(
+            "Acceleration along each axis",
+            "density",
+            "standard deviations from the mean",
+            swarm.acceleration(),
+        ),
+        density("Distance to the nearest other", "density, 1/m", "distance, m", swarm.nearest(), |_, _| f64::NAN),
+        Plot {
+            title: "Autocorrelation of velocities",
+            unit: "",
+            lines: vec![correlation],
+            height: Height::Between([if lowest < 0.0 { -1.0 } else { 0.0 }, 1.0]),
+            mark: Some(((-1.0f64).exp(), "1/e")),
+            axis: "later by, s",
+            span: [0.0, longest],
+        },
+        over_time(
+            "Radius of gyration",
+            "m, along each axis and in all",
+            time(&[|at| at.axes.x, |at| at.axes.y, |at| at.axes.z, Moment::size]),
+            Height::FromZero([1e-3, any]),
+        ),
+        over_time("Polarisation", "", time(&[|at| at.polarisation]), Height::FromZero([1.0, 1.0])),
+        over_time("Mean speed", "m/s", time(&[|at| at.speed]), Height::FromZero([1e-3, any])),
+    ]
+}
+
+/// A density, beside that of a closed form.
+fn density(
+    title: &'static str,
+    unit: &'static str,
+    axis: &'static str,
+    all: &Distribution,
+    form: impl Fn(&Distribution, f64) -> f64,
+) -> Plot<'static> {
+    let end = (all.mean() + WIDE * all.deviation()).min(all.most());
+    let end = if end.is_finite() { end } else { 0.0 };
+    let found = all.density(BIN);
+    let closed = (0..=100).map(|k| f64::from(k) * 0.01 * end).map(|x| (x, form(all, x))).collect();
+    let height = Height::FromZero([1e-6, f64::INFINITY]);
+    Plot { title, unit, lines: vec![found, vec![], vec![], closed], height, mark: None, axis, span: [0.0, end] }
+}
+
+/// The density of Maxwell and Boltzmann with the same mean square, at a speed.
+fn maxwell(all: &Distribution, speed: f64) -> f64 {
+    let one = all.rms() / 3f64.sqrt();
+    let s = speed / one;
+    (2.0 / PI).sqrt() * s * s * (-0.5 * s * s).exp() / one
+}
+
+/// What is left along each axis when the mean is taken off, over the deviation, beside what is normal.
+fn standardised(title: &'static str, unit: &'static str, axis: &'static str, all: &[Distribution; 3]) -> Plot<'static> {
+    let line = |one: &Distribution| if one.deviation() > 0.0 { one.standardised(BIN) } else { vec![] };
+    let mut lines: Vec<Vec<(f64, f64)>> = all.iter().map(line).collect();
+    let normal = |x: f64| (-0.5 * x * x).exp() / TAU.sqrt();
+    lines.push((-120..=120).map(|k| f64::from(k) * 0.05).map(|x| (x, normal(x))).collect());
+    Plot { title, unit, lines, height: Height::Decades(RARE), mark: None, axis, span: [-WIDE, WIDE] }
+}
