@@ -141,7 +141,7 @@ Examples:
   throng run bottleneck --speed-up 4 --trails 5
   throng run drones --projection plan
   throng run crossing --annotate=velocity,targets --annotate-agents 1,5
-  throng run field-vortex --field=speed,streamlines
+  throng run street.toml --field=speed,streamlines
   throng run headon --json --no-files --set avoid.orca.time_horizon=3
   throng run station.wkt --exit 10,0,2,4 --people 500 -o station.mp4
   throng run scenario.zip -o scenario.csv --limit 60";

@@ -14,7 +14,7 @@ const RATE: u32 = 25;
 fn place(number: u32, time: f64) -> DVec3 {
     let part = |k: f64| (f64::from(number) * k).fract();
     let (out, turn) = (0.5 + 2.6 * part(0.618_034).powf(0.7), std::f64::consts::TAU * part(0.754_878));
-    let rate = if number % 2 == 0 { 1.3 } else { -1.1 } * (1.0 + part(0.569_84)) / out.sqrt();
+    let rate = if number.is_multiple_of(2) { 1.3 } else { -1.1 } * (1.0 + part(0.569_84)) / out.sqrt();
     let angle = turn + rate * time;
     let wobble =
         DVec3::new((3.1 * time + turn).sin(), (2.7 * time + 2.0 * turn).cos(), (3.7 * time + 3.0 * turn).sin());
@@ -29,7 +29,7 @@ fn moment(count: u32, time: f64) -> Frame {
         let velocity = ((next - here) / 1e-3).as_vec3();
         Body {
             number,
-            group: u32::from(number % 5 == 0),
+            group: u32::from(number.is_multiple_of(5)),
             goal: None,
             position: here.truncate(),
             velocity: velocity.truncate(),

@@ -227,7 +227,7 @@ impl Painter {
         let (projector, seconds) = (self.projector(), f64::from(self.style.shutter));
         let insects = frame.bodies.iter().filter(|body| self.look.form(body) == Form::Insect);
         // what is no number opens no shutter either
-        if !(seconds > 0.0) {
+        if seconds.is_nan() || seconds <= 0.0 {
             return Vec::new();
         }
         let streak = |body: &Body| {
