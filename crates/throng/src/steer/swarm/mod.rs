@@ -44,3 +44,8 @@ pub use phototaxis::Phototaxis;
 pub use sedation::Sedation;
 pub use swarming::{Apart, KeepOff, Swarm, locust, midge};
 pub use zones::Zones;
+
+/// `docs/swarms.md`, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../../../../docs/swarms.md")]
+struct Page;
