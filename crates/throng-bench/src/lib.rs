@@ -1,6 +1,6 @@
 //! The reference works: crowds that the speed of simulators is measured on, and how long they take.
 //!
-//! A [`Work`] makes a [`Crowd`] or a [`Flock`], plain data that any simulator can be given, and a [`World`](throng::World) of it;
+//! A [`Work`] makes a [`Crowd`], a [`Flock`] or [`Insects`], plain data that any simulator can be given, and a [`World`](throng::World) of it;
 //! [`lap`] moves a world on and says where the time went. `throng bench` measures them, and `peers/` measures other
 //! simulators on the same crowds. `docs/performance.md` has figures.
 //!
@@ -21,10 +21,12 @@ mod flock;
 mod floor;
 mod lap;
 mod place;
+mod swarm;
 mod work;
 
 pub use crowd::{Crowd, Person};
 pub use dice::Dice;
 pub use flock::{Bird, Flock};
 pub use lap::{Lap, lap, median};
+pub use swarm::Insects;
 pub use work::{WORKS, Work, work};

@@ -1,7 +1,7 @@
 //! The reference works by name.
 
 use crate::place::{bricks, sort, uniform};
-use crate::{Crowd, Dice, Flock, Person, floor};
+use crate::{Crowd, Dice, Flock, Insects, Person, floor};
 use glam::DVec2;
 use throng::{Agent, Error, Group, World};
 
@@ -24,6 +24,7 @@ enum Kind {
         manners: bool,
     },
     Flock(fn(usize) -> Flock),
+    Insects(fn(usize) -> Insects),
 }
 
 /// All works.
@@ -78,6 +79,18 @@ pub const WORKS: &[Work] = &[
         kind: Kind::Flock(|count| Flock::in_sphere(count, 50.0)),
     },
     Work {
+        name: "swarm",
+        about: "midges in space with a noise for each, 1,000 per m3, one within 6 cm of each, that keep apart",
+        sizes: &[10_000, 100_000],
+        kind: Kind::Insects(|count| Insects::in_sphere(count, 1000.0, true)),
+    },
+    Work {
+        name: "swarm-alone",
+        about: "the same, but they see nobody",
+        sizes: &[10_000, 100_000, 1_000_000],
+        kind: Kind::Insects(|count| Insects::in_sphere(count, 1000.0, false)),
+    },
+    Work {
         name: "hall",
         about: "to and fro in an empty hall with 20 m2 for five people, with manners",
         sizes: &[500],
@@ -101,22 +114,30 @@ impl Work {
     pub fn crowd(&self, count: usize) -> Option<Crowd> {
         match self.kind {
             Kind::Crowd { crowd, .. } => Some(crowd(count)),
-            Kind::Flock(_) => None,
+            Kind::Flock(_) | Kind::Insects(_) => None,
         }
     }
 
     /// Its birds, if it is of birds; the same for the same count.
     pub fn flock(&self, count: usize) -> Option<Flock> {
         match self.kind {
-            Kind::Crowd { .. } => None,
+            Kind::Crowd { .. } | Kind::Insects(_) => None,
             Kind::Flock(flock) => Some(flock(count)),
+        }
+    }
+
+    /// Its insects, if it is of insects; the same for the same count.
+    pub fn insects(&self, count: usize) -> Option<Insects> {
+        match self.kind {
+            Kind::Insects(insects) => Some(insects(count)),
+            Kind::Crowd { .. } | Kind::Flock(_) => None,
         }
     }
 
     /// Its world, with or without the guard.
     ///
     /// # Errors
-    /// Those of [`Crowd::world`] and [`Flock::world`]: the ground of very many people reaches farther than a world does.
+    /// Those of [`Crowd::world`], [`Flock::world`] and [`Insects::world`]: the ground of very many people reaches farther than a world does.
     pub fn world(&self, count: usize, guard: bool) -> Result<World, Error> {
         match self.kind {
             Kind::Crowd { crowd, manners: true } => {
@@ -126,6 +147,7 @@ impl Work {
                 crowd(count).world(Group { guard, ..Crowd::bare() }, f32::INFINITY)
             }
             Kind::Flock(flock) => flock(count).world(guard),
+            Kind::Insects(insects) => insects(count).world(guard),
         }
     }
 }

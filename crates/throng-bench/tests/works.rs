@@ -73,6 +73,8 @@ fn everybody_walks_or_stands_as_they_should() {
                 "at-rest" => assert!(walked < 0.01, "{walked}"),
                 // in a crush hardly anybody gets on
                 "one-spot" | "density-4" | "density-6" => assert!(walked > 0.0, "{}: {walked}", work.name),
+                // half a second of noise of 0.6 m/s, from rest
+                "swarm" | "swarm-alone" => assert!((0.1..0.4).contains(&walked), "{}: {walked}", work.name),
                 _ => assert!(walked > 1.0, "{}: {walked}", work.name),
             }
         }

@@ -9,8 +9,9 @@ use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
 use throng::perceive::Instructions;
 use throng::space::surface::{SeenFrom, Sphere};
-use throng::steer::Barriers;
-use throng::{Group, World};
+use throng::steer::swarm::{Aggregate, Align, Apart, Swarm, midge};
+use throng::steer::{Barriers, Target};
+use throng::{Agent, Group, Settings, SubSteps, World};
 
 #[global_allocator]
 static MEMORY: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
@@ -52,6 +53,34 @@ fn a_step_allocates_nothing() {
                 assert_eq!(allocations(&mut world, 40), 0, "{name}, {instructions:?}");
                 world.sort_rows();
                 assert_eq!(allocations(&mut world, 5), 0, "{name}, {instructions:?}, rows sorted");
+            });
+        }
+    }
+}
+
+/// Midges, that keep apart and fly along with those near them, or see nobody.
+#[test]
+fn a_step_of_a_swarm_allocates_nothing() {
+    // they fill a ball, and so are as dense at the end as at the start
+    let marker = Aggregate { beyond: 2.0, ..Aggregate::from(Target::Point(glam::Vec3::new(2.5, 3.0, 2.0))) };
+    let sees_all = Swarm::default().with(marker).with(Align { distance: 0.1, weight: 0.2 });
+    let sees_nobody = Swarm { apart: Apart { distance: 0.0, speed: 0.0 }, ..Swarm::default() };
+    let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    for swarm in [sees_all, sees_nobody.with(marker)] {
+        for instructions in [Instructions::Best, Instructions::Plain] {
+            one_thread.install(|| {
+                let settings = Settings { step: 1.0 / 60.0, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
+                let mut world = World::new(settings).unwrap();
+                world.use_instructions(instructions);
+                let group = world.add_group(swarm.clone().group(midge())).unwrap();
+                for k in 0..COUNT {
+                    let position = glam::DVec2::new(0.1 * f64::from(k % 50), 0.1 * f64::from(k / 50));
+                    let midge =
+                        Agent { position, altitude: 2.0, radius: 0.005, max_speed: 2.0, group, ..Agent::default() };
+                    world.add_agent(midge).unwrap();
+                }
+                assert!(allocations(&mut world, 600) > 0, "they are counted");
+                assert_eq!(allocations(&mut world, 40), 0, "{swarm:?}, {instructions:?}");
             });
         }
     }

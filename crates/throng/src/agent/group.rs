@@ -15,8 +15,8 @@ pub struct Group {
     pub model: Arc<dyn LocalModel>,
     /// How far an agent looks for others, metres between centres (cores, of bodies that are no discs). Limit: > 0.
     pub neighbour_distance: f32,
-    /// How many of the nearest it takes into account, 1 to 1000; or [`EVERYBODY`](Self::EVERYBODY) within
-    /// `neighbour_distance`, for those who avoid nobody.
+    /// How many of the nearest it takes into account, 1 to 1000. For those who avoid nobody also [`EVERYBODY`](Self::EVERYBODY)
+    /// within `neighbour_distance`; or 0, nobody, and then nobody is looked for, nor are those measured who come close.
     pub neighbours: usize,
     /// Keep-right: the preferred velocity is turned clockwise by this angle, radians; negative keeps left. It is
     /// what resolves symmetric meetings (MODELS 1.10). Limit: -0.5 to 0.5.

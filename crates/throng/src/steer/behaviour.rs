@@ -1,5 +1,6 @@
 //! What a behaviour is.
 
+use super::swarm::Swarm;
 use super::{Flocking, View, Why};
 use crate::Error;
 use crate::motion::Steering;
@@ -44,6 +45,11 @@ pub trait Behaviour: Debug + Send + Sync {
 
     /// The flock that it is, if it is no more and no less: the birds of a flock are steered many at once.
     fn as_flocking(&self) -> Option<&Flocking> {
+        None
+    }
+
+    /// The swarm that it is, if it is no more and no less: the insects of a swarm are steered many at once.
+    fn as_swarm(&self) -> Option<&Swarm> {
         None
     }
 

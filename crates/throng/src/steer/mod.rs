@@ -31,6 +31,7 @@ mod noise;
 mod place;
 mod prediction;
 mod single;
+pub mod swarm;
 mod target;
 mod view;
 mod why;

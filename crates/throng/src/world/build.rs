@@ -64,8 +64,10 @@ impl World {
     pub fn add_group(&mut self, group: Group) -> Result<GroupId, Error> {
         Error::unless_positive("neighbour distance", group.neighbour_distance)?;
         let count = group.neighbours;
-        let counts = (1..=1000).contains(&count) || count == Group::EVERYBODY && !group.model.avoids();
-        Error::unless(counts, "neighbours", count as f64, "from 1 to 1000, or everybody for those who avoid nobody")?;
+        let all_or_none = matches!(count, 0 | Group::EVERYBODY) && !group.model.avoids();
+        let counts = (1..=1000).contains(&count) || all_or_none;
+        let limit = "from 1 to 1000, or 0 or everybody for those who avoid nobody";
+        Error::unless(counts, "neighbours", count as f64, limit)?;
         Error::unless(group.keep_right.abs() <= 0.5, "keep right", group.keep_right, "from -0.5 to 0.5 rad")?;
         group.model.check()?;
         check_field(&group, &group.field)?;

@@ -55,7 +55,7 @@ impl Flocks {
 
 impl World {
     /// Whether anybody looks at everybody within a distance.
-    fn anybody_looks_at_everybody(&self) -> bool {
+    pub(super) fn anybody_looks_at_everybody(&self) -> bool {
         self.groups_in_use().any(|group| group.neighbours == Group::EVERYBODY)
     }
 
@@ -65,9 +65,9 @@ impl World {
         group.neighbours == Group::EVERYBODY && group.steering.as_ref().is_some_and(|all| all.as_flocking().is_some())
     }
 
-    /// Whether all look at everybody within a distance.
-    pub(super) fn all_look_at_everybody(&self) -> bool {
-        self.groups_in_use().all(|group| group.neighbours == Group::EVERYBODY)
+    /// Whether nobody looks at the nearest few, but everybody within a distance, or nobody.
+    pub(super) fn nobody_counts_the_nearest(&self) -> bool {
+        self.groups_in_use().all(|group| group.nearest() == 0)
     }
 
     /// Sorts everybody into the lattice, for those who look at everybody.

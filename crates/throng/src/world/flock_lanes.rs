@@ -1,5 +1,5 @@
-//! The birds of one flock, many at once, a lane a bird: what their vehicles make of their forces, and how they move. The same
-//! bits as one by one, where [they steer](super::steer) and [they move](super::advance).
+//! The birds of one flock, or the insects of one swarm, many at once, a lane each: what their vehicles make of their forces, and how
+//! they move. The same bits as one by one, where [they steer](super::steer) and [they move](super::advance).
 
 use super::World;
 use super::advance::{SEEN, diverted};
@@ -10,17 +10,26 @@ use crate::guard::{Pose, Solids};
 use crate::lanes::{LANES, Vec2s, Vec3s, from_side_by_side, get3, ones, set, set3};
 use crate::motion::{Attitude, Attitudes, Motions, Stepping, angles};
 use crate::parallel::{self, Lists};
+use crate::steer::Neighbour;
+use crate::steer::swarm::Swarm;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use glam::{Vec2, Vec3};
 use std::ops::Range;
 
 impl World {
-    /// With what instructions, and how, everybody steps, if all are birds of one flock.
+    /// With what instructions, and how, everybody steps, if all are birds of one flock or insects of one swarm.
     pub(super) fn lanes_to_fly(&self, seconds: f32) -> Option<(Level, Stepping)> {
         let group = &self.groups[self.agents.group.uniform()?.index()];
-        let level = self.instructions.level().filter(|_| self.agents.all_discs() && self.is_bird(0))?;
+        let alike = self.agents.all_discs() && (self.is_bird(0) || self.swarm(0).is_some());
+        let level = self.instructions.level().filter(|_| alike)?;
         Some((level, Stepping::of(&group.vehicle, seconds)?))
+    }
+
+    /// The swarm that an agent is an insect of, and no more.
+    fn swarm(&self, row: usize) -> Option<&Swarm> {
+        let group = &self.groups[self.agents.group[row].index()];
+        group.steering.as_ref().filter(|_| !group.model.avoids())?.as_swarm()
     }
 
     /// What the vehicles of some rows make of their forces.
@@ -30,9 +39,9 @@ impl World {
         rows: Range<usize>,
         planned: (&mut [Vec3], &mut [Attitude]),
         preferred: Rows<'_>,
-        seconds: f32,
+        insects: &mut Insects<'_>,
     ) {
-        dispatch!(level, simd => self.steer_all(simd, stepping, rows, planned, preferred, seconds));
+        dispatch!(level, simd => self.steer_all(simd, stepping, rows, planned, preferred, insects));
     }
 
     #[inline(always)]
@@ -43,19 +52,24 @@ impl World {
         rows: Range<usize>,
         (velocities, attitudes): (&mut [Vec3], &mut [Attitude]),
         (ground, climb): Rows<'_>,
-        seconds: f32,
+        insects: &mut Insects<'_>,
     ) {
         let lanes = S::f32s::LEN;
+        let swarm = self.swarm(rows.start);
         for start in (0..rows.len()).step_by(lanes) {
             let part = start..(start + lanes).min(rows.len());
             let rows = rows.start + part.start..rows.start + part.end;
             let before = self.motions(simd, rows.clone());
             let mut force = [[0.0; LANES]; 3];
-            for (lane, row) in rows.enumerate() {
-                set3(&mut force, lane, self.step.flocks.force(row));
+            if let Some(swarm) = swarm {
+                self.forces_of_insects(simd, swarm, rows, part.start, insects, &mut force);
+            } else {
+                for (lane, row) in rows.enumerate() {
+                    set3(&mut force, lane, self.step.flocks.force(row));
+                }
             }
             let after = stepping.step(simd, &before, Vec3s::load(simd, &force));
-            let wish = (after.position - before.position).over(S::f32s::splat(simd, seconds));
+            let wish = (after.position - before.position).over(S::f32s::splat(simd, insects.seconds));
             wish.truncate().put_side_by_side(&mut ground[part.clone()]);
             if let Some(climb) = climb.all.get_mut(part.clone()) {
                 climb.copy_from_slice(&wish.z.as_slice()[..climb.len()]);
@@ -64,6 +78,48 @@ impl World {
             after.velocity.store(&mut velocity);
             (velocities[part.clone()].iter_mut().enumerate()).for_each(|(lane, v)| *v = get3(&velocity, lane));
             after.attitude.store(simd, &mut attitudes[part]);
+        }
+    }
+
+    /// The forces of the insects of a vector of rows, the first of which is the `from`-th of those whose memory there is: their noise all
+    /// at once, the rest as their [behaviour](crate::steer::Behaviour) has it.
+    #[inline(always)]
+    fn forces_of_insects<S: Simd>(
+        &self,
+        simd: S,
+        swarm: &Swarm,
+        rows: Range<usize>,
+        from: usize,
+        insects: &mut Insects<'_>,
+        forces: &mut [[f32; LANES]; 3],
+    ) {
+        let (mut places, mut noise) = ([Vec3::ZERO; LANES], [Vec3::ZERO; LANES]);
+        let (start, count) = (rows.start, rows.len());
+        (places.iter_mut().zip(rows.clone())).for_each(|(place, row)| *place = self.place_in_space(row));
+        if let Some(field) = &swarm.noise {
+            let numbers = swarm.own_noise.then_some(&self.agents.number[rows]);
+            let time = insects.now - f64::from(insects.seconds);
+            field.vector(simd, (&places[..count], numbers), time, &mut noise[..count]);
+        }
+        self.forces_one_by_one(swarm, start, from, &noise[..count], insects, forces);
+    }
+
+    /// As [`forces_of_insects`](Self::forces_of_insects), with this noise.
+    #[inline(never)]
+    fn forces_one_by_one(
+        &self,
+        swarm: &Swarm,
+        start: usize,
+        from: usize,
+        noise: &[Vec3],
+        Insects { neighbours, memory, seconds, now }: &mut Insects<'_>,
+        forces: &mut [[f32; LANES]; 3],
+    ) {
+        for (lane, &noise) in noise.iter().enumerate() {
+            let words = (from + lane) * memory.stride..(from + lane + 1) * memory.stride;
+            let view = self.steering_view(start + lane, *seconds, *now, neighbours);
+            let velocity = swarm.velocity(&view, noise, &mut memory.all[words]);
+            set3(forces, lane, view.reach(velocity).force);
         }
     }
 
@@ -78,7 +134,7 @@ impl World {
         }
     }
 
-    /// Moves everybody, if all are birds of one flock and nobody is guarded.
+    /// Moves everybody, if all are birds of one flock or insects of one swarm, and nobody is guarded.
     pub(super) fn fly_many(&mut self, level: Level, seconds: f32) {
         let Self { agents, groups, step, .. } = self;
         let in_air = step.wishes.is_in_space();
@@ -109,6 +165,14 @@ impl World {
         // what was planned has become what is
         agents.attitude.exchange(&mut step.planned.attitude);
     }
+}
+
+/// What the insects of a swarm steer by beside what is known of them, of some rows, in the sub-step that ends at `now`.
+pub(super) struct Insects<'a> {
+    pub neighbours: &'a mut Vec<Neighbour>,
+    pub memory: Lists<'a, f32>,
+    pub seconds: f32,
+    pub now: f64,
 }
 
 /// A column of those who may be in the air; nothing of those who are not.

@@ -21,7 +21,11 @@ impl World {
 
     /// As [`sort_rows`](Self::sort_rows), for a grid or lattice that is fresh, if it pays.
     pub(super) fn sort_rows_if_scattered(&mut self) {
-        let in_lattice = self.all_look_at_everybody();
+        let in_lattice = self.nobody_counts_the_nearest();
+        if in_lattice && !self.anybody_looks_at_everybody() {
+            // where nobody looks at anybody, nobody knows who is near
+            return;
+        }
         let order = if in_lattice { self.step.flocks.order() } else { self.step.grid.order() };
         if order.len() >= LARGE && self.tally.sub_steps.is_multiple_of(EVERY) && is_scattered(order) {
             self.put_in_order(in_lattice);

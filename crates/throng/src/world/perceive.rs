@@ -81,7 +81,7 @@ impl World {
         self.note_groups();
         self.rebuild_lattice(seconds);
         let guarded = self.groups_in_use().any(|group| group.guard);
-        if self.all_look_at_everybody() && !guarded {
+        if self.nobody_counts_the_nearest() && !guarded {
             self.step.near.clear(self.agents.len());
             return self.sort_rows_if_scattered();
         }

@@ -4,6 +4,7 @@
 //! afterwards, as of everybody.
 
 use super::World;
+use super::flock_lanes::Insects;
 use crate::agent::{Group, Status};
 use crate::motion::{Attitude, Basis, Motion, Steering};
 use crate::parallel;
@@ -112,7 +113,8 @@ impl World {
             |neighbours, rows, ((velocity, attitude, faces), memory, mut preferred)| {
                 if let Some(flying) = flying {
                     faces.fill(false);
-                    return world.steer_many(flying, rows, (velocity, attitude), preferred, seconds);
+                    let mut insects = Insects { neighbours, memory, seconds, now };
+                    return world.steer_many(flying, rows, (velocity, attitude), preferred, &mut insects);
                 }
                 for (at, row) in rows.enumerate() {
                     let Some(steering) = world.steering(row) else { continue };

@@ -164,13 +164,19 @@ impl CurlNoise {
         for start in (0..places.len()).step_by(S::f32s::LEN) {
             let part = start..(start + S::f32s::LEN).min(places.len());
             let numbers = numbers.map(|all| &all[part.clone()]);
-            self.some(simd, (&places[part.clone()], numbers), time, &mut out[part]);
+            self.vector(simd, (&places[part.clone()], numbers), time, &mut out[part]);
         }
     }
 
-    /// As many as a vector has lanes, at most.
+    /// As many as a vector has lanes, at most; by these numbers, if individuals have noises of their own.
     #[inline(always)]
-    fn some<S: Simd>(&self, simd: S, (places, numbers): (&[Vec3], Option<&[u32]>), time: f64, out: &mut [Vec3]) {
+    pub(crate) fn vector<S: Simd>(
+        &self,
+        simd: S,
+        (places, numbers): (&[Vec3], Option<&[u32]>),
+        time: f64,
+        out: &mut [Vec3],
+    ) {
         let splat = |value: f32| S::f32s::splat(simd, value);
         let mut columns = [[0.0; LANES]; 3];
         for (lane, place) in places.iter().enumerate() {

@@ -1,0 +1,87 @@
+//! Sedation: smoke calms them, and they sink to the ground.
+
+use super::guide::{Guide, Wish, check_amount};
+use crate::Error;
+use crate::field::Amplitude;
+use crate::space::surface::Surface;
+use crate::steer::View;
+use glam::Vec3;
+use std::fmt;
+use std::sync::Arc;
+
+/// Part of its vigour below which an insect that is near the ground settles there.
+const ASLEEP: f32 = 0.5;
+
+/// Smoke, as of a beekeeper. Each takes up a dose as long as it is in it. Noise and top speed fall exponentially with the dose, and it
+/// sinks; where it comes down it rests, until, out of the smoke, the dose has worn off.
+///
+/// Those who rest cannot if their vehicle has a least speed.
+#[derive(Clone)]
+pub struct Sedation {
+    /// How dense the smoke is: 0 for none.
+    pub smoke: Arc<dyn Amplitude>,
+    /// The dose that smoke of density 1 gives, 1/s: 1 leaves a vigour of `1 / e`. Limit: >= 0.
+    pub uptake: f32,
+    /// How fast the dose wears off where there is no smoke, 1/s; 0: never. Limit: >= 0.
+    pub recovery: f32,
+    /// How fast it sinks without any vigour, m/s. Limit: >= 0.
+    pub sink: f32,
+    /// How near the ground, or a floor, it settles, metres from its body. Limit: >= 0.
+    pub landing: f32,
+    /// Where it settles beside the ground.
+    pub floors: Vec<Arc<dyn Surface>>,
+}
+
+impl Sedation {
+    /// By this smoke.
+    pub fn new(smoke: impl Amplitude + 'static) -> Self {
+        let smoke = Arc::new(smoke);
+        Self { smoke, uptake: 0.5, recovery: 0.0, sink: 0.5, landing: 0.02, floors: Vec::new() }
+    }
+
+    fn is_down(&self, view: &View<'_>) -> bool {
+        let near = self.landing + view.radius;
+        let place = view.position();
+        place.z <= near || self.floors.iter().any(|floor| floor.query(place).distance <= near)
+    }
+}
+
+impl Guide for Sedation {
+    /// The dose, and whether it rests.
+    fn memory(&self) -> usize {
+        2
+    }
+
+    fn guide(&self, view: &View<'_>, memory: &mut [f32], wish: &mut Wish) {
+        let [dose, rests] = memory else { return };
+        let density = self.smoke.at(view.position(), view.time).0.max(0.0);
+        if density > 0.0 {
+            *dose += self.uptake * density * view.seconds;
+        } else if self.recovery > 0.0 {
+            *dose *= libm::expf(-self.recovery * view.seconds);
+        }
+        let vigour = libm::expf(-*dose);
+        let stays = vigour < ASLEEP && (*rests > 0.0 || self.is_down(view));
+        *rests = if stays { 1.0 } else { 0.0 };
+        wish.rests |= stays;
+        wish.noise *= vigour;
+        wish.vigour *= vigour;
+        wish.drift -= Vec3::Z * (self.sink * (1.0 - vigour));
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        check_amount("uptake of smoke", self.uptake)?;
+        check_amount("recovery from smoke", self.recovery)?;
+        check_amount("speed of sinking", self.sink)?;
+        check_amount("distance of landing", self.landing)
+    }
+}
+
+impl fmt::Debug for Sedation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { uptake, recovery, sink, landing, floors, .. } = self;
+        let mut all = f.debug_struct("Sedation");
+        all.field("uptake", uptake).field("recovery", recovery).field("sink", sink).field("landing", landing);
+        all.field("floors", floors).finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,74 @@
+//! Concentric zones: away from those who are close, along with those who are near, to those who are far.
+
+use super::guide::{Guide, Wish, check_amount};
+use crate::Error;
+use crate::steer::{View, Who};
+use glam::Vec3;
+
+/// Three zones about each insect, one round the other: of repulsion, of alignment, and of attraction. Which of them is wide says whether a
+/// swarm mills about, flies as one, or scatters.
+///
+/// Wang, Ren, Jin, Manocha, *BSwarm: biologically-plausible dynamics model of insect swarms*, SCA 2015, where they are forces; here they
+/// are wanted velocities, as all guides are. Where a zone ends nobody counts, so that nothing jumps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Zones {
+    /// Up to what distance each zone reaches, metres, the innermost first. Limit: >= 0, none less than the one before it.
+    pub reach: [f32; 3],
+    /// How fast it goes away from one that is where it is itself, m/s. Limit: >= 0.
+    pub repulsion: f32,
+    /// What part of the difference of velocities it makes up. Limit: >= 0.
+    pub alignment: f32,
+    /// How fast it goes to those in the middle of the zone of attraction, m/s. Limit: >= 0.
+    pub attraction: f32,
+}
+
+impl Default for Zones {
+    fn default() -> Self {
+        Self { reach: [0.08, 0.3, 0.8], repulsion: 1.0, alignment: 0.5, attraction: 0.5 }
+    }
+}
+
+/// How much one counts that is so far between two distances: nothing at both, 1 in the middle.
+fn between(distance: f32, low: f32, high: f32) -> f32 {
+    if distance <= low || distance >= high {
+        return 0.0;
+    }
+    let part = (distance - low) / (high - low);
+    4.0 * part * (1.0 - part)
+}
+
+impl Guide for Zones {
+    fn reach(&self) -> f32 {
+        self.reach[2]
+    }
+
+    fn guide(&self, view: &View<'_>, _: &mut [f32], wish: &mut Wish) {
+        let [close, near, far] = self.reach;
+        let (mut away, mut along, mut to) = (Vec3::ZERO, Vec3::ZERO, Vec3::ZERO);
+        let (mut aligned, mut attracted) = (0.0, 0.0);
+        for other in view.neighbours.iter().filter(|other| Who::OwnGroup.counts(view, other)) {
+            let distance = other.offset.length();
+            if distance < close {
+                away -= other.offset.normalize_or_zero() * (1.0 - distance / close);
+            }
+            let weight = between(distance, close, near);
+            (along, aligned) = (along + (other.velocity - view.velocity()) * weight, aligned + weight);
+            let weight = between(distance, near, far);
+            (to, attracted) = (to + other.offset.normalize_or_zero() * weight, attracted + weight);
+        }
+        // a mean of many, and less of less than one
+        let mean = |sum: Vec3, weight: f32| sum / weight.max(1.0);
+        wish.velocity +=
+            away * self.repulsion + mean(along, aligned) * self.alignment + mean(to, attracted) * self.attraction;
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let [close, near, far] = self.reach;
+        check_amount("zone of repulsion", close)?;
+        Error::unless(near >= close, "zone of alignment", near, "at least that of repulsion")?;
+        Error::unless(far >= near && far.is_finite(), "zone of attraction", far, "at least that of alignment, finite")?;
+        check_amount("repulsion", self.repulsion)?;
+        check_amount("alignment", self.alignment)?;
+        check_amount("attraction", self.attraction)
+    }
+}

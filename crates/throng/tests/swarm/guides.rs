@@ -1,0 +1,265 @@
+//! Each guide against what it says it does, by itself: what it asks for in a view.
+
+use glam::{Quat, Vec3};
+use proptest::prelude::*;
+use std::sync::Arc;
+use throng::field::FadeOut;
+use throng::motion::{Basis, Motion};
+use throng::space::Pathway;
+use throng::space::surface::{Cuboid, Sphere};
+use throng::steer::swarm::{
+    Aggregate, Align, Attack, Escape, Flow, Guide, HeightBand, Migrate, Phototaxis, Sedation, Wish, Zones, midge,
+};
+use throng::steer::{Dice, Mark, Neighbour, Others, Target, View, Who};
+
+/// What a guide asks for, with this memory.
+fn ask(guide: &dyn Guide, view: &View<'_>, memory: &mut [f32]) -> Wish {
+    let mut wish = Wish::default();
+    guide.guide(view, memory, &mut wish);
+    wish
+}
+
+fn fresh(guide: &dyn Guide, view: &View<'_>) -> Wish {
+    ask(guide, view, &mut vec![0.0; guide.memory()])
+}
+
+fn at(position: Vec3) -> View<'static> {
+    View { motion: Motion { position, ..Motion::default() }, vehicle: midge(), radius: 0.005, ..View::default() }
+}
+
+fn neighbour(offset: Vec3, velocity: Vec3, number: u32) -> Neighbour {
+    Neighbour { offset, velocity, forward: Vec3::X, radius: 0.005, number, group: 0 }
+}
+
+/// A prey that moves, as number 9.
+#[derive(Debug)]
+struct Prey(Mark);
+
+impl Others for Prey {
+    fn find(&self, number: u32) -> Option<Mark> {
+        (number == 9).then_some(self.0)
+    }
+}
+
+fn close(a: Vec3, b: Vec3) -> bool {
+    a.distance(b) <= 1e-5 * (1.0 + b.length())
+}
+
+#[test]
+fn a_flow_is_the_velocity_of_the_field_there_and_then() {
+    let flow = Flow { weight: 0.5, ..Flow::new(|place: Vec3, time: f64| place * time as f32) };
+    let view = View { time: 3.0, ..at(Vec3::new(1.0, 2.0, 4.0)) };
+    assert_eq!(fresh(&flow, &view).velocity, Vec3::new(1.5, 3.0, 6.0));
+}
+
+#[test]
+fn a_marker_draws_from_beyond_its_radius_on() {
+    let marker = Aggregate { rate: 2.0, beyond: 1.5, ..Aggregate::from(Target::Point(Vec3::Z)) };
+    assert_eq!(fresh(&marker, &at(Vec3::Z * 2.4)), Wish::default());
+    assert!(close(fresh(&marker, &at(Vec3::new(0.0, 4.0, 1.0))).velocity, Vec3::NEG_Y * 5.0));
+    // who goes nowhere says nothing
+    assert_eq!(fresh(&Aggregate { beyond: 0.0, ..marker }, &at(Vec3::Z)), Wish::default());
+    assert_eq!(fresh(&Aggregate::from(Target::Agent(3)), &at(Vec3::Z)), Wish::default());
+}
+
+#[test]
+fn light_draws_by_its_intensity_and_is_circled_both_ways() {
+    let lamp = Vec3::new(0.0, 0.0, 3.0);
+    let light =
+        Phototaxis { power: 2.0, threshold: 0.5, speed: 1.2, orbit: 0.5, noise: 3.0, light: Target::Point(lamp) };
+    // I = 2 / 4, as much as the threshold: half of the speed
+    let far = fresh(&light, &at(lamp + Vec3::X * 2.0));
+    assert!(close(far.velocity, Vec3::NEG_X * 0.6) && far.noise == 1.0);
+    let mut axes = Vec3::ZERO;
+    let mut squares = Vec3::ZERO;
+    for number in 0..2000 {
+        let dice = Dice { seed: 5, number, step: 77 };
+        let offset = Vec3::new(0.2, 0.1, -0.3);
+        let near = fresh(&light, &View { dice, ..at(lamp + offset) });
+        // across the way to the light, with all of what its intensity leaves
+        let intensity = 2.0 / offset.length_squared();
+        let part = intensity / (intensity + 0.5);
+        assert!(near.velocity.dot(offset).abs() < 1e-5 && (near.velocity.length() - 1.2 * part).abs() < 1e-4);
+        assert!((near.noise - (1.0 + 2.0 * part)).abs() < 1e-5);
+        let again = fresh(&light, &View { dice: dice.at(78), ..at(lamp + offset) });
+        assert_eq!(again, near, "they keep their axes");
+        let way = near.velocity.normalize();
+        (axes, squares) = (axes + way / 2000.0, squares + way * way / 2000.0);
+    }
+    assert!(axes.length() < 0.06, "every way round is as likely: {axes}");
+    assert!(squares.min_element() > 0.1, "{squares}");
+    // continuous at the orbit, and at its end
+    for distance in [0.5, 0.75] {
+        let [inside, outside] = [1e-4, -1e-4].map(|off| fresh(&light, &at(lamp + Vec3::X * (distance - off))).velocity);
+        assert!(inside.distance(outside) < 5e-3, "{distance}: {inside} {outside}");
+    }
+    // no light, no way; in its very middle neither
+    assert_eq!(fresh(&Phototaxis { power: 0.0, ..light }, &at(Vec3::ZERO)), Wish::default());
+    assert_eq!(fresh(&light, &at(lamp)), Wish::default());
+}
+
+#[test]
+fn smoke_calms_exponentially_and_it_wears_off() {
+    let smoke = FadeOut::new(Sphere::new(Vec3::Z * 5.0, 1.0).unwrap(), 1.0).unwrap();
+    let sedation = Sedation { uptake: 0.5, recovery: 0.25, sink: 0.8, ..Sedation::new(smoke) };
+    let mut memory = vec![0.0; sedation.memory()];
+    let view = |z: f32| View { seconds: 0.01, ..at(Vec3::Z * z) };
+    for _ in 0..300 {
+        ask(&sedation, &view(5.2), &mut memory);
+    }
+    let wish = ask(&sedation, &view(5.2), &mut memory);
+    let vigour = (-0.5 * 3.01_f32).exp();
+    assert!((wish.vigour - vigour).abs() < 1e-4 && (wish.noise - vigour).abs() < 1e-4);
+    assert!(close(wish.drift, Vec3::NEG_Z * 0.8 * (1.0 - vigour)) && !wish.rests);
+    // it is on the ground, and rests; then, for 9 s, nothing is left but what wears off
+    assert!(ask(&sedation, &view(0.01), &mut memory).rests);
+    for _ in 0..400 {
+        ask(&sedation, &view(0.01), &mut memory);
+    }
+    let wish = ask(&sedation, &view(0.01), &mut memory);
+    let dose = 0.5 * 3.01 * (-0.25 * 4.02_f32).exp();
+    assert!((wish.vigour - (-dose).exp()).abs() < 1e-3, "{} {dose}", wish.vigour);
+    assert!(!wish.rests, "it is awake again");
+    // floors are as good as the ground
+    let floor = Cuboid::new(Vec3::new(9.0, 9.0, 8.0)).unwrap();
+    let on_floor = Sedation { floors: vec![Arc::new(floor)], ..sedation };
+    assert!(ask(&on_floor, &view(4.01), &mut [3.0, 0.0]).rests);
+    assert!(!ask(&on_floor, &view(4.2), &mut [3.0, 0.0]).rests);
+    assert!(!ask(&on_floor, &view(4.01), &mut [0.1, 0.0]).rests, "it is too lively");
+}
+
+#[test]
+fn prey_is_chased_where_it_will_be() {
+    let prey = Prey(Mark { position: Vec3::new(4.0, 0.0, 0.0), velocity: Vec3::Y, ..Mark::default() });
+    let attack = Attack { speed: 1.5, near: 8.0, calm: 0.2, ..Attack::from(Target::Agent(9)) };
+    let view = View { others: &prey, ..at(Vec3::ZERO) };
+    let wish = fresh(&attack, &view);
+    // at 2 m/s it is there in 2 s
+    assert!(close(wish.velocity, Vec3::new(4.0, 2.0, 0.0).normalize() * 1.5));
+    assert!((wish.noise - 0.6).abs() < 1e-6);
+    assert_eq!(fresh(&Attack { within: 3.9, ..attack }, &view), Wish::default());
+    // a third leads, always the same
+    let third = Attack { leaders: 0.333, follow: 2.0, ..attack };
+    let leads = |number: u32, step: u64| {
+        let dice = Dice { seed: 1, number, step };
+        fresh(&third, &View { dice, ..view }).velocity != Vec3::ZERO
+    };
+    let leaders: Vec<u32> = (10..3010).filter(|&number| leads(number, 0)).collect();
+    assert!((900..1100).contains(&leaders.len()), "{}", leaders.len());
+    assert!(leaders.iter().all(|&number| leads(number, 99)));
+    // the others go to the leaders they see; where there are none, along with those they see
+    let follower = (10..).find(|number| !leaders.contains(number)).unwrap();
+    let another = (follower + 1..).find(|number| !leaders.contains(number)).unwrap();
+    let dice = Dice { seed: 1, number: follower, step: 0 };
+    let near = [neighbour(Vec3::Z, Vec3::X, leaders[0]), neighbour(Vec3::Y, Vec3::NEG_Z, another)];
+    let to = |neighbours| fresh(&third, &View { dice, neighbours, ..view }).velocity;
+    assert!(close(to(&near), Vec3::Z * 1.5) && close(to(&near[1..]), Vec3::NEG_Z * 1.5));
+    assert_eq!(to(&[neighbour(Vec3::Z * 2.1, Vec3::X, leaders[0])]), Vec3::ZERO, "too far");
+}
+
+#[test]
+fn migration_follows_its_path_together_and_keeps_its_height() {
+    let path = Pathway::new(&[Vec3::ZERO, Vec3::X * 10.0], 0.5, false).unwrap();
+    let migrate = Migrate { speed: 1.2, rate: 2.0, ..Migrate::new(path) };
+    assert!(close(fresh(&migrate, &at(Vec3::new(4.0, 0.0, 0.4))).velocity, Vec3::X * 1.2));
+    // 1 m outside of it
+    assert!(close(fresh(&migrate, &at(Vec3::new(4.0, 1.5, 0.0))).velocity, Vec3::new(1.2, -2.0, 0.0)));
+    assert!(close(fresh(&migrate, &at(Vec3::new(12.5, 0.0, 0.0))).velocity, Vec3::NEG_X * 4.0), "at its end they stay");
+    let align = Align { distance: 1.0, weight: 0.5 };
+    let near = [
+        neighbour(Vec3::X * 0.5, Vec3::Y, 1),
+        neighbour(Vec3::Y, Vec3::new(2.0, 1.0, 0.0), 2),
+        neighbour(Vec3::Y * 1.1, Vec3::Z * 99.0, 3),
+        Neighbour { group: 1, ..neighbour(Vec3::Y * 0.1, Vec3::Z * 99.0, 4) },
+    ];
+    let mut view = View { neighbours: &near, ..at(Vec3::ZERO) };
+    view.motion.velocity = Vec3::X * 0.2;
+    assert!(close(fresh(&align, &view).velocity, Vec3::new(0.8, 1.0, 0.0) * 0.5));
+    let band = HeightBand { low: 1.0, high: 2.0, rate: 3.0 };
+    let asked = |z: f32| fresh(&band, &at(Vec3::Z * z)).velocity;
+    assert_eq!((asked(0.5), asked(1.7), asked(2.5)), (Vec3::Z * 1.5, Vec3::ZERO, Vec3::NEG_Z * 1.5));
+}
+
+#[test]
+fn who_escapes_goes_on_for_a_moment() {
+    let escape = Escape { within: 1.0, speed: 2.0, memory: 0.5, ..Escape::from(Target::Agent(9)) };
+    let mut memory = vec![0.0; escape.memory()];
+    let predator = |x: f32| Prey(Mark { position: Vec3::X * x, ..Mark::default() });
+    let mut asked = |x: f32| {
+        let mut wish = Wish { velocity: Vec3::Y, ..Wish::default() };
+        escape.guide(&View { others: &predator(x), seconds: 0.1, ..at(Vec3::ZERO) }, &mut memory, &mut wish);
+        wish.velocity
+    };
+    assert_eq!(asked(1.1), Vec3::Y, "not yet");
+    assert_eq!(asked(0.9), Vec3::NEG_X * 2.0);
+    let after: Vec<Vec3> = (0..7).map(|_| asked(3.0)).collect();
+    for (k, &velocity) in after.iter().enumerate() {
+        let left = (1.0 - 0.2 * (k + 1) as f32).max(0.0);
+        assert!(close(velocity, Vec3::NEG_X * (2.0 * left) + Vec3::Y * (1.0 - left)), "{k}: {velocity}");
+    }
+    // one that is not there frightens nobody; one in exactly the same place does
+    let same = View { others: &predator(0.0), ..at(Vec3::ZERO) };
+    assert!((fresh(&escape, &same).velocity.length() - 2.0).abs() < 1e-5);
+}
+
+#[test]
+fn zones_repel_align_and_attract() {
+    let zones = Zones { reach: [0.1, 0.3, 0.9], repulsion: 1.0, alignment: 0.5, attraction: 0.4 };
+    let asked = |neighbours: &[Neighbour]| fresh(&zones, &View { neighbours, ..at(Vec3::ZERO) }).velocity;
+    let one = |distance: f32| asked(&[neighbour(Vec3::X * distance, Vec3::Y, 1)]);
+    assert!(close(one(0.05), Vec3::NEG_X * 0.5));
+    assert!(close(one(0.2), Vec3::Y * 0.5));
+    assert!(close(one(0.6), Vec3::X * 0.4));
+    for edge in [0.1, 0.3, 0.9, 1.0] {
+        assert!(one(edge).length() < 1e-5, "{edge}");
+    }
+    // the mean of many
+    let crowd: Vec<Neighbour> = (0..10).map(|number| neighbour(Vec3::Y * 0.6, Vec3::ZERO, number)).collect();
+    assert!(close(asked(&crowd), Vec3::Y * 0.4));
+}
+
+proptest! {
+    /// Turned scenes give turned wishes: of those that have no axes or heights of their own.
+    #[test]
+    fn guides_turn_with_the_scene(
+        axis in (-1.0f32..1.0, -1.0f32..1.0, -1.0f32..1.0), angle in 0.1f32..6.0,
+        position in (-3.0f32..3.0, -3.0f32..3.0, 0.5f32..3.0), others in prop::collection::vec(
+            ((-0.8f32..0.8, -0.8f32..0.8, -0.8f32..0.8), (-1.0f32..1.0, -1.0f32..1.0, -1.0f32..1.0)), 0..6),
+    ) {
+        let axis = Vec3::from(axis);
+        prop_assume!(axis.length() > 0.1);
+        let turn = Quat::from_axis_angle(axis.normalize(), angle);
+        let scene = |by: Quat| {
+            let prey = Prey(Mark { position: by * Vec3::new(1.0, 2.0, 3.0), velocity: by * Vec3::X, ..Mark::default() });
+            let neighbours: Vec<Neighbour> = others.iter().zip(0..).map(|(&(offset, velocity), number)| {
+                neighbour(by * Vec3::from(offset), by * Vec3::from(velocity), number)
+            }).collect();
+            let forward = by * Vec3::Y;
+            let motion = Motion {
+                position: by * Vec3::from(position),
+                velocity: by * Vec3::new(0.3, 0.5, -0.2),
+                basis: Basis { forward, side: by * Vec3::NEG_X, up: by * Vec3::Z },
+                ..Motion::default()
+            };
+            let view = View { motion, others: &prey, neighbours: &neighbours, ..at(Vec3::ZERO) };
+            let path = Pathway::new(&[by * Vec3::NEG_X, by * Vec3::X, by * Vec3::new(3.0, 3.0, 1.0)], 0.3, false).unwrap();
+            let point = Target::Point(by * Vec3::new(0.5, 0.2, 9.0));
+            let all: [Box<dyn Guide>; 9] = [
+                Box::new(Flow::new(move |place: Vec3, _: f64| (by * Vec3::Z).cross(place))),
+                Box::new(Aggregate::from(point)),
+                Box::new(Phototaxis::from(point)),
+                Box::new(Attack::from(Target::Agent(9))),
+                Box::new(Attack { leaders: 0.5, follow: 1.0, ..Attack::from(Target::Agent(9)) }),
+                Box::new(Migrate::new(path)),
+                Box::new(Align { distance: 1.0, weight: 1.0 }),
+                Box::new(Escape { within: 5.0, ..Escape::from(Target::Nearest(Who::Anybody)) }),
+                Box::new(Zones::default()),
+            ];
+            all.map(|guide| fresh(&*guide, &view))
+        };
+        for (index, (wish, turned)) in scene(Quat::IDENTITY).into_iter().zip(scene(turn)).enumerate() {
+            prop_assert!((turn * wish.velocity).distance(turned.velocity) < 1e-4, "{index}: {wish:?} {turned:?}");
+            prop_assert!((wish.noise - turned.noise).abs() < 1e-5);
+        }
+    }
+}
