@@ -25,6 +25,11 @@ const GROUPS: &[(&str, Scenes)] = groups! {
         "one-turning", "capture-the-flag", "soccer", "map-drive",
         "flock-pedestrians", "leader-pedestrians", "path-pedestrians", "context-steering", "obstacle-avoidance", "path-following", "wall-following", "containment", "flow-field", "crowd-path", "hide",
         "pedestrians", "walking-an-eight";
+    // crowds that vector fields lead
+    "fields": "field-anchors", "field-strokes", "field-paint", "field-vortex", "field-crossing-groups", "field-keyframes", "field-goal", "field-jam",
+        "interaction-field";
+    // insects, by noise
+    "swarms": "swarm-aggregation", "swarm-phototaxis", "swarm-sedation", "swarm-attack", "swarm-migration", "swarm-escape";
     // the flocks of OpenSteer's demo, each with its own constraints
     "flocks": "boids-open", "boids-in-sphere", "boids-between-spheres", "boids-in-sphere-spheres", "boids-spheres",
         "boids-in-sphere-rectangle", "boids-rectangle", "boids-outside-box", "boids-in-box";

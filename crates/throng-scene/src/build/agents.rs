@@ -11,6 +11,7 @@ use throng::Agent;
 use throng::avoid::{Avo, BuiltFrom, ClearPath, Hrvo, LocalModel, Orca, Orca3d, Rvo, RvoLab, Search, Unavoiding, Vo};
 use throng::field::Governed;
 use throng::steer::Branch;
+use throng::steer::swarm::Swarm;
 
 /// Draws what differs from agent to agent.
 pub(super) struct Draw<'a> {
@@ -106,14 +107,22 @@ pub(super) fn shared(
     let avoid = group.local_model();
     let (neighbours, neighbour_distance) = avoid.sight();
     let walks = steering.is_none();
+    let neighbours = match neighbours {
+        Neighbours::Nearest(count) => count as usize,
+        Neighbours::All => throng::Group::EVERYBODY,
+    };
+    // a swarm sees as far as it must
+    let swarm = steering.as_ref().filter(|_| group.avoid.is_none()).and_then(|steering| steering.as_swarm());
+    let (neighbours, neighbour_distance) = match swarm.map(Swarm::reach) {
+        None => (neighbours, neighbour_distance as f32),
+        Some(0.0) => (0, neighbour_distance as f32),
+        Some(reach) => (throng::Group::EVERYBODY, reach),
+    };
     throng::Group {
         name,
         model: model(&avoid),
-        neighbour_distance: neighbour_distance as f32,
-        neighbours: match neighbours {
-            Neighbours::Nearest(count) => count as usize,
-            Neighbours::All => throng::Group::EVERYBODY,
-        },
+        neighbour_distance,
+        neighbours,
         keep_right: group.keep_right.unwrap_or(if walks { KEEP_RIGHT } else { 0.0 }).to_radians() as f32,
         detour: group.detour.unwrap_or(walks),
         queue: group.queue.unwrap_or(walks),

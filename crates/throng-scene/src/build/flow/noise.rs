@@ -1,14 +1,27 @@
 //! Noise.
 
-use super::{At, Made, Make};
+use super::{At, Flows, Made, Make};
 use crate::build::limits::{Limit, check, check_some};
 use crate::error::Kind;
-use crate::file::Problem;
+use crate::file::{Path, Problem};
 use crate::scene::flow::{Noise, Potential};
 use throng::field::{self, CurlNoise, Octave, Wall};
 
 impl Make for Noise {
     fn make(&self, at: &At) -> Result<Made, Problem> {
+        Ok(Made::of(self.curl(at)?))
+    }
+}
+
+impl Flows<'_> {
+    /// The noise that a group says, by its position.
+    pub fn noise(&self, noise: &Noise, path: Path, group: usize) -> Result<CurlNoise, Problem> {
+        noise.curl(&self.at(path, group))
+    }
+}
+
+impl Noise {
+    fn curl(&self, at: &At) -> Result<CurlNoise, Problem> {
         check(&at.path.key("length"), self.length, Limit::Positive)?;
         check(&at.path.key("speed"), self.speed, Limit::Between(0.0, 1000.0))?;
         check_some(&at.path.key("period"), self.period, Limit::Positive)?;
@@ -35,6 +48,6 @@ impl Make for Noise {
                 noise = noise.with_wall(wall.map_err(|error| at.refused(&error))?);
             }
         }
-        Ok(Made::of(noise))
+        Ok(noise)
     }
 }

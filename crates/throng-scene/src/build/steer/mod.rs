@@ -9,6 +9,7 @@ mod group;
 mod place;
 mod single;
 mod slip;
+mod swarm;
 mod takeoff;
 mod target;
 mod vehicle;
@@ -110,6 +111,7 @@ impl Making<'_> {
             Steer::Hide(of) => ("hide", of),
             Steer::CrowdPath(of) => ("crowd_path", of),
             Steer::QueueAtDoor(of) => ("queue_at_door", of),
+            Steer::Swarm(of) => ("swarm", of),
             Steer::WeightedSum(of) => ("weighted_sum", of),
             Steer::RunningSum(of) => ("running_sum", of),
             Steer::Priority(of) => ("priority", of),

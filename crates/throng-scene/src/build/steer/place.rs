@@ -29,7 +29,7 @@ impl Making<'_> {
         what.map_or(Ok(Barriers::default()), |what| self.around.sides(what, &at, "leave `solid` away for nothing"))
     }
 
-    fn path(&self, name: &str, at: &Path) -> Result<Arc<Pathway>, Problem> {
+    pub(super) fn path(&self, name: &str, at: &Path) -> Result<Arc<Pathway>, Problem> {
         let found = self.around.paths.iter().find(|(known, _)| *known == name);
         found.map(|(_, path)| path.clone()).ok_or_else(|| {
             let known: Vec<&str> = self.around.paths.iter().map(|(name, _)| *name).collect();

@@ -19,6 +19,7 @@ mod place;
 mod position;
 mod single;
 mod slip;
+mod swarm;
 mod target;
 
 pub use combine::*;
@@ -27,6 +28,7 @@ pub use place::*;
 pub use position::Position;
 pub use single::*;
 pub use slip::*;
+pub use swarm::*;
 pub use target::{Member, Target, Who};
 
 use schemars::JsonSchema;
@@ -147,6 +149,8 @@ pub enum Steer {
     CrowdPath(CrowdPath),
     /// Through a door with others (Reynolds 1999, "queuing").
     QueueAtDoor(QueueAtDoor),
+    /// By noise and what guides it, as insects (Wang et al. 2014).
+    Swarm(Swarm),
     /// The sum of all, each times its weight (Reynolds 1999).
     WeightedSum(WeightedSum),
     /// The sum of the first, up to the vehicle's top force.
