@@ -102,10 +102,10 @@ pub(super) fn march<const D: usize>(
             }
         };
         let links = links[node];
-        for axis in 0..D {
+        for (axis, stride) in strides.into_iter().enumerate() {
             for after in 0..2 {
                 if links & bit(axis, after) != 0 {
-                    reach(beside(node, strides[axis], after));
+                    reach(beside(node, stride, after));
                 }
             }
         }
@@ -142,12 +142,12 @@ impl<const D: usize> Update<'_, D> {
     /// When the front gets to a node, from those of its neighbours that it has reached.
     fn arrival(&self, node: usize) -> f32 {
         let along = self.along_axes(node);
-        if D == 2 && self.links[node] > SIDES { along.min(self.from_triangles(node).0) } else { along }
+        if D == 2 && self.links[node] > SIDES { along.min(self.across_triangles(node).0) } else { along }
     }
 
     /// When it comes straight from somewhere between a neighbour and the next, as the earliest does, and the direction there: Tsitsiklis,
     /// *Efficient algorithms for globally optimal trajectories*, IEEE Transactions on Automatic Control 40(9), 1995. In the plane.
-    fn from_triangles(&self, node: usize) -> (f32, [f32; 2]) {
+    fn across_triangles(&self, node: usize) -> (f32, [f32; 2]) {
         let links = self.links[node];
         let step = self.length * f64::from(self.cost[node]);
         let reached = |node: usize| (key(self.times[node], node) <= self.now).then(|| f64::from(self.times[node]));
@@ -357,7 +357,7 @@ pub(super) fn backwards(
     }
     let straight = || {
         let now = key(times[node], node) - 1;
-        Update { strides: lattice.strides(), links, cost, times, now, length: lattice.cell }.from_triangles(node)
+        Update { strides: lattice.strides(), links, cost, times, now, length: lattice.cell }.across_triangles(node)
     };
     if links[node] > SIDES
         && let (time, way) = straight()
