@@ -5,20 +5,24 @@
 
 mod anchors;
 mod brush;
+mod cost;
 mod critical;
 mod eikonal;
 mod goal;
 mod governed;
+mod guide;
 mod hull;
 mod plate;
 mod plate_lanes;
 mod sampled;
+mod slope;
 
 pub use anchors::{Anchor, Anchors, Note, Sketch};
 pub use brush::{Stamp, Stroke, erase};
 pub use critical::{Critical, CriticalPoint};
 pub use goal::{Density, Destination, Survey, Terrain, ToGoal};
 pub use governed::Governed;
+pub use guide::{Guide, Scan, Smoothing, Spine, Tube, Voxels};
 pub use plate::Kernel;
 pub use sampled::Sampled;
 

@@ -4,6 +4,7 @@ mod anchors;
 mod brush;
 mod critical;
 mod goal;
+mod guide;
 #[expect(dead_code, reason = "what navigation alone asks")]
 #[path = "../navigation/oracle.rs"]
 mod oracle;
