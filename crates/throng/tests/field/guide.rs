@@ -103,7 +103,7 @@ fn in_empty_space_all_ways_are_straight() {
                 (sum, worst, count) = (sum + error, worst.max(error), count + 1);
             }
             assert!(
-                worst < 3.0 && sum / (count as f32) < 1.0,
+                worst < 2.5 && sum / (count as f32) < 1.0,
                 "cell {cell}: mean {}, worst {worst}",
                 sum / count as f32
             );
@@ -147,7 +147,8 @@ fn ways_round_a_ball_are_nearly_the_shortest() {
             let smoothing = Smoothing { distance: 0.2, rounds: 2000, ..Smoothing::default() };
             let spine = guide.spine(from, smoothing).unwrap();
             let least = round_ball(1.7, from - 4.0, target - 4.0);
-            assert!(spine.length() < 1.03 * least + 0.05, "{} instead of {least}", spine.length());
+            // from nearly behind the ball it has not slid all the way round
+            assert!(spine.length() < 1.004 * least + 0.003, "{} instead of {least}", spine.length());
             assert!(spine.clearance() >= 0.199, "{}", spine.clearance());
         }
     }
@@ -178,7 +179,12 @@ fn smooth_ways_among_solids_keep_off_them() {
         let target = free();
         let guide = Guide::new(space, target, 0.1, 2.0).unwrap();
         for _ in 0..6 {
-            let from = free();
+            let from = loop {
+                let from = free();
+                if along(&solids, &[from, target]) < 0.0 {
+                    break from;
+                }
+            };
             let path = guide.path(from).unwrap();
             assert_eq!((path[0], path[path.len() - 1]), (from, target));
             assert!(along(&solids, &path) > 0.8 * 0.1, "seed {seed}: {}", along(&solids, &path));
@@ -198,7 +204,7 @@ fn smooth_ways_among_solids_keep_off_them() {
             assert!(bend(points) < 0.8, "seed {seed}: a bend of {}", bend(points));
         }
     }
-    assert!(longest < 1.4, "{longest} times as long as straight");
+    assert!(longest < 1.15, "{longest} times as long as straight");
 }
 
 /// A wall with a hole that is narrower than what is asked: through its middle.
