@@ -4,6 +4,7 @@
 //! which a front reaches them, each from those before it, by Godunov's upwind differences; of second order where the cost varies little
 //! (Sethian, *Fast marching methods*, SIAM Review 41(2), 1999, section 4.4). Ties are broken by index: the order is always the same.
 
+use super::slope::slope;
 use std::f64::consts::SQRT_2;
 
 /// Nodes side by side, row by row, layer by layer.
@@ -102,10 +103,10 @@ pub(super) fn march<const D: usize>(
             }
         };
         let links = links[node];
-        for axis in 0..D {
+        for (axis, stride) in strides.into_iter().enumerate() {
             for after in 0..2 {
                 if links & bit(axis, after) != 0 {
-                    reach(beside(node, strides[axis], after));
+                    reach(beside(node, stride, after));
                 }
             }
         }
@@ -123,7 +124,7 @@ pub(super) fn march<const D: usize>(
 const CORNERS: [[usize; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 
 /// The neighbour of a node with the smaller or the greater index.
-fn beside(node: usize, stride: usize, after: usize) -> usize {
+pub(super) fn beside(node: usize, stride: usize, after: usize) -> usize {
     if after == 1 { node + stride } else { node - stride }
 }
 
@@ -142,12 +143,12 @@ impl<const D: usize> Update<'_, D> {
     /// When the front gets to a node, from those of its neighbours that it has reached.
     fn arrival(&self, node: usize) -> f32 {
         let along = self.along_axes(node);
-        if D == 2 && self.links[node] > SIDES { along.min(self.from_triangles(node).0) } else { along }
+        if D == 2 && self.links[node] > SIDES { along.min(self.across_triangles(node).0) } else { along }
     }
 
     /// When it comes straight from somewhere between a neighbour and the next, as the earliest does, and the direction there: Tsitsiklis,
     /// *Efficient algorithms for globally optimal trajectories*, IEEE Transactions on Automatic Control 40(9), 1995. In the plane.
-    fn from_triangles(&self, node: usize) -> (f32, [f32; 2]) {
+    fn across_triangles(&self, node: usize) -> (f32, [f32; 2]) {
         let links = self.links[node];
         let step = self.length * f64::from(self.cost[node]);
         let reached = |node: usize| (key(self.times[node], node) <= self.now).then(|| f64::from(self.times[node]));
@@ -286,64 +287,6 @@ fn pop(heap: &mut Vec<u64>) -> Option<u64> {
     Some(least)
 }
 
-/// A bend of the times over three nodes, in metres of front for a cell's width at the cost there, from which on fronts meet between
-/// them: the slope is that on one side.
-const KINK: f32 = 0.05;
-/// The same where they bend the other way, as away from a point: what bends more is too narrow for the second order.
-const ROUND: f32 = 0.4;
-
-/// The slope of the times at a node along each axis, a unit of time a metre; none where along an axis only a side that the front goes on
-/// to is known.
-///
-/// Fronts that meet leave a ridge: there it is the slope of the side from which the front came first. Elsewhere it is that of both sides,
-/// where it bends little.
-pub(super) fn slope<const D: usize>(
-    lattice: &Lattice<D>,
-    (links, cost): (&[Links], &[f32]),
-    times: &[f32],
-    node: usize,
-) -> Option<[f32; D]> {
-    let strides = lattice.strides();
-    let width = lattice.cell as f32;
-    let mut slope = [0.0; D];
-    for axis in 0..D {
-        let beside = |node: usize, after: usize| beside(node, strides[axis], after);
-        let rise_from = |node: usize, after: usize| {
-            let linked = links[node] & bit(axis, after) != 0;
-            let rise = if linked { times[node] - times[beside(node, after)] } else { f32::NEG_INFINITY };
-            (rise > f32::NEG_INFINITY).then_some(rise)
-        };
-        let (before, after) = (rise_from(node, 0), rise_from(node, 1));
-        let unit = width * cost[node];
-        if let (Some(before), Some(after)) = (before, after) {
-            if (-ROUND * unit..=KINK * unit).contains(&(before + after)) {
-                slope[axis] = 0.5 * (before - after) / width;
-                continue;
-            }
-            // the bottom of a narrow valley
-            if before.max(after) <= 0.0 {
-                continue;
-            }
-        }
-        let (rise, side) = match (before, after) {
-            (Some(before), Some(after)) if after > before => (after, 1),
-            (Some(before), _) => (before, 0),
-            (None, Some(after)) => (after, 1),
-            (None, None) => return None,
-        };
-        if rise < 0.0 {
-            return None;
-        }
-        // of second order where it bends little, as away from a point, and no fronts meet
-        let rise = match rise_from(beside(node, side), side) {
-            Some(next) if (-KINK * unit..=ROUND * unit).contains(&(rise - next)) => 1.5 * rise - 0.5 * next,
-            _ => rise,
-        };
-        slope[axis] = if side == 1 { -rise / width } else { rise / width };
-    }
-    Some(slope)
-}
-
 /// The direction in which the front came to a node of the plane, backwards: where it came straight from between two neighbours, as close
 /// to walls, towards there; else down the slope. Zero where no front came.
 pub(super) fn backwards(
@@ -357,7 +300,7 @@ pub(super) fn backwards(
     }
     let straight = || {
         let now = key(times[node], node) - 1;
-        Update { strides: lattice.strides(), links, cost, times, now, length: lattice.cell }.from_triangles(node)
+        Update { strides: lattice.strides(), links, cost, times, now, length: lattice.cell }.across_triangles(node)
     };
     if links[node] > SIDES
         && let (time, way) = straight()
@@ -365,8 +308,6 @@ pub(super) fn backwards(
     {
         return way;
     }
-    match slope(lattice, (links, cost), times, node) {
-        Some(slope) => slope.map(|slope| -slope),
-        None => straight().1,
-    }
+    let (slope, whole) = slope(lattice, (links, cost), times, node);
+    if whole { slope.map(|slope| -slope) } else { straight().1 }
 }

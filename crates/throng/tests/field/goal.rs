@@ -389,6 +389,26 @@ fn nobody_enters_a_wall_and_all_arrive() {
     assert!(followed > 4000, "{followed}");
 }
 
+/// Any gap wider than two radii and 1.5 cells is found, however it lies.
+#[test]
+fn gaps_are_found() {
+    let mut dice = Dice(8);
+    for case in 0..200 {
+        let (cell, radius) = (dice.between(0.1, 0.5), dice.between(0.0, 0.6));
+        let gap = 2.0 * radius + 1.5 * cell + 1e-6;
+        let along = DVec2::from_angle(dice.between(0.0, std::f64::consts::TAU));
+        let middle = dice.point(DVec2::splat(4.5), DVec2::splat(5.5));
+        let wall = |side: f64| Obstacle::Wall {
+            points: vec![middle + along * (side * 0.5 * gap), middle + along * (side * 20.0)],
+        };
+        let ground = ground(&place(vec![wall(-1.0), wall(1.0)]), survey(10.0, cell, radius));
+        let through = along.perp() * (2.0 + radius);
+        let flow = flow(&ground, vec![point(middle + through)]);
+        let way = follow(&flow, middle - through, 0.5 * cell);
+        assert!(way[way.len() - 1].distance(middle + through) < cell, "case {case}: cell {cell}, radius {radius}");
+    }
+}
+
 /// Who has been pushed closer to a wall than their body reaches is led on.
 #[test]
 fn who_is_too_close_to_a_wall_is_led_away() {

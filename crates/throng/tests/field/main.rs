@@ -6,6 +6,7 @@ mod combine;
 mod critical;
 mod goal;
 mod noise;
+mod guide;
 #[expect(dead_code, reason = "what navigation alone asks")]
 #[path = "../navigation/oracle.rs"]
 mod oracle;

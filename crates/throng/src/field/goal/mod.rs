@@ -4,6 +4,7 @@ mod cover;
 mod density;
 mod destination;
 mod limits;
+mod links;
 mod terrain;
 mod to_goal;
 

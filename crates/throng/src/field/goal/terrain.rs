@@ -1,5 +1,6 @@
 //! The ground that ways to goals are searched on: what can be walked on, how far the walls are, and what a metre costs.
 
+use super::super::cost;
 use super::super::eikonal::{Lattice, Links};
 use super::cover;
 use crate::Error;
@@ -10,19 +11,10 @@ use std::fmt;
 
 /// Cells of a terrain at most.
 const MOST: usize = 1 << 24;
-/// The part of a body's radius that links between cells keep off walls: round the corner of a wall they dip below the radius. With
-/// cells as wide as the radius that is by this part: a half of the square root of 3.
-const KEPT: f64 = 0.866;
 /// Ways that come closer to a wall than this, metres, touch it.
 pub(super) const TOUCH: f64 = 1e-6;
 /// How many times as dear as at most it is where bodies would reach into walls: who is there goes straight out.
 const MARGIN: f32 = 4.0;
-/// What clearance costs less than this is left out.
-const LITTLE: f32 = 0.01;
-
-/// Ways to the neighbours right, above and across the corners above, with their bits and those of the ways back.
-const WAYS: [(isize, isize, Links, Links); 4] = [(1, 0, 2, 1), (0, 1, 8, 4), (1, 1, 128, 16), (-1, 1, 64, 32)];
-
 /// Over which box, in which cells and for whom a [`Terrain`] is surveyed. Metres, from the world's origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Survey {
@@ -73,16 +65,16 @@ pub struct Terrain {
     pub(super) low: DVec2,
     pub(super) radius: f64,
     pub(super) walls: Walls,
-    solid: Vec<bool>,
-    distances: Vec<f32>,
+    pub(super) solid: Vec<bool>,
+    pub(super) distances: Vec<f32>,
     /// Metres that a metre costs; infinite where nobody can be.
     cost: Vec<f32>,
     /// Between cells that can be walked on.
     pub(super) links: Vec<Links>,
     /// To cells that are too close to walls, and between these: for who has been pushed there.
-    margin: Vec<Links>,
+    pub(super) margin: Vec<Links>,
     /// Those cells, farthest from walls first.
-    close: Vec<u32>,
+    pub(super) close: Vec<u32>,
 }
 
 impl Terrain {
@@ -124,14 +116,13 @@ impl Terrain {
             solid,
         };
         // where links and directions look for walls, and where these cost something
-        let reach = radius + (2.0 * cell).max(f64::from((clearance / LITTLE).sqrt()));
+        let reach = radius + (2.0 * cell).max(f64::from(cost::reach(clearance)));
         ground.measure(reach);
         ground.link();
-        let (radius, far) = (radius as f32, (clearance / LITTLE).sqrt());
         for (node, cost) in ground.cost.iter_mut().enumerate().filter(|&(node, _)| !ground.solid[node]) {
-            let gap = ground.distances[node] - radius;
-            let close = if gap < far { clearance / (gap * gap) } else { 0.0 };
-            *cost = if gap > 0.0 { 1.0 + close.min(dearest) } else { MARGIN * (1.0 + dearest) };
+            let gap = ground.distances[node] - radius as f32;
+            let dear = 1.0 + cost::close(gap, (clearance, dearest));
+            *cost = if gap > 0.0 { dear } else { MARGIN * dear };
         }
         ground
     }
@@ -153,76 +144,6 @@ impl Terrain {
                 *out = if solid[node] { -distance.abs() } else { distance } as f32;
             }
         });
-    }
-
-    /// The cell that is so many farther right and up, if there is one.
-    fn next(&self, cell: usize, (right, up): (isize, isize)) -> Option<usize> {
-        let [columns, rows] = self.lattice.counts;
-        let column = (cell % columns).checked_add_signed(right).filter(|&column| column < columns)?;
-        let row = (cell / columns).checked_add_signed(up).filter(|&row| row < rows)?;
-        Some(row * columns + column)
-    }
-
-    /// Gives cells that are too close to walls the ways out: lengths and directions by the neighbours that are farther from walls than
-    /// they are. So nobody is led on through gaps that are too narrow.
-    pub(super) fn lead_out(&self, cost: &[f32], lengths: &mut [f32], directions: &mut [Vec2]) {
-        for &cell in &self.close {
-            let cell = cell as usize;
-            let mut best = (f32::INFINITY, Vec2::ZERO);
-            for (right, up, there, back) in WAYS {
-                for (right, up, bit) in [(right, up, there), (-right, -up, back)] {
-                    let next = self.next(cell, (right, up)).filter(|_| self.margin[cell] & bit != 0);
-                    let Some(next) = next.filter(|&next| self.distances[next] >= self.distances[cell]) else {
-                        continue;
-                    };
-                    let way = Vec2::new(right as f32, up as f32);
-                    let length = lengths[next] + way.length() * self.lattice.cell as f32 * cost[cell];
-                    if length < best.0 {
-                        best = (length, way.normalize());
-                    }
-                }
-            }
-            (lengths[cell], directions[cell]) = best;
-        }
-    }
-
-    /// Finds the ways between neighbouring cells.
-    fn link(&mut self) {
-        let mut onwards: Vec<(Links, Links)> = vec![(0, 0); self.lattice.len()];
-        parallel::rows(&mut onwards[..], |(): &mut (), node, (links, margin)| {
-            for (right, up, there, _) in WAYS {
-                let Some(next) = self.next(node, (right, up)) else { continue };
-                if self.solid[node] || self.solid[next] {
-                    continue;
-                }
-                let open = self.is_open(node) && self.is_open(next);
-                // ways across corners matter close to walls only
-                let close = |node: usize| f64::from(self.distances[node]) < self.radius + 1.5 * self.lattice.cell;
-                if right != 0 && up != 0 && open && !close(node) && !close(next) {
-                    continue;
-                }
-                let gap = if open { (KEPT * self.radius).max(TOUCH) } else { TOUCH };
-                let (from, to) = (self.middle(node), self.middle(next));
-                // no point between them is farther from both than half the way
-                let sum = f64::from(self.distances[node]) + f64::from(self.distances[next]);
-                if sum > 2.0 * gap + 1.001 * from.distance(to) || self.walls.keep_off((from, to), gap) {
-                    *if open { &mut *links } else { &mut *margin } |= there;
-                }
-            }
-        });
-        for (node, (links, margin)) in onwards.into_iter().enumerate() {
-            self.links[node] |= links;
-            self.margin[node] |= margin;
-            for (right, up, there, back) in WAYS {
-                let Some(next) = self.next(node, (right, up)) else { continue };
-                self.links[next] |= if links & there != 0 { back } else { 0 };
-                self.margin[next] |= if margin & there != 0 { back } else { 0 };
-            }
-        }
-        let close = (0..self.lattice.len()).filter(|&node| !self.is_open(node) && self.margin[node] != 0);
-        self.close = close.map(|node| node as u32).collect();
-        let far = |node: u32| self.distances[node as usize];
-        self.close.sort_by(|&a, &b| far(b).total_cmp(&far(a)).then(a.cmp(&b)));
     }
 
     /// Multiplies what a metre costs: below 1 for ways that people like, above 1 for ground that they avoid. Given the middles of
