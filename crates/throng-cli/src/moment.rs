@@ -3,7 +3,7 @@
 use glam::DVec2;
 use std::sync::Arc;
 use throng::World;
-use throng::space::surface::Bounds;
+use throng::space::surface::{Barrier, Bounds, Surface};
 use throng_record::{Flow, Frame, Setting, Shell};
 use throng_scene::Built;
 
@@ -13,7 +13,7 @@ pub fn setting(world: &World, built: &Built, title: &str) -> Setting {
     setting.groups.remove(0);
     setting.flows = flows(world, built);
     let room = room(built, setting.origin);
-    setting.shells = built.surfaces.iter().map(|(_, surface)| Shell::of(surface, &room)).collect();
+    setting.shells = built.surfaces.iter().map(|(_, surface)| Shell::of(surface, &shown(surface, &room))).collect();
     setting.paths = built.paths.iter().map(|(_, path)| path.clone()).collect();
     setting
 }
@@ -37,6 +37,14 @@ fn room(built: &Built, origin: DVec2) -> Bounds {
     let [low, high] = built.bounds.map(|corner| (corner - origin).as_vec2());
     let side = (high - low).max_element().max(10.0);
     Bounds { low: low.extend(-side), high: high.extend(side) }
+}
+
+/// In which part of space a surface is shown: all of it, or, if it is too large for that, the room.
+fn shown(surface: &Barrier<Arc<dyn Surface>>, room: &Bounds) -> Bounds {
+    let (bounds, most) = (surface.surface.bounds(), (room.high - room.low).max_element());
+    let fits = bounds.is_finite() && (bounds.high - bounds.low).max_element() <= most;
+    // by rounding nothing is cut off
+    if fits { bounds.grown(0.01 * most) } else { *room }
 }
 
 /// Makes `frame` show the world as it is now; groups are counted as in [`setting`].

@@ -2,10 +2,11 @@
 
 use throng_scene::{Scene, schema};
 
-const PAGES: [&str; 3] = [
+const PAGES: [&str; 4] = [
     include_str!("../../../docs/scenes.md"),
     include_str!("../../../docs/steering.md"),
     include_str!("../../../docs/fields.md"),
+    include_str!("../../../docs/swarms.md"),
 ];
 
 #[test]

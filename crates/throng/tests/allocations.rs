@@ -62,7 +62,7 @@ fn a_step_allocates_nothing() {
 #[test]
 fn a_step_of_a_swarm_allocates_nothing() {
     // they fill a ball, and so are as dense at the end as at the start
-    let marker = Aggregate { beyond: 2.0, ..Aggregate::from(Target::Point(glam::Vec3::new(2.5, 3.0, 2.0))) };
+    let marker = Aggregate { beyond: 2.0, ..Aggregate::from(Target::Point(Vec3::new(2.5, 3.0, 2.0))) };
     let sees_all = Swarm::default().with(marker).with(Align { distance: 0.1, weight: 0.2 });
     let sees_nobody = Swarm { apart: Apart { distance: 0.0, speed: 0.0 }, ..Swarm::default() };
     let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();

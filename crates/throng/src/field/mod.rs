@@ -38,6 +38,7 @@ pub use critical::{Critical, CriticalPoint};
 pub use goal::{Density, Destination, Survey, Terrain, ToGoal};
 pub use governed::Governed;
 pub(crate) use governed::blend;
+pub use guide::{Guide, Scan, Smoothing, Spine, Tube, Voxels};
 pub use interaction::Interaction;
 pub(crate) use interaction::Source;
 pub use jams::RoundJams;
@@ -45,7 +46,6 @@ pub use keyframes::Keyframes;
 pub use map::Map;
 pub use noise::{Amplitude, CurlNoise, FadeOut, Motion, Octave, Potential, Rigid, Wall};
 pub use paint::Brush;
-pub use guide::{Guide, Scan, Smoothing, Spine, Tube, Voxels};
 pub use plate::Kernel;
 pub use sampled::Sampled;
 

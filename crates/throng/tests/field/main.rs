@@ -5,8 +5,8 @@ mod brush;
 mod combine;
 mod critical;
 mod goal;
-mod noise;
 mod guide;
+mod noise;
 #[expect(dead_code, reason = "what navigation alone asks")]
 #[path = "../navigation/oracle.rs"]
 mod oracle;
