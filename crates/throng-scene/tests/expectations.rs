@@ -69,7 +69,9 @@ fn every_scene_says_what_the_project_promises() {
         assert!(!scene.surfaces.is_empty() || expect.least_wall_separation >= Some(0.9999), "{name}");
         // in a game nobody has anywhere to arrive, nor have those who steer along paths or in flocks
         let goes_nowhere = scene.groups.iter().all(|group| group.steer.is_some() && group.goal.is_none());
-        if scene.rules.is_some() || goes_nowhere {
+        // nor have those whom a field alone leads
+        let is_led = scene.groups.iter().any(|group| group.field.is_some() && group.goal.is_none());
+        if scene.rules.is_some() || goes_nowhere || is_led {
             continue;
         }
         assert_eq!(expect.arrived, Some(Arrived::All), "{name}");
