@@ -39,6 +39,8 @@ pub enum Flow {
     Table(Table),
     /// The way to a goal that costs the least time, from everywhere.
     ToGoal(ToGoal),
+    /// The way to a target through space, clear of what is solid: where a swarm goes (Wang et al. 2014).
+    ThroughSpace(ThroughSpace),
     /// Eddies by chance, without sources and sinks (Bridson et al. 2007).
     Noise(Noise),
     /// The sum of fields.
@@ -254,6 +256,34 @@ parameters! {
         every: Option<f64>,
         /// What part of what it saw last is what it sees now, the rest is from before. Without it, 0.5. Limit: > 0, at most 1.
         part: Option<f64>,
+    }
+
+    /// The way to a target through space.
+    ThroughSpace {
+        /// The target.
+        to: Position,
+        /// How near is there, metres. Without it, 0.1. Limit: >= 0.
+        tolerance: Option<f64>,
+        /// How fast, m/s. Without it, 1. Limit: > 0.
+        speed: Option<f64>,
+        /// Where the swarm comes from: then it follows one smooth way from there, and from elsewhere joins it.
+        from: Option<Position>,
+        /// How far from that way it leads along it, metres. Without it, 1. Limit: > 0.
+        tube: Option<f64>,
+        /// How far that way keeps off what is solid where there is room, metres. Without it, 0.5. Limit: >= 0.
+        distance: Option<f64>,
+        /// What is solid: names of surfaces and of obstacles, `"obstacles"`, or `"everything"`. Without it, nothing.
+        walls: Option<What>,
+        /// Radius of the bodies, metres. Without it, 0.05. Limit: >= 0.
+        radius: Option<f64>,
+        /// As that of a way to a goal. Without it, 0.05. Limit: >= 0.
+        clearance: Option<f64>,
+        /// Width of the cubes that the way is searched in, metres. Without it, 0.25. Limit: > 0.
+        cell: Option<f64>,
+        /// The corner of the space with the least coordinates.
+        min: Position,
+        /// The corner with the greatest.
+        max: Position,
     }
 
     /// Eddies by chance.

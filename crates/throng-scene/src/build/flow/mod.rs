@@ -10,6 +10,7 @@ mod noise;
 mod paint;
 mod picture;
 mod sketch;
+mod space;
 mod table;
 
 use super::limits::{Limit, check, check_point, check_some};
@@ -144,6 +145,7 @@ impl At<'_> {
             Flow::Picture(of) => ("picture", of),
             Flow::Table(of) => ("table", of),
             Flow::ToGoal(of) => ("to_goal", of),
+            Flow::ThroughSpace(of) => ("through_space", of),
             Flow::Noise(of) => ("noise", of),
             Flow::Sum(of) => ("sum", &combine::Parts { of, blended: false }),
             Flow::Blend(of) => ("blend", &combine::Parts { of, blended: true }),

@@ -5,7 +5,10 @@ use crate::build::limits::{Limit, check, check_some};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::flow::{Noise, Potential};
+use crate::scene::steer::What;
+use std::sync::Arc;
 use throng::field::{self, CurlNoise, Octave, Wall};
+use throng::space::surface::Surface;
 
 impl Make for Noise {
     fn make(&self, at: &At) -> Result<Made, Problem> {
@@ -38,16 +41,24 @@ impl Noise {
         let made = octaves.and_then(|octaves| CurlNoise::new(potential, &octaves, self.seed.unwrap_or(0)));
         let mut noise = made.map_err(|error| at.refused(&error))?;
         if let Some(walls) = &self.walls {
-            if at.origin != at.flows.origin {
-                let problem = Problem::new(&at.path.key("walls"), Kind::Conflict, "walls do not go with anybody");
-                return Err(problem.hint("leave `walls` away where a field goes with others"));
-            }
-            let sides = at.flows.around.sides(walls, &at.path.key("walls"), "leave `walls` away for nothing")?;
-            for side in sides.0 {
-                let wall = Wall::new(side.surface, self.width.unwrap_or(self.length) as f32);
+            for surface in at.walls(walls)? {
+                let wall = Wall::new(surface, self.width.unwrap_or(self.length) as f32);
                 noise = noise.with_wall(wall.map_err(|error| at.refused(&error))?);
             }
         }
         Ok(noise)
+    }
+}
+
+impl At<'_> {
+    /// Surfaces by name.
+    pub(super) fn walls(&self, walls: &What) -> Result<Vec<Arc<dyn Surface>>, Problem> {
+        let path = self.path.key("walls");
+        if self.origin != self.flows.origin {
+            let problem = Problem::new(&path, Kind::Conflict, "walls do not go with anybody");
+            return Err(problem.hint("leave `walls` away where a field goes with others"));
+        }
+        let sides = self.flows.around.sides(walls, &path, "leave `walls` away for nothing")?;
+        Ok(sides.0.into_iter().map(|side| side.surface).collect())
     }
 }
