@@ -275,7 +275,7 @@ fn groups_are_governed_as_they_say() {
     for (field, expected) in [
         ("field.of.named = \"west\"", "there is no field `west` above"),
         ("field = {}", "it says neither `of` nor `around`"),
-        ("field = { of.uniform = [1, 0], ratio = 1.5 }", "ratio is 1.5, but must be from 0 to 1"),
+        ("field = { of.uniform = [1, 0], ratio = 1.5 }", "field.ratio is 1.5, but must be from 0 to 1"),
         ("field.around = [{ source = \"nobody\", of.uniform = [1, 0] }]", "there is no group or mover `nobody`"),
         ("field.around = [{ source = \"a\", of.uniform = [1, 0], reach = 0 }]", "reach is 0"),
         ("field.of.uniform = [1, 0]\nsteer.wander = {}", "let it follow the flow"),

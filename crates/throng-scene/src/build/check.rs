@@ -112,6 +112,7 @@ fn check_group(path: &Path, group: &Group) -> Checked {
         ("tracking_error", group.tracking_error.as_ref(), Limit::Between(0.0, 10.0)),
         ("altitude", group.altitude.as_ref(), Limit::Between(0.0, super::limits::HIGHEST)),
         ("heading", group.heading.as_ref(), Limit::Finite),
+        ("field.ratio", group.field.as_ref().and_then(|field| field.ratio.as_ref()), Limit::Between(0.0, 1.0)),
     ];
     check_body(&path.key("body"), &group.body)?;
     for (key, number, limit) in numbers {

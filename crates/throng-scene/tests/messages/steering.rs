@@ -16,7 +16,7 @@ fn a_wrong_behaviour_is_named_with_its_place() {
              slip_through, follow_flow, move_forward, target_speed, tether, separation, alignment, cohesion, match_velocity, flocking, boids, \
              avoid_neighbours, close_avoidance, unaligned_avoidance, queue, follow_leader, keep_formation, avoid_obstacles, \
              avoid_map, whiskers, contain, follow_path, stay_on_path, follow_wall, hide, crowd_path, queue_at_door, \
-             weighted_sum, running_sum, priority, dithering, allocation, context_steering, switch, amortised, hold, irregular, limited, stop_and_wait, custom"
+             swarm, weighted_sum, running_sum, priority, dithering, allocation, context_steering, switch, amortised, hold, irregular, limited, stop_and_wait, custom"
         ),
     );
     assert_message(

@@ -17,6 +17,8 @@ pub(super) const SPEED: f64 = 1.3;
 const FASTER: f64 = 1.5;
 /// Part of the fastest anchor's speed below which a field has faded.
 const FADED: f64 = 0.05;
+/// By so much, metres, the corners of the grid are beside round coordinates: a standstill at a corner would not be seen.
+const ASIDE: f64 = 0.1234;
 /// Traps that are told one by one.
 const TOLD: usize = 3;
 
@@ -35,7 +37,7 @@ impl Make for Sketch {
         };
         let places = anchors.iter().map(|anchor| anchor.place);
         let [low, high] = crate::geometry::bounds(places).unwrap_or_default();
-        let field = at.sampled(&made, [low - reach, high + reach], self.cell)?;
+        let field = at.sampled(&made, [low - reach - ASIDE, high + reach], self.cell)?;
         note_traps(at, &field, fastest);
         Ok(Made { field: Arc::new(field), anchors, cover: None })
     }

@@ -22,7 +22,7 @@ impl Make for Table {
         let read = if is_csv { csv(&text) } else { menge(&text) };
         let shown = file.display();
         let Vectors { low, cell, columns, velocities } = read.map_err(|error| {
-            let line = error.at.map_or_else(String::new, |(line, _)| format!("{line}: "));
+            let line = error.at.map_or_else(String::new, |(line, _)| format!("{line}:"));
             problem(Error { message: format!("{shown}:{line} {}", error.message), ..error })
         })?;
         let low = DVec2::from_array(low) - at.origin;
