@@ -142,9 +142,9 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
 /// Lists of numbers that may have any length; all others are points of the plane ...
 const NUMBER_LISTS: [&str; 4] = ["layers", "avoids", "heights", "radii"];
 /// ... but those in these tables, which are points in space ...
-const IN_SPACE: [&str; 8] = ["sphere", "air", "camera", "steer", "surface", "path", "distance", "wrap_around"];
+const IN_SPACE: [&str; 9] = ["sphere", "air", "camera", "steer", "surface", "path", "field", "distance", "wrap_around"];
 /// ... or not, after all.
-const IN_PLANE: [&str; 2] = ["rectangle", "corners"];
+const IN_PLANE: [&str; 4] = ["rectangle", "corners", "strokes", "stamps"];
 
 /// The place of a list with more numbers than a point has, how many, and how many it should have: the deserialiser
 /// would drop the surplus.
