@@ -1,9 +1,14 @@
-//! Bytes as text, for pictures in documents (RFC 4648, section 4).
+//! Bytes as text.
 
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Three bytes in four digits; what is missing of the last three is filled up.
-pub(crate) fn base64(bytes: &[u8]) -> String {
+/// Bytes as text, for what is embedded in documents: three bytes in four digits; what is missing of the last three is filled up
+/// (RFC 4648, section 4).
+///
+/// ```
+/// assert_eq!(throng_draw::base64(b"throng"), "dGhyb25n");
+/// ```
+pub fn base64(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for part in bytes.chunks(3) {
         let word = (0..3).fold(0, |word, k| word << 8 | u32::from(part.get(k).copied().unwrap_or(0)));

@@ -37,6 +37,7 @@ mod text;
 mod trail;
 
 pub use annotate::{Annotation, Annotations};
+pub use base64::base64;
 pub use camera::{Camera, WorldBox};
 pub use color::{Color, PALETTE, palette, ramp, wheel};
 pub use contact::{Contact, Section};

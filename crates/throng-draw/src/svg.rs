@@ -1,6 +1,6 @@
 //! A moment as a vector picture.
 
-use crate::base64::base64;
+use crate::base64;
 use crate::insect::Insect;
 use crate::mark::{Anchor, Mark, Stroke};
 use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};

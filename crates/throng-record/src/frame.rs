@@ -100,6 +100,28 @@ pub struct Body {
     pub status: Status,
 }
 
+#[cfg(test)]
+impl Body {
+    /// A disc on its way, for tests.
+    pub(crate) fn walking(number: u32, position: DVec2) -> Self {
+        Self {
+            number,
+            group: 0,
+            goal: None,
+            position,
+            altitude: 0.0,
+            velocity: Vec2::X,
+            climb: 0.0,
+            heading: 0.0,
+            basis: None,
+            radius: 0.2,
+            core: Vec2::ZERO,
+            preferred_speed: 1.0,
+            status: Status::Walking,
+        }
+    }
+}
+
 impl Body {
     /// How fast it is, in space, m/s.
     pub fn speed(&self) -> f32 {

@@ -188,24 +188,6 @@ mod tests {
     use super::*;
     use glam::DVec2;
 
-    fn body(number: u32, position: DVec2) -> Body {
-        Body {
-            number,
-            group: 0,
-            goal: None,
-            position,
-            velocity: Vec2::X,
-            altitude: 0.0,
-            climb: 0.0,
-            heading: 0.0,
-            basis: None,
-            radius: 0.2,
-            core: Vec2::ZERO,
-            preferred_speed: 1.0,
-            status: Status::Walking,
-        }
-    }
-
     /// Numbers from 0 to 1 that look random.
     fn draws() -> impl FnMut() -> f64 {
         let mut state = 7u64;
@@ -223,7 +205,7 @@ mod tests {
                 let core = if k % 3 == 0 { Vec2::new(draw() as f32, 0.1) } else { Vec2::ZERO };
                 let (radius, heading) = ((0.05 + draw()) as f32, 6.0 * draw() as f32);
                 let altitude = if k % 4 == 1 { 2.0 * draw() as f32 } else { 0.0 };
-                Body { radius, heading, core, altitude, ..body(k, DVec2::new(30.0 * draw(), 3.0 * draw())) }
+                Body { radius, heading, core, altitude, ..Body::walking(k, DVec2::new(30.0 * draw(), 3.0 * draw())) }
             };
             let bodies: Vec<Body> = (0..count).map(one).collect();
             let pairs = bodies.iter().enumerate().flat_map(|(k, a)| bodies[..k].iter().map(move |b| (a, b)));
@@ -246,7 +228,8 @@ mod tests {
     fn one_who_swings_is_seen_and_the_moments_are_kept() {
         let mut series = Series::default();
         for k in 0..20u8 {
-            let mut bodies = vec![body(3, DVec2::ZERO), body(5, DVec2::X), body(9, DVec2::Y)];
+            let mut bodies =
+                vec![Body::walking(3, DVec2::ZERO), Body::walking(5, DVec2::X), Body::walking(9, DVec2::Y)];
             // 3 leaves, 5 swings for a while, 9 has arrived and counts for nothing
             if k > 4 {
                 bodies.remove(0);

@@ -173,25 +173,9 @@ mod tests {
     use super::*;
     use crate::csv::CsvWriter;
     use crate::{Body, Frame, Setting};
-    use glam::Vec2;
-    use throng::Status;
 
     fn body(number: u32, group: u32, place: DVec3) -> Body {
-        Body {
-            number,
-            group,
-            goal: None,
-            position: place.truncate(),
-            altitude: place.z as f32,
-            velocity: Vec2::X,
-            climb: 0.0,
-            heading: 0.0,
-            basis: None,
-            radius: 0.2,
-            core: Vec2::ZERO,
-            preferred_speed: 1.0,
-            status: Status::Walking,
-        }
+        Body { group, altitude: place.z as f32, ..Body::walking(number, place.truncate()) }
     }
 
     #[test]

@@ -1,9 +1,12 @@
 //! How long fields through anchors take: `cargo run --release -p throng --example field_timing`.
 #![allow(clippy::print_stdout)]
 
+#[path = "shared/median.rs"]
+mod median;
+
 use glam::DVec2;
+use median::median;
 use std::hint::black_box;
-use std::time::Instant;
 use throng::field::{Anchor, Anchors, Sampled, Sketch};
 
 /// Anchors at random in a square of 100 m, each with a velocity of its own.
@@ -17,15 +20,9 @@ fn anchors(count: usize) -> Vec<Anchor> {
     (0..count).map(|_| Anchor::new(vector(100.0), vector(2.0) - 1.0)).collect()
 }
 
-/// Milliseconds that something takes, the median of five.
-fn time(mut work: impl FnMut()) -> f64 {
-    let mut all = [(); 5].map(|()| {
-        let start = Instant::now();
-        work();
-        start.elapsed().as_secs_f64() * 1e3
-    });
-    all.sort_by(f64::total_cmp);
-    all[2]
+/// Milliseconds that something takes.
+fn time(work: impl FnMut()) -> f64 {
+    median(work) * 1e3
 }
 
 fn main() -> Result<(), throng::Error> {

@@ -1,23 +1,20 @@
 //! How long flows to goals take: `cargo run --release -p throng --example goal_timing`.
 #![allow(clippy::print_stdout)]
 
+#[path = "shared/median.rs"]
+mod median;
+
 use glam::{DVec2, Vec2, Vec3};
+use median::median;
 use std::hint::black_box;
 use std::sync::Arc;
-use std::time::Instant;
 use throng::Obstacle;
 use throng::field::{Density, Destination, Field, Survey, Terrain, ToGoal};
 use throng::space::Place;
 
-/// Milliseconds that something takes, the median of five.
-fn time(mut work: impl FnMut()) -> f64 {
-    let mut all = [(); 5].map(|()| {
-        let start = Instant::now();
-        work();
-        start.elapsed().as_secs_f64() * 1e3
-    });
-    all.sort_by(f64::total_cmp);
-    all[2]
+/// Milliseconds that something takes.
+fn time(work: impl FnMut()) -> f64 {
+    median(work) * 1e3
 }
 
 /// Pillars every 8 m.

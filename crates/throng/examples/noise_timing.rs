@@ -1,9 +1,12 @@
 //! How long curl noise takes: `cargo run --release -p throng --example noise_timing`.
 #![allow(clippy::print_stdout)]
 
+#[path = "shared/median.rs"]
+mod median;
+
 use glam::Vec3;
+use median::median;
 use std::hint::black_box;
-use std::time::Instant;
 use throng::Error;
 use throng::field::{CurlNoise, Field, Octave, Potential, Wall};
 use throng::space::surface::{Cylinder, Sphere};
@@ -18,15 +21,9 @@ fn places(count: usize) -> Vec<Vec3> {
     (0..count).map(|_| Vec3::new(draw(), draw(), draw()) * 10.0).collect()
 }
 
-/// Nanoseconds a place that something takes, the median of five.
-fn time(count: usize, mut work: impl FnMut()) -> f64 {
-    let mut all = [(); 5].map(|()| {
-        let start = Instant::now();
-        work();
-        start.elapsed().as_secs_f64() * 1e9 / count as f64
-    });
-    all.sort_by(f64::total_cmp);
-    all[2]
+/// Nanoseconds a place that something takes.
+fn time(count: usize, work: impl FnMut()) -> f64 {
+    median(work) * 1e9 / count as f64
 }
 
 fn main() -> Result<(), Error> {

@@ -21,7 +21,7 @@ use std::fmt;
 use std::sync::Arc;
 use throng::field::{Anchor, Field};
 use throng::space::surface::{Barrier, Surface};
-use throng::space::{Pathway, Place, Walls};
+use throng::space::{Pathway, Place};
 
 /// Everything a scene puts into a world: what [`Scene::build`] adds, in this order.
 #[derive(Clone, Debug)]
@@ -176,12 +176,11 @@ impl Scene {
         let cast = Cast { origin: settings.origin, obstacles: &obstacles, named: &named, paths: &around.paths };
         let rules = rules::make(self, &cast)?;
         let figures = rules.as_ref().map_or_else(Vec::new, |rules| rules.figures());
-        let walls = Walls::new(&walkable, &obstacles, settings.origin);
         let notes = RefCell::new(vec![]);
         let place = Place { areas: walkable.clone(), obstacles: obstacles.iter().cloned().map(Some).collect() };
-        let (origin, place, walls) = (settings.origin, &place, &walls);
+        let (origin, place) = (settings.origin, &place);
         let made = OnceCell::new();
-        let flows = Flows { scene: self, origin, bounds, place, walls, around: &around, notes: &notes, made };
+        let flows = Flows { scene: self, origin, bounds, place, around: &around, notes: &notes, made };
         let made = flows.all()?;
         let named = self.fields.iter().zip(made);
         let fields = named.map(|(said, made)| PlannedField {

@@ -90,7 +90,7 @@ impl Adaptive for RoundJams {
     fn notice(&self, memory: &mut [f32], people: &[Vec2]) {
         // limits have been checked
         let Ok(now) = Density::of(self.flow.terrain(), people.iter().copied(), self.radius) else { return };
-        memory.iter_mut().zip(now.cells()).for_each(|(old, now)| *old += (now - *old) * self.part);
+        now.lead(memory, self.part);
     }
 
     fn adapted(&self, memory: &[f32]) -> Arc<dyn Field> {

@@ -121,7 +121,7 @@ impl World {
 
     /// Moves everybody, one by one.
     fn advance_each(&mut self, seconds: f32, now: f64) {
-        let looks = self.looks(now);
+        self.note_looks(now);
         let Self { agents, groups, step, .. } = self;
         for row in 0..agents.len() {
             let from = agents.position[row].extend(agents.altitude[row]);
@@ -156,7 +156,7 @@ impl World {
                 }
                 attitude.basis.heading()
             } else if agents.is_disc(row) {
-                let facing = match looks.get(row) {
+                let facing = match step.sources.looks.get(row) {
                     Some(&looks) if looks != Vec2::ZERO => looks,
                     _ => faces(agents.velocity[row], step.preferred.ground[row], agents.max_turn_rate[row]),
                 };

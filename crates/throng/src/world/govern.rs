@@ -5,10 +5,15 @@ use crate::field::{Governed, Source, blend};
 use crate::parallel;
 use glam::{Vec2, Vec3};
 
-/// Rows of the agents that fields go with, by group, in the order of their numbers.
+/// The agents that fields go with, as they are in this sub-step, and where others look because of them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sources {
-    rows: Vec<Vec<u32>>,
+    /// Rows and poses by group, in the order of the agents' numbers.
+    all: Vec<Vec<(usize, Source)>>,
+    /// Whether a field goes with the agents of a group.
+    wanted: Vec<bool>,
+    /// By row; zero: nowhere.
+    pub looks: Vec<Vec2>,
 }
 
 impl World {
@@ -21,23 +26,23 @@ impl World {
     /// Notes whom fields go with.
     pub(super) fn note_sources(&mut self) {
         let mut sources = std::mem::take(&mut self.step.sources);
-        sources.rows.iter_mut().for_each(Vec::clear);
-        sources.rows.resize(self.groups.len(), Vec::new());
+        let Sources { all, wanted, .. } = &mut sources;
+        wanted.clear();
+        wanted.resize(self.groups.len(), false);
         let governed = self.groups_in_use().filter_map(|group| group.field.as_ref());
-        let mut wanted = Vec::new();
-        for source in governed.flat_map(|field| &field.around).map(|around| around.source) {
-            wanted.resize(self.groups.len(), false);
-            wanted.get_mut(source).into_iter().for_each(|wanted| *wanted = true);
+        for around in governed.flat_map(|field| &field.around) {
+            wanted.get_mut(around.source).into_iter().for_each(|wanted| *wanted = true);
         }
-        if !wanted.is_empty() {
-            for row in 0..self.agents.len() {
-                let group = self.agents.group[row].index();
-                if wanted[group] {
-                    sources.rows[group].push(row as u32);
-                }
+        all.iter_mut().for_each(Vec::clear);
+        all.resize(self.groups.len(), Vec::new());
+        if wanted.contains(&true) {
+            let agents = &self.agents;
+            for row in (0..agents.len()).filter(|&row| wanted[agents.group[row].index()]) {
+                let (sin, cos) = libm::sincosf(agents.heading[row]);
+                let (place, velocity) = (agents.position[row], agents.velocity[row]);
+                all[agents.group[row].index()].push((row, Source { place, ahead: Vec2::new(cos, sin), velocity }));
             }
-            let number = |&row: &u32| self.agents.number[row as usize];
-            sources.rows.iter_mut().for_each(|rows| rows.sort_unstable_by_key(number));
+            all.iter_mut().for_each(|rows| rows.sort_unstable_by_key(|&(row, _)| agents.number[row]));
         }
         self.step.sources = sources;
     }
@@ -79,16 +84,18 @@ impl World {
         if weights > 0.0 { sum / weights } else { sum }
     }
 
-    /// Where everybody looks because fields say so, by row; zero: nowhere. Empty where no field says so.
-    pub(super) fn looks(&self, now: f64) -> Vec<Vec2> {
-        if !self.anybody_looks_about() {
-            return Vec::new();
+    /// Notes where everybody looks because fields say so; nothing where no field says so.
+    pub(super) fn note_looks(&mut self, now: f64) {
+        let mut looks = std::mem::take(&mut self.step.sources.looks);
+        looks.clear();
+        if self.anybody_looks_about() {
+            looks.resize(self.agents.len(), Vec2::ZERO);
+            let world = &*self;
+            parallel::ranges(&mut looks[..], |rows, looks| {
+                rows.zip(looks).for_each(|(row, looks)| *looks = world.looks_about(row, now));
+            });
         }
-        let mut looks = vec![Vec2::ZERO; self.agents.len()];
-        parallel::ranges(&mut looks[..], |rows, looks| {
-            rows.zip(looks).for_each(|(row, looks)| *looks = self.looks_about(row, now));
-        });
-        looks
+        self.step.sources.looks = looks;
     }
 
     fn looks_about(&self, row: usize, now: f64) -> Vec2 {
@@ -105,17 +112,10 @@ impl World {
 
     /// All agents of a group within a distance of another.
     fn each_source(&self, row: usize, group: usize, reach: f32, mut found: impl FnMut(Source)) {
-        let agents = &self.agents;
-        let place = agents.position[row];
-        let rows = self.step.sources.rows.get(group).map_or(&[][..], Vec::as_slice);
-        for source in rows.iter().map(|&source| source as usize) {
-            if source != row && agents.position[source].distance_squared(place) <= reach * reach {
-                let (sin, cos) = libm::sincosf(agents.heading[source]);
-                found(Source {
-                    place: agents.position[source],
-                    ahead: Vec2::new(cos, sin),
-                    velocity: agents.velocity[source],
-                });
+        let place = self.agents.position[row];
+        for &(other, source) in self.step.sources.all.get(group).into_iter().flatten() {
+            if other != row && source.place.distance_squared(place) <= reach * reach {
+                found(source);
             }
         }
     }

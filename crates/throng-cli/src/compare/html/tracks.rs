@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use std::f32::consts::TAU;
 use throng::Status;
 use throng_draw::WorldBox;
+use throng_draw::base64;
 use throng_record::{Body, Frame};
 
 /// Words on a page: 12 MB of text.
@@ -165,20 +166,6 @@ impl Tracks {
             "runs": runs.collect::<Vec<_>>(),
         })
     }
-}
-
-/// RFC 4648.
-fn base64(bytes: &[u8]) -> String {
-    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for three in bytes.chunks(3) {
-        let word = three.iter().fold(0, |word, &byte| word << 8 | u32::from(byte)) << (8 * (3 - three.len()));
-        for k in 0..4 {
-            let letter = LETTERS[(word >> (18 - 6 * k)) as usize & 63];
-            out.push(if k <= three.len() { char::from(letter) } else { '=' });
-        }
-    }
-    out
 }
 
 #[cfg(test)]

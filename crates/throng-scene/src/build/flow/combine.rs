@@ -6,6 +6,7 @@ use crate::file::Problem;
 use crate::scene::flow::{AroundWalls, FlowPart, Keyframes, Sampled};
 use std::sync::Arc;
 use throng::field::{self, Blend, Part, Sum};
+use throng::space::Walls;
 
 /// Parts to be added up, or blended.
 pub(super) struct Parts<'a> {
@@ -52,7 +53,9 @@ impl Make for Keyframes {
 impl Make for AroundWalls {
     fn make(&self, at: &At) -> Result<Made, Problem> {
         let made = at.key("of").make(&self.of)?;
-        let field = field::AroundWalls::new(made.field, at.flows.walls.clone(), self.width.unwrap_or(1.0));
+        let place = at.flows.place;
+        let walls = Walls::new(&place.areas, place.obstacles(), at.flows.origin);
+        let field = field::AroundWalls::new(made.field, walls, self.width.unwrap_or(1.0));
         Ok(Made { field: Arc::new(field.map_err(|error| at.refused(&error))?), ..made })
     }
 }

@@ -25,7 +25,7 @@ use glam::Vec3;
 use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 use throng::field::{Anchor, Field, Map, Uniform};
-use throng::space::{Place, Walls};
+use throng::space::Place;
 
 pub(super) use govern::note_silence;
 
@@ -54,8 +54,6 @@ pub(super) struct Flows<'a> {
     pub bounds: [DVec2; 2],
     /// What is solid, in world coordinates.
     pub place: &'a Place,
-    /// The same, relative to the origin.
-    pub walls: &'a Walls,
     /// Surfaces and obstacles by name.
     pub around: &'a Around<'a>,
     /// What is worth knowing of what was made.
@@ -192,7 +190,11 @@ impl At<'_> {
 
     /// A place, relative to the origin.
     fn place(&self, key: &str, point: Point) -> Result<DVec2, Problem> {
-        check_point(&self.path.key(key), &point)?;
+        self.place_at(&self.path.key(key), point)
+    }
+
+    fn place_at(&self, path: &Path, point: Point) -> Result<DVec2, Problem> {
+        check_point(path, &point)?;
         Ok(DVec2::from_array(point) - self.origin)
     }
 
@@ -204,12 +206,8 @@ impl At<'_> {
 
     /// Places, relative to the origin.
     fn places(&self, key: &str, points: &[Point]) -> Result<Vec<DVec2>, Problem> {
-        let at = self.key(key);
-        let place = |(i, &point): (usize, &Point)| {
-            check_point(&at.path.index(i), &point)?;
-            Ok(DVec2::from_array(point) - self.origin)
-        };
-        points.iter().enumerate().map(place).collect()
+        let path = self.path.key(key);
+        points.iter().enumerate().map(|(i, &point)| self.place_at(&path.index(i), point)).collect()
     }
 
     /// Two corners of a box, relative to the origin.

@@ -71,7 +71,12 @@ impl Density {
     /// # Panics
     /// Never; cells that the other lacks stay as they are.
     pub fn follow(&mut self, now: &Self, part: f32) {
-        self.0.iter_mut().zip(&now.0).for_each(|(old, now)| *old += (now - *old) * part);
+        now.lead(&mut self.0, part);
+    }
+
+    /// Brings other cells nearer to these, as [`follow`](Self::follow) does.
+    pub(in crate::field) fn lead(&self, cells: &mut [f32], part: f32) {
+        cells.iter_mut().zip(&self.0).for_each(|(old, now)| *old += (now - *old) * part);
     }
 
     /// People a square metre, one a cell.

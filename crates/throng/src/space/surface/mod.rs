@@ -136,56 +136,31 @@ impl SurfaceHit {
     }
 }
 
-impl<S: Surface + ?Sized> Surface for &S {
-    fn query(&self, point: Vec3) -> SurfacePoint {
-        (**self).query(point)
-    }
+/// What holds a surface is one.
+macro_rules! holders {
+    ($($holder:ty,)*) => { $(
+        impl<S: Surface + ?Sized> Surface for $holder {
+            fn query(&self, point: Vec3) -> SurfacePoint {
+                (**self).query(point)
+            }
 
-    fn sweep(&self, sweep: &Sweep) -> Option<SurfaceHit> {
-        (**self).sweep(sweep)
-    }
+            fn sweep(&self, sweep: &Sweep) -> Option<SurfaceHit> {
+                (**self).sweep(sweep)
+            }
 
-    fn bounds(&self) -> Bounds {
-        (**self).bounds()
-    }
+            fn bounds(&self) -> Bounds {
+                (**self).bounds()
+            }
 
-    fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
-        (**self).facets(within)
-    }
+            fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
+                (**self).facets(within)
+            }
+        }
+    )* };
 }
 
-impl<S: Surface + ?Sized> Surface for Box<S> {
-    fn query(&self, point: Vec3) -> SurfacePoint {
-        (**self).query(point)
-    }
-
-    fn sweep(&self, sweep: &Sweep) -> Option<SurfaceHit> {
-        (**self).sweep(sweep)
-    }
-
-    fn bounds(&self) -> Bounds {
-        (**self).bounds()
-    }
-
-    fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
-        (**self).facets(within)
-    }
-}
-
-impl<S: Surface + ?Sized> Surface for Arc<S> {
-    fn query(&self, point: Vec3) -> SurfacePoint {
-        (**self).query(point)
-    }
-
-    fn sweep(&self, sweep: &Sweep) -> Option<SurfaceHit> {
-        (**self).sweep(sweep)
-    }
-
-    fn bounds(&self) -> Bounds {
-        (**self).bounds()
-    }
-
-    fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
-        (**self).facets(within)
-    }
+holders! {
+    &S,
+    Box<S>,
+    Arc<S>,
 }
