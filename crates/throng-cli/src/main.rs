@@ -28,6 +28,7 @@ mod schema;
 mod sheet;
 mod show;
 mod source;
+mod swarms;
 mod threads;
 
 use args::{Arguments, Command};

@@ -1,7 +1,9 @@
 //! The summary of a run, for people and for programs.
 
 use crate::failure::Failure;
+use crate::measure::Measured;
 use crate::out::Out;
+use crate::swarms;
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -9,7 +11,6 @@ use throng::Summary;
 use throng_scene::Verdict;
 
 /// How a run went.
-#[derive(Debug)]
 pub struct Report {
     /// Name of the scene.
     pub scene: String,
@@ -23,6 +24,8 @@ pub struct Report {
     pub stranded: Vec<(u32, String)>,
     /// What came of `[expect]`.
     pub verdict: Verdict,
+    /// What its swarms were like.
+    pub swarms: Vec<Measured>,
     /// How long the whole run took.
     pub wall: Duration,
     /// How long the steps took.
@@ -51,6 +54,7 @@ impl Report {
             "expect": self.verdict,
             "sub_steps": s.sub_steps,
             "least_wall_separation": number(s.least_wall_separation),
+            "swarms": self.swarms.iter().map(swarms::json).collect::<Vec<_>>(),
             "wall_seconds": self.wall.as_secs_f64(),
             "step_seconds": self.stepping.as_secs_f64(),
             "cpu_per_simulated_second": self.cpu_per_simulated_second(),
@@ -98,6 +102,9 @@ impl Report {
         out.line(format_args!(
             "  motion     the guard changed {guard:.2} % of the moves; headings turn {turning:.1} °/s, courses {course:.1} °/s"
         ))?;
+        for swarm in &self.swarms {
+            out.line(format_args!("  swarm      {}", swarms::line(swarm)))?;
+        }
         let cpu = self.cpu_per_simulated_second().map(|c| format!(", {c:.4} CPU s a simulated s")).unwrap_or_default();
         let rate = rate(s, self.stepping);
         let wall = self.wall.as_secs_f64();

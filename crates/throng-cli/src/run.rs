@@ -7,6 +7,7 @@ use crate::out::{Out, complain};
 use crate::progress::{Progress, share};
 use crate::report::Report;
 use crate::source::Loaded;
+use crate::swarms::Swarms;
 use crate::{interrupt, moment, threads};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -76,8 +77,10 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
 
     let step = scene.time.step;
     let mut watch = Watch::new(&scene.expect, &world, &built);
+    let mut swarms = Swarms::of(scene, args.json || !args.quiet);
     let progress = Progress::new(args.quiet);
     let mut stepping = Duration::ZERO;
+    swarms.push(&world, step);
     files.push(0.0, step, |frame| moment::capture(&world, frame))?;
     while !scene.time.over(&world) && !interrupt::asked() {
         let start = Instant::now();
@@ -85,6 +88,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         stepping += start.elapsed();
         files.push(world.time(), step, |frame| moment::capture(&world, frame))?;
         watch.step(&world);
+        swarms.push(&world, step);
         progress.show(share(&world, scene.time.limit), || {
             let counts = world.counts();
             format!("{:.1} s, {}/{} arrived", world.time(), counts.arrived, counts.agents)
@@ -99,6 +103,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         figures: world.figures().map(|(name, value)| (name.to_owned(), value)).collect(),
         refused: world.refused().map(ToString::to_string),
         stranded: world.stranded().iter().map(|(number, why)| (*number, why.to_string())).collect(),
+        swarms: swarms.finish(),
         wall: begin.elapsed(),
         stepping,
         cpu: process_time(),

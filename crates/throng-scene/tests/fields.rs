@@ -205,6 +205,21 @@ fn files_that_are_wrong_are_told() {
     picture(&folder.path().join("wide.png"), png::ColorType::Rgb, png::BitDepth::Eight, 4, &[9; 12]);
     let message = told(&format!("flow.picture = {{ file = \"wide.png\", {over} }}"));
     assert!(message.contains("its pixels are no squares") && message.contains("max is 0.500 m above min"), "{message}");
+    let map = format!("map = {{ file = \"wide.png\", {over} }}");
+    let message = told(&format!("flow.sum = [{{ of.uniform = [1, 0], {map} }}]"));
+    assert!(message.contains("its pixels are no squares"), "{message}");
+}
+
+#[test]
+fn a_sketch_has_no_heights() {
+    for flow in [
+        "sketch.anchors = [{ at = [0, 0, 1], velocity = [1, 0] }]",
+        "paint = { min = [0, 0, 0], max = [9, 9], strokes = [] }",
+    ] {
+        let message =
+            format!("[[field]]\nname = \"f\"\nflow.{flow}\n{CROWD}").parse::<Scene>().unwrap_err().to_string();
+        assert!(message.contains("3, but should be two numbers"), "{message}");
+    }
 }
 
 #[test]

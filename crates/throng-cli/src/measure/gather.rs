@@ -37,6 +37,9 @@ pub fn gather(args: &MeasureArgs) -> Result<(String, Vec<Measured>), Failure> {
 
 fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failure> {
     let (mut world, built) = loaded.build()?;
+    if !args.quiet {
+        built.notes.iter().for_each(|note| complain(&format!("note: {note}")));
+    }
     let scene = &loaded.scene;
     let names: Vec<String> = built.groups[..scene.groups.len()].iter().map(|group| group.name.clone()).collect();
     let chosen = chosen(args, &names)?;

@@ -11,6 +11,7 @@ use crate::files::{distinct, is};
 use crate::interrupt;
 use crate::out::{Out, complain};
 use args::MeasureArgs;
+pub use text::short;
 use throng_record::Output;
 use throng_record::swarm::{Moment, Swarm};
 
@@ -64,7 +65,7 @@ pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
 }
 
 /// The mean over moments of what is known.
-fn mean(swarm: &Swarm, figure: impl Fn(&Moment) -> f64) -> f64 {
+pub fn mean(swarm: &Swarm, figure: impl Fn(&Moment) -> f64) -> f64 {
     let known = swarm.moments().iter().map(figure).filter(|value| value.is_finite());
     let (sum, count) = known.fold((0.0, 0u32), |(sum, count), value| (sum + value, count + 1));
     sum / f64::from(count)

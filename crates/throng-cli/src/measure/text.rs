@@ -43,7 +43,7 @@ pub fn of(scene: &str, Measured { name, swarm }: &Measured) -> String {
 }
 
 /// A number with three digits that count.
-fn short(value: f64) -> String {
+pub fn short(value: f64) -> String {
     if !value.is_finite() {
         return "-".into();
     }

@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::path::Path;
 
 /// The keys of `--json` in their order: they are documented and stay.
-const KEYS: [&str; 25] = [
+const KEYS: [&str; 26] = [
     "scene",
     "agents",
     "arrived",
@@ -26,6 +26,7 @@ const KEYS: [&str; 25] = [
     "expect",
     "sub_steps",
     "least_wall_separation",
+    "swarms",
     "wall_seconds",
     "step_seconds",
     "cpu_per_simulated_second",
@@ -210,4 +211,29 @@ fn the_scene_says_how_it_is_seen_and_options_come_first() {
     // the labs' video
     call(path, "show circle").success();
     assert_eq!(size(&path.join("circle.png")), (640, 480));
+}
+
+/// The summary of swarms, beside what `throng measure` finds in a table of every step.
+#[test]
+fn swarms_are_measured_as_they_run() {
+    let folder = folder();
+    let report = json(folder.path(), "run swarm-aggregation --limit 6 --no-expect -o swarm.csv");
+    let measured = json(folder.path(), "measure swarm.csv");
+    let (swarm, group) = (&report["swarms"][0], &measured["groups"][0]);
+    assert_eq!(report["swarms"].as_array().unwrap().len(), 1);
+    assert_eq!(swarm["name"], group["name"]);
+    for (found, expected) in [
+        (&swarm["speed"], &group["speed"]["mean"]),
+        (&swarm["speed_sd"], &group["speed"]["sd"]),
+        (&swarm["nearest"], &group["nearest"]["mean"]),
+        (&swarm["size"], &group["size"]),
+        (&swarm["correlation_time"], &group["correlation"]["time"]),
+    ] {
+        let (found, expected) = (found.as_f64().unwrap(), expected.as_f64().unwrap());
+        // every second step, where the table has each: speeds over longer times are a little lower
+        assert!((found / expected - 1.0).abs() < 0.1, "{found}, not {expected}");
+    }
+    let text = stdout(&call(folder.path(), "run swarm-aggregation --limit 1 --no-expect --no-files").success());
+    assert!(text.contains("  swarm      midges: 0."), "{text}");
+    assert_eq!(json(folder.path(), "run headon --no-files")["swarms"].as_array().unwrap().len(), 0);
 }

@@ -144,7 +144,7 @@ const NUMBER_LISTS: [&str; 4] = ["layers", "avoids", "heights", "radii"];
 /// ... but those in these tables, which are points in space ...
 const IN_SPACE: [&str; 9] = ["sphere", "air", "camera", "steer", "surface", "path", "field", "distance", "wrap_around"];
 /// ... or not, after all.
-const IN_PLANE: [&str; 4] = ["rectangle", "corners", "strokes", "stamps"];
+const IN_PLANE: [&str; 6] = ["rectangle", "corners", "sketch", "paint", "picture", "map"];
 
 /// The place of a list with more numbers than a point has, how many, and how many it should have: the deserialiser
 /// would drop the surplus.

@@ -23,7 +23,7 @@ impl At<'_> {
             Some(file) => {
                 let picture = read(self, file)?;
                 let grey = |pixel: [f32; 4]| (pixel[0] + pixel[1] + pixel[2]) / 3.0 * pixel[3];
-                let Pixels { low, cell, columns, values } = picture.over([low, high], grey);
+                let Pixels { low, cell, columns, values } = picture.over(self, [low, high], grey)?;
                 Map::new(low, cell, columns, values)
             }
             None => {

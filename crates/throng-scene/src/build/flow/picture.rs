@@ -33,8 +33,14 @@ pub(super) struct Pixels<T> {
 
 impl Image {
     /// What the pixels say that lie over a box: each in its middle; and, so that the field reaches the rim, once more round it.
-    /// Pixels are squares as wide as the box says.
-    pub fn over<T: Copy>(&self, [low, high]: [DVec2; 2], says: impl Fn([f32; 4]) -> T) -> Pixels<T> {
+    /// Pixels are squares as wide as the box says: if the box, which `at` says, is not as high as they then are, that is said.
+    pub fn over<T: Copy>(
+        &self,
+        at: &At,
+        [low, high]: [DVec2; 2],
+        says: impl Fn([f32; 4]) -> T,
+    ) -> Result<Pixels<T>, Problem> {
+        self.fits(at, [low, high])?;
         let (width, height) = (self.width, self.pixels.len() / self.width);
         let cell = (high.x - low.x) / width as f64;
         let columns = width + 2;
@@ -45,7 +51,7 @@ impl Image {
         };
         let values = (0..height + 2).flat_map(|row| (0..columns).map(move |column| (row, column)));
         let values = values.map(|(row, column)| value(row, column)).collect();
-        Pixels { low: low - 0.5 * cell, cell, columns, values }
+        Ok(Pixels { low: low - 0.5 * cell, cell, columns, values })
     }
 
     /// Whether pixels are squares where they lie; they need not be to the last digit.
@@ -117,7 +123,6 @@ impl Make for Picture {
             let problem = Problem::new(&at.path.key("file"), Kind::WrongType, message);
             return Err(problem.hint("a flow map has red for x and green for y; shades of grey make a `map`"));
         }
-        picture.fits(at, corners)?;
         let speed = speed as f32;
         let says = self.says.unwrap_or_default();
         let velocity = |[red, green, blue, alpha]: [f32; 4]| match says {
@@ -141,7 +146,7 @@ impl Make for Picture {
                 Vec2::new(cos, sin) * (speed * range * alpha)
             }
         };
-        let Pixels { low, cell, columns, values } = picture.over(corners, velocity);
+        let Pixels { low, cell, columns, values } = picture.over(at, corners, velocity)?;
         Ok(Made::of(Sampled::new(low, cell, columns, values).map_err(|error| at.refused(&error))?))
     }
 }

@@ -1,0 +1,78 @@
+//! The swarms of a run, measured for its summary.
+
+use crate::measure::{Measured, mean, short};
+use crate::moment;
+use crate::report::number;
+use serde_json::{Value, json};
+use throng::World;
+use throng_record::Frame;
+use throng_record::swarm::Swarm;
+use throng_scene::{Scene, Steer};
+
+/// How often they are measured, at most, seconds: as their pictures show them.
+const SPACING: f64 = 1.0 / 30.0;
+/// Longest lag of the correlation of velocities, seconds.
+const LAG: f64 = 2.0;
+
+/// The groups of a scene that steer as swarms do, and what was seen of them.
+pub struct Swarms {
+    groups: Vec<(u32, Measured)>,
+    frame: Frame,
+    next: f64,
+}
+
+impl Swarms {
+    /// Those of a scene, not yet seen; none if nobody wants to know.
+    pub fn of(scene: &Scene, wanted: bool) -> Self {
+        let groups = scene.groups.iter().enumerate().filter(|(_, group)| matches!(group.steer, Some(Steer::Swarm(_))));
+        let begin = |name: &str| Measured { name: name.to_owned(), swarm: Swarm::new(LAG) };
+        let groups = groups.map(|(k, group)| (k as u32, begin(&group.name)));
+        Self { groups: groups.filter(|_| wanted).collect(), frame: Frame::default(), next: 0.0 }
+    }
+
+    /// Takes in the world after a step that took so long, seconds.
+    pub fn push(&mut self, world: &World, step: f64) {
+        // half a step, so that rounding leaves out nothing
+        if self.groups.is_empty() || world.time() + 0.5 * step < self.next {
+            return;
+        }
+        self.next = world.time() + SPACING;
+        moment::capture(world, &mut self.frame);
+        for (group, measured) in &mut self.groups {
+            measured.swarm.push_frame(&self.frame, *group);
+        }
+    }
+
+    /// What was measured, of those of whom somebody was there.
+    pub fn finish(self) -> Vec<Measured> {
+        let groups = self.groups.into_iter().map(|(_, measured)| measured);
+        groups.filter(|group| group.swarm.speed().count() > 0).collect()
+    }
+}
+
+/// One swarm's line in the summary.
+pub fn line(Measured { name, swarm }: &Measured) -> String {
+    let (speed, nearest, size) = (swarm.speed(), swarm.nearest().mean(), mean(swarm, |moment| moment.size()));
+    let polarisation = short(mean(swarm, |moment| moment.polarisation));
+    let keep = swarm.correlation().time().map_or_else(|| format!("over {LAG:.0}"), short);
+    let [mean, deviation, nearest, size] = [speed.mean(), speed.deviation(), nearest, size].map(short);
+    format!(
+        "{name}: {mean} m/s (sd {deviation}), nearest other {nearest} m, radius of gyration {size} m, \
+         polarisation {polarisation}, velocities last {keep} s"
+    )
+}
+
+/// One swarm's figures for programs.
+pub fn json(Measured { name, swarm }: &Measured) -> Value {
+    let acceleration = swarm.acceleration().iter().map(|all| all.rms() * all.rms()).sum::<f64>().sqrt();
+    json!({
+        "name": name,
+        "speed": number(swarm.speed().mean()),
+        "speed_sd": number(swarm.speed().deviation()),
+        "acceleration": number(acceleration),
+        "nearest": number(swarm.nearest().mean()),
+        "size": number(mean(swarm, |moment| moment.size())),
+        "polarisation": number(mean(swarm, |moment| moment.polarisation)),
+        "correlation_time": swarm.correlation().time().map_or(Value::Null, number),
+    })
+}
