@@ -15,7 +15,6 @@ mod interrupt;
 mod list;
 mod look;
 mod measure;
-mod moment;
 mod options;
 mod out;
 mod pace;

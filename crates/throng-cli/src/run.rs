@@ -8,11 +8,12 @@ use crate::progress::{Progress, share};
 use crate::report::Report;
 use crate::source::Loaded;
 use crate::swarms::Swarms;
-use crate::{interrupt, moment, threads};
+use crate::{interrupt, threads};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use throng_bench::clock::process_time;
 use throng_draw::Style;
+use throng_record::moment;
 use throng_scene::{Expect, Watch};
 
 /// Runs a scene, writes its files and its summary, and checks its `[expect]`.

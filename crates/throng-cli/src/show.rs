@@ -3,11 +3,10 @@
 use crate::args::ShowArgs;
 use crate::failure::Failure;
 use crate::files::one_picture;
-use crate::moment;
 use crate::out::Out;
 use std::path::PathBuf;
 use throng_draw::{Film, Style};
-use throng_record::Frame;
+use throng_record::{Frame, moment};
 
 /// Draws the start of a scene.
 ///

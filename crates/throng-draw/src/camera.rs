@@ -1,11 +1,14 @@
 //! From metres to pixels.
 
-use glam::{DVec2, Vec2};
+use glam::{DMat4, DVec2, DVec3, Vec2};
 use throng::Obstacle;
 use throng_record::{Frame, Setting};
 
 /// How far people stray from where they start and where they go, over their radius, where nothing bounds the ground.
 const GIVING_WAY: f64 = 3.0;
+
+/// What is higher or lower than this has no place in clip coordinates, metres.
+const HEIGHT: f64 = 1e5;
 
 /// A rectangle of the world, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,6 +100,21 @@ impl Camera {
         self.anchor + Vec2::new(offset.x as f32, -offset.y as f32)
     }
 
+    /// The point of the world that a pixel shows.
+    pub fn point(&self, pixel: Vec2) -> DVec2 {
+        let offset = (pixel - self.anchor).as_dvec2() / self.scale;
+        self.center + DVec2::new(offset.x, -offset.y)
+    }
+
+    /// The matrix that takes points, relative to `origin`, to clip coordinates of OpenGL on a picture of this size, pixels:
+    /// what is higher is nearer.
+    pub fn clip(&self, origin: DVec3, size: Vec2) -> DMat4 {
+        let scale = DVec2::splat(2.0 * self.scale) / size.as_dvec2();
+        let middle = (2.0 * self.anchor / size - 1.0).as_dvec2() * DVec2::new(1.0, -1.0);
+        let shift = middle + (origin.truncate() - self.center) * scale;
+        DMat4::from_translation(shift.extend(0.0)) * DMat4::from_scale(scale.extend(-HEIGHT.recip()))
+    }
+
     /// A length in pixels.
     pub fn length(&self, metres: f64) -> f32 {
         (metres * self.scale) as f32
@@ -114,6 +132,17 @@ mod tests {
         assert_eq!(camera.scale, 20.0);
         assert_eq!(camera.pixel(view.min), Vec2::new(10.0, 330.0), "y points up in the world, down in the picture");
         assert_eq!(camera.pixel(view.max), Vec2::new(410.0, 130.0));
+        assert_eq!(camera.point(Vec2::new(410.0, 130.0)), view.max);
+    }
+
+    #[test]
+    fn clip_coordinates_are_those_of_the_pixels() {
+        let (center, size) = (DVec2::new(-1800.0, 9.0), Vec2::new(400.0, 300.0));
+        let camera = Camera { center, anchor: Vec2::new(150.0, 200.0), scale: 20.0 };
+        let (origin, point) = (DVec3::new(-1790.0, 10.0, 0.0), DVec3::new(-1802.0, 13.0, 2.0));
+        let clip = camera.clip(origin, size).transform_point3(point - origin).as_vec3();
+        let pixel = (Vec2::new(clip.x, -clip.y) * 0.5 + 0.5) * size;
+        assert!(pixel.distance(camera.pixel(point.truncate())) < 1e-3, "{pixel}");
     }
 
     #[test]

@@ -8,7 +8,7 @@ use throng_record::{Body, Frame, Setting};
 
 /// The colours of agents.
 #[derive(Clone, Debug)]
-pub(crate) struct Look {
+pub struct Look {
     by: ColorBy,
     ground: Color,
     /// What edges go towards: dark on light ground, light on dark.
@@ -25,13 +25,16 @@ pub(crate) struct Look {
 
 /// The colours of one agent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Coat {
+pub struct Coat {
+    /// Of the inside.
     pub fill: Color,
+    /// Of the edge.
     pub rim: Color,
 }
 
 impl Look {
-    pub(crate) fn new(setting: &Setting, style: &Style, first: &Frame) -> Self {
+    /// The colours that a style asks for, of a recording that begins with `first`.
+    pub fn new(setting: &Setting, style: &Style, first: &Frame) -> Self {
         let preferred = first.bodies.iter().map(|b| b.preferred_speed).filter(|s| s.is_finite()).fold(0.0, f32::max);
         let fastest = match style.color_by {
             ColorBy::Speed { max: Some(max) } if max > 0.0 => max,
@@ -55,7 +58,7 @@ impl Look {
     }
 
     /// What somebody looks like.
-    pub(crate) fn form(&self, body: &Body) -> Form {
+    pub fn form(&self, body: &Body) -> Form {
         self.forms.get(body.group as usize).copied().unwrap_or_default()
     }
 
@@ -65,7 +68,7 @@ impl Look {
     }
 
     /// The colour of a group.
-    pub(crate) fn group(&self, index: usize) -> Color {
+    pub fn group(&self, index: usize) -> Color {
         self.groups.get(index).copied().flatten().unwrap_or_else(|| palette(index))
     }
 
@@ -79,7 +82,7 @@ impl Look {
     }
 
     /// The colour that says what [`ColorBy`] asks for.
-    pub(crate) fn color(&self, body: &Body) -> Color {
+    pub fn color(&self, body: &Body) -> Color {
         match self.by {
             ColorBy::Group => self.group(body.group as usize),
             ColorBy::Altitude => ramp(body.altitude / self.highest),
@@ -91,10 +94,14 @@ impl Look {
     }
 
     /// The colours of an agent: those who have arrived step back, those who cannot reach their goal are hollow.
-    pub(crate) fn coat(&self, body: &Body) -> Coat {
-        let color = self.color(body);
+    pub fn coat(&self, body: &Body) -> Coat {
+        self.coat_of(self.color(body), body.status)
+    }
+
+    /// The colours of an agent whose colour says something else than the style asks for.
+    pub fn coat_of(&self, color: Color, status: Status) -> Coat {
         let rim = color.mix(self.rim, 0.42);
-        match body.status {
+        match status {
             Status::Arrived => Coat { fill: color.mix(self.ground, 0.55), rim: rim.mix(self.ground, 0.45) },
             Status::Stranded => Coat { fill: self.ground, rim: color },
             Status::Walking | Status::Waiting => Coat { fill: color, rim },

@@ -2,11 +2,11 @@
 
 use crate::Camera;
 use crate::space::Lens;
-use glam::{DVec3, Vec2};
+use glam::{DMat4, DVec3, Vec2};
 
 /// How points of the world become pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Projector {
+pub enum Projector {
     /// Seen from straight above, from infinitely far.
     Plan(Camera),
     /// Seen by an eye.
@@ -15,10 +15,18 @@ pub(crate) enum Projector {
 
 impl Projector {
     /// The pixel that shows a point; `None` behind the eye.
-    pub(crate) fn pixel(&self, point: DVec3) -> Option<Vec2> {
+    pub fn pixel(&self, point: DVec3) -> Option<Vec2> {
         match self {
             Self::Plan(camera) => Some(camera.pixel(point.truncate())),
             Self::Perspective(lens) => lens.pixel(point),
+        }
+    }
+
+    /// The matrix that takes points, relative to `origin`, to clip coordinates of OpenGL on a picture of this size, pixels.
+    pub fn clip(&self, origin: DVec3, size: Vec2) -> DMat4 {
+        match self {
+            Self::Plan(camera) => camera.clip(origin, size),
+            Self::Perspective(lens) => lens.clip(origin, size),
         }
     }
 
@@ -31,7 +39,7 @@ impl Projector {
     }
 
     /// Pixels a metre at a point.
-    pub(crate) fn scale(&self, point: DVec3) -> f64 {
+    pub fn scale(&self, point: DVec3) -> f64 {
         match self {
             Self::Plan(camera) => camera.scale,
             Self::Perspective(lens) => lens.scale(point),

@@ -17,7 +17,7 @@ const HALF_WIDTH: f32 = 0.42;
 
 /// The last seconds of one agent.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Track {
+pub struct Track {
     /// When and where, oldest first.
     pub points: VecDeque<(f64, DVec3)>,
     /// Its colour when it was last seen.
@@ -28,7 +28,8 @@ pub(crate) struct Track {
 
 /// The last seconds of everybody, by number.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Trails {
+pub struct Trails {
+    /// The last seconds of each.
     pub tracks: BTreeMap<u32, Track>,
     last: f64,
 }
@@ -36,13 +37,7 @@ pub(crate) struct Trails {
 impl Trails {
     /// Remembers where everybody is who has a colour. Points nearer together than `spacing` metres are one; what is older than
     /// `seconds` is forgotten. Time that runs backwards starts anew.
-    pub(crate) fn follow(
-        &mut self,
-        frame: &Frame,
-        seconds: f64,
-        spacing: f64,
-        colors: impl Fn(&Body) -> Option<Color>,
-    ) {
+    pub fn follow(&mut self, frame: &Frame, seconds: f64, spacing: f64, colors: impl Fn(&Body) -> Option<Color>) {
         if frame.time < self.last {
             self.tracks.clear();
         }
@@ -75,6 +70,17 @@ impl Trails {
             }
             track.points.back().is_some_and(|p| p.0 > oldest)
         });
+    }
+}
+
+impl Track {
+    /// How it looks to somebody who sees it at `now`, where it fades within `seconds`: places from the oldest to the newest, half
+    /// the width there, metres, and the opacity.
+    pub fn fading(&self, now: f64, seconds: f64) -> impl Iterator<Item = (DVec3, f32, f32)> {
+        self.points.iter().map(move |&(time, place)| {
+            let fresh = freshness(now - time, seconds);
+            (place, self.radius * HALF_WIDTH * (0.35 + 0.65 * fresh), OPACITY * fresh)
+        })
     }
 }
 

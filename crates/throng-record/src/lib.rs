@@ -1,7 +1,7 @@
 //! What happened in a world: its moments ([`Setting`], [`Frame`], [`Body`]) and the files that hold them.
 //!
 //! [`series`] makes figures over time of them, [`swarm`] those of a swarm; [`csv`] writes trajectories as a table, [`Tracks`] reads
-//! them back. Every file is written through [`Output`], under a temporary name until it is complete. [`Behind`] lets another
+//! them back; [`moment`] makes moments of the world of a scene. Every file is written through [`Output`], under a temporary name until it is complete. [`Behind`] lets another
 //! thread write them.
 
 mod behind;
@@ -9,6 +9,7 @@ mod capture;
 pub mod csv;
 mod flow;
 mod frame;
+pub mod moment;
 mod output;
 pub mod series;
 pub mod swarm;

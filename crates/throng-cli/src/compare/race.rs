@@ -4,7 +4,6 @@
 use super::variant;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::moment;
 use crate::progress::{Progress, share};
 use crate::report::{figures, number};
 use crate::source::Loaded;
@@ -16,7 +15,7 @@ use std::time::Duration;
 use throng::World;
 use throng_bench::clock::thread_time;
 use throng_record::series::Series;
-use throng_record::{Frame, Pool};
+use throng_record::{Frame, Pool, moment};
 use throng_scene::{Built, Model, Time};
 
 /// What is compared.

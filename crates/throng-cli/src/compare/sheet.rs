@@ -2,9 +2,9 @@
 
 use super::race::{Plan, Run};
 use crate::failure::Failure;
-use crate::moment;
 use crate::options::FilmArgs;
 use throng_draw::{Sheet, Style, columns, title_height};
+use throng_record::moment;
 
 /// More panels than this are too small to see anything.
 const MOST: usize = 9;

@@ -5,14 +5,13 @@ mod json;
 
 use crate::failure::Failure;
 use crate::files::one_picture;
-use crate::moment;
 use crate::out::Out;
 use crate::source::Loaded;
 use args::ExplainArgs;
 use std::path::PathBuf;
 use throng::{AgentId, World};
 use throng_draw::{Figure, Style, Theme};
-use throng_record::Frame;
+use throng_record::{Frame, moment};
 use throng_scene::Built;
 
 /// Draws the velocities of an agent, or writes them as JSON.

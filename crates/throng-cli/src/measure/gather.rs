@@ -7,9 +7,9 @@ use crate::files::is;
 use crate::out::complain;
 use crate::progress::{Progress, share};
 use crate::source::Loaded;
-use crate::{interrupt, moment, threads};
+use crate::{interrupt, threads};
 use throng_record::swarm::Swarm;
-use throng_record::{Frame, Tracks};
+use throng_record::{Frame, Tracks, moment};
 
 /// The name of what was measured, and its groups: those of which somebody was there.
 ///

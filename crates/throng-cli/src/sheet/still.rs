@@ -4,10 +4,9 @@ use crate::failure::Failure;
 use crate::field::FieldArgs;
 use crate::interrupt;
 use crate::look::{ColorArg, LookArgs};
-use crate::moment;
 use crate::source::Loaded;
 use throng_draw::{Painter, Style};
-use throng_record::Frame;
+use throng_record::{Frame, moment};
 use throng_scene::Scene;
 
 /// Of a run that nobody chose a moment of, this much is over.

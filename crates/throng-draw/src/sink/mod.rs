@@ -3,17 +3,22 @@
 mod ahead;
 mod folder;
 mod gif;
+#[cfg(feature = "video")]
 mod mp4;
+#[cfg(feature = "video")]
 mod mux;
+#[cfg(feature = "video")]
 mod nal;
 mod pipe;
 mod png;
 mod quantize;
+#[cfg(feature = "video")]
 mod yuv;
 
 pub use ahead::Ahead;
 pub use folder::FolderSink;
 pub use gif::GifSink;
+#[cfg(feature = "video")]
 pub use mp4::Mp4Sink;
 pub use pipe::PipeSink;
 pub use png::{PngSink, write_png};
@@ -44,7 +49,7 @@ pub trait FrameSink: Send {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Kind {
-    /// `.mp4`: H.264 video, encoded by openh264.
+    /// `.mp4`: H.264 video, encoded by openh264; without the feature `video`, by the program ffmpeg.
     Mp4,
     /// `.gif`: a looping animation.
     Gif,
@@ -93,10 +98,13 @@ impl Kind {
 pub fn sink(path: impl AsRef<Path>, rate: f64) -> Result<Box<dyn FrameSink>, Error> {
     let path = path.as_ref();
     Ok(match Kind::of(path)? {
+        #[cfg(feature = "video")]
         Kind::Mp4 => Box::new(Mp4Sink::create(path, rate)?),
         Kind::Gif => Box::new(GifSink::create(path, rate)?),
         Kind::Png => Box::new(PngSink::create(path)?),
         Kind::Folder => Box::new(FolderSink::create(path)?),
+        #[cfg(not(feature = "video"))]
+        Kind::Mp4 => Box::new(PipeSink::create(path, rate)?),
         Kind::Pipe => Box::new(PipeSink::create(path, rate)?),
         Kind::Svg => return Err(Error::Extension { path: path.to_path_buf() }),
     })

@@ -1,6 +1,6 @@
 //! Perspective: from points in space to pixels.
 
-use glam::{DVec3, Vec2};
+use glam::{DMat4, DVec3, Vec2};
 
 /// What is nearer to the eye than this part of the way to its target is not seen.
 const NEAR: f64 = 0.02;
@@ -9,7 +9,8 @@ const HAZE: f64 = 0.6;
 
 /// An eye at one moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Lens {
+pub struct Lens {
+    /// Where it is, metres.
     pub eye: DVec3,
     /// Axes of the picture, of length 1.
     right: DVec3,
@@ -27,7 +28,7 @@ pub(crate) struct Lens {
 
 impl Lens {
     /// An eye that looks at a target, with up as far up as can be. The things of interest lie within `reach` of the target.
-    pub(crate) fn new(eye: DVec3, target: DVec3, focal: f64, anchor: Vec2, reach: f64) -> Self {
+    pub fn new(eye: DVec3, target: DVec3, focal: f64, anchor: Vec2, reach: f64) -> Self {
         let ahead = target - eye;
         let forward = ahead.normalize_or(DVec3::Y);
         // straight down, the top of the picture is north
@@ -37,13 +38,23 @@ impl Lens {
         Self { eye, right, up: right.cross(forward), forward, anchor, focal, near: NEAR * distance, clear }
     }
 
+    /// Pixels of a metre that is a metre ahead.
+    pub fn focal(&self) -> f64 {
+        self.focal
+    }
+
+    /// What is nearer is not seen, metres.
+    pub fn near(&self) -> f64 {
+        self.near
+    }
+
     /// How far ahead of the eye a point is, metres.
-    pub(crate) fn depth(&self, point: DVec3) -> f64 {
+    pub fn depth(&self, point: DVec3) -> f64 {
         (point - self.eye).dot(self.forward)
     }
 
     /// The pixel that shows a point; `None` if it is behind the eye, or too near.
-    pub(crate) fn pixel(&self, point: DVec3) -> Option<Vec2> {
+    pub fn pixel(&self, point: DVec3) -> Option<Vec2> {
         (self.depth(point) >= self.near).then(|| self.project(point))
     }
 
@@ -53,8 +64,27 @@ impl Lens {
     }
 
     /// Pixels a metre at a point, across the line of sight.
-    pub(crate) fn scale(&self, point: DVec3) -> f64 {
+    pub fn scale(&self, point: DVec3) -> f64 {
         self.focal / self.depth(point).max(self.near)
+    }
+
+    /// The direction in which the eye sees a pixel, of length 1.
+    pub fn sight(&self, pixel: Vec2) -> DVec3 {
+        let offset = (pixel - self.anchor).as_dvec2() / self.focal;
+        (self.forward + self.right * offset.x - self.up * offset.y).normalize()
+    }
+
+    /// The matrix that takes points, relative to `origin`, to clip coordinates of OpenGL on a picture of this size, pixels:
+    /// what is infinitely far is at the depth 1.
+    pub fn clip(&self, origin: DVec3, size: Vec2) -> DMat4 {
+        let size = size.as_dvec2();
+        let (aside, above) = (self.right * (2.0 * self.focal / size.x), self.up * (2.0 * self.focal / size.y));
+        let middle = 2.0 * self.anchor.as_dvec2() / size - 1.0;
+        let rows = [aside + self.forward * middle.x, above - self.forward * middle.y, self.forward, self.forward];
+        let from = self.eye - origin;
+        let row = |row: DVec3, shift: f64| row.extend(shift - row.dot(from));
+        DMat4::from_cols(row(rows[0], 0.0), row(rows[1], 0.0), row(rows[2], -2.0 * self.near), row(rows[3], 0.0))
+            .transpose()
     }
 
     /// The part of a line that is ahead, in pixels.
@@ -130,6 +160,17 @@ mod tests {
         assert!(from.x > 500.0 && to == lens.pixel(DVec3::X).unwrap(), "{from} {to}");
         assert_eq!(lens.area([behind, DVec3::X, DVec3::ZERO]).len(), 4, "a triangle without its tip");
         assert_eq!(lens.area([behind; 3]), []);
+    }
+
+    #[test]
+    fn clip_coordinates_are_those_of_the_pixels() {
+        let (lens, size) = (lens(), Vec2::new(100.0, 80.0));
+        let (origin, point) = (DVec3::new(30.0, 2.0, 1.0), DVec3::new(1.0, 4.0, -2.0));
+        let clip = lens.clip(origin, size) * (point - origin).extend(1.0);
+        let pixel = lens.pixel(point).unwrap();
+        let found = Vec2::new(clip.x as f32, -clip.y as f32) / clip.w as f32 * 0.5 + 0.5;
+        assert!((found * size).distance(pixel) < 1e-3, "{found} {pixel}");
+        assert!((lens.sight(pixel).cross(point - lens.eye)).length() < 1e-5);
     }
 
     #[test]

@@ -7,7 +7,7 @@ mod shell;
 mod solid;
 mod viewpoint;
 
-pub(crate) use lens::Lens;
+pub use lens::Lens;
 pub use viewpoint::Viewpoint;
 
 use crate::insect::{Crowd, Insect};

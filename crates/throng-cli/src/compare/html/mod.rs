@@ -9,7 +9,6 @@ use super::figures::{FIGURES, Results};
 use super::race::{Plan, Run};
 use super::table::{Row, caption, rows};
 use crate::failure::Failure;
-use crate::moment;
 use crate::options::FilmArgs;
 use crate::page::{STYLE, escape, fill, swatch};
 use glam::DVec2;
@@ -17,7 +16,7 @@ use place::place;
 use serde_json::{Value, json};
 use throng_draw::{Style, WorldBox, columns, palette, points_to_go};
 use throng_record::series::Series;
-use throng_record::{Frame, Setting};
+use throng_record::{Frame, Setting, moment};
 use tracks::Tracks;
 
 const PAGE: &str = include_str!("page.html");

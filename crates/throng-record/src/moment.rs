@@ -1,10 +1,10 @@
-//! The world as files show it.
+//! The world of a scene as files and pictures show it.
 
+use crate::{Flow, Frame, Setting, Shell};
 use glam::DVec2;
 use std::sync::Arc;
 use throng::World;
 use throng::space::surface::{Barrier, Bounds, Surface};
-use throng_record::{Flow, Frame, Setting, Shell};
 use throng_scene::Built;
 
 /// The place and the names. The group every world has from the start is left out: no scene puts anybody into it.
