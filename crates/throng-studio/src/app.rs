@@ -1,0 +1,263 @@
+//! The studio as a whole.
+
+use crate::document::Document;
+use crate::keys::{self, Action};
+use crate::panels::{self, Asked, Gallery};
+use crate::play::{Command, Player, Shown, Speed, Trouble};
+use crate::settings::Settings;
+use crate::state::State;
+use crate::style;
+use crate::view::View;
+use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Panel, Ui};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// What the studio is started with.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// A name of the gallery or a file; without it, what was open last.
+    pub scene: Option<String>,
+    /// Where the [`State`] is written to.
+    pub state: Option<PathBuf>,
+    /// Where a picture of the window is written to; then the studio closes.
+    pub screenshot: Option<PathBuf>,
+    /// The step it is taken at.
+    pub at_step: u64,
+}
+
+/// The studio.
+pub struct App {
+    settings: Settings,
+    options: Options,
+    document: Document,
+    player: Player,
+    view: View,
+    gallery: Gallery,
+    help: bool,
+    /// What keys asked for since the last frame.
+    actions: Vec<Action>,
+    /// What the panels were last given the colours of.
+    dark: Option<bool>,
+    /// What people should know, until they have seen it.
+    notice: Option<String>,
+    /// The state that was told last.
+    told: String,
+    outside: crate::outside::Outside,
+}
+
+impl App {
+    /// The studio with what it remembers, playing its first scene.
+    pub fn new(ctx: &Context, storage: Option<&dyn eframe::Storage>, options: Options) -> Result<Self, String> {
+        let mut settings: Settings =
+            storage.and_then(|storage| eframe::get_value(storage, eframe::APP_KEY)).unwrap_or_default();
+        let wanted = options.scene.clone().unwrap_or_else(|| settings.scene.clone());
+        let (document, notice) = match crate::outside::open(&wanted) {
+            Ok(document) => (document, None),
+            Err(says) => (Document::gallery("circle").ok_or("there is no gallery")?, Some(says)),
+        };
+        settings.scene = wanted;
+        let mut app = Self {
+            player: crate::outside::player(ctx)?,
+            outside: crate::outside::Outside::new(&document),
+            settings,
+            document,
+            view: View::default(),
+            gallery: Gallery::default(),
+            help: false,
+            actions: Vec::new(),
+            dark: None,
+            notice,
+            told: String::new(),
+            options,
+        };
+        let still = app.options.screenshot.is_some();
+        app.player.command(Command::Speed(app.settings.speed));
+        app.play(!still);
+        if still {
+            app.player.command(Command::Seek(app.options.at_step));
+        }
+        Ok(app)
+    }
+
+    /// Plays what the text says.
+    fn play(&mut self, run: bool) {
+        if let Ok(scene) = self.document.scene() {
+            let (name, scene) = (self.document.name.clone(), scene.clone());
+            self.player.command(Command::Load { name, scene, run });
+        }
+    }
+
+    fn open(&mut self, scene: &str) {
+        match crate::outside::open(scene) {
+            Ok(document) => {
+                self.outside = crate::outside::Outside::new(&document);
+                self.document = document;
+                self.settings.scene = scene.to_owned();
+                self.play(true);
+            }
+            Err(says) => self.notice = Some(says),
+        }
+    }
+
+    fn act(&mut self, action: Action, shown: Option<&Shown>) {
+        let panels = &mut self.settings.panels;
+        match action {
+            Action::Play if shown.is_some_and(|shown| shown.playing) => self.player.command(Command::Pause),
+            Action::Play => self.player.command(Command::Run),
+            Action::Step => self.player.command(Command::Step),
+            Action::Back => self.player.command(Command::Back),
+            Action::Restart => self.player.command(Command::Restart),
+            Action::NextScene | Action::PreviousScene => {
+                let by = if action == Action::NextScene { 1 } else { -1 };
+                if let Some(name) = panels::beside(&self.document.name, by) {
+                    self.open(name);
+                }
+            }
+            Action::NextAgent => shown.into_iter().for_each(|shown| self.view.select_next(shown)),
+            Action::NextCamera => self.view.eye.set_mode(self.view.eye.mode().next()),
+            Action::NextSpeed => self.set_speed(self.settings.speed.next()),
+            Action::Annotations => self.settings.annotations = !self.settings.annotations,
+            Action::Trails => self.settings.trails = if self.settings.trails > 0.0 { 0.0 } else { 1.5 },
+            Action::Fit => self.view.refit(),
+            Action::Dark => self.settings.dark = !self.settings.dark,
+            Action::Gallery => panels.gallery = !panels.gallery,
+            Action::Text => panels.text = !panels.text,
+            Action::Summary => panels.summary = !panels.summary,
+            Action::Help => self.help = !self.help,
+            Action::Leave => (self.help, self.view.selected) = (false, None),
+            Action::Save => self.save(),
+            Action::Undo | Action::Redo => {
+                let changed = if action == Action::Undo { self.document.undo() } else { self.document.redo() };
+                if changed {
+                    self.play(true);
+                }
+            }
+        }
+    }
+
+    fn set_speed(&mut self, speed: Speed) {
+        self.settings.speed = speed;
+        self.player.command(Command::Speed(speed));
+    }
+
+    fn save(&mut self) {
+        match self.outside.save(&mut self.document) {
+            Ok(()) => self.play(true),
+            Err(says) => self.notice = Some(says),
+        }
+    }
+
+    fn panels(&mut self, ui: &mut Ui, shown: Option<&Shown>, trouble: Option<&Trouble>) {
+        let theme = self.settings.theme();
+        let frame = Frame::new().fill(style::color(style::panel(&theme))).inner_margin(Margin::symmetric(12, 8));
+        Panel::top("top").frame(frame).show_separator_line(false).show(ui, |ui| self.top(ui, shown, trouble));
+        if let Some(shown) = shown {
+            Panel::bottom("bar").frame(frame).show_separator_line(false).show(ui, |ui| {
+                let asked = panels::bar(ui, shown, &mut self.settings, &mut self.view);
+                asked.into_iter().for_each(|command| self.player.command(command));
+            });
+        }
+        if self.settings.panels.gallery {
+            Panel::left("gallery").frame(frame).show_separator_line(false).default_size(210.0).show(ui, |ui| {
+                if let Some(name) = self.gallery.ui(ui, &self.document.name) {
+                    self.open(name);
+                }
+            });
+        }
+        if self.settings.panels.text {
+            Panel::right("text").frame(frame).show_separator_line(false).default_size(440.0).show(ui, |ui| {
+                match panels::text(ui, &mut self.document, trouble) {
+                    Some(Asked::Apply) => self.play(true),
+                    Some(Asked::Save) => self.save(),
+                    None => {}
+                }
+            });
+        }
+        if let Some(shown) = shown.filter(|_| self.settings.panels.summary) {
+            Panel::right("summary").frame(frame).show_separator_line(false).default_size(230.0).show(ui, |ui| panels::summary(ui, shown));
+        }
+    }
+
+    fn top(&mut self, ui: &mut Ui, shown: Option<&Shown>, trouble: Option<&Trouble>) {
+        ui.horizontal(|ui| {
+            ui.label(egui::RichText::new("throng").heading());
+            ui.separator();
+            let panels = &mut self.settings.panels;
+            ui.toggle_value(&mut panels.gallery, "Gallery");
+            ui.toggle_value(&mut panels.text, "Text");
+            ui.toggle_value(&mut panels.summary, "Summary");
+            ui.separator();
+            ui.toggle_value(&mut self.settings.grid, "Grid");
+            let mut trails = self.settings.trails > 0.0;
+            if ui.toggle_value(&mut trails, "Trails").changed() {
+                self.settings.trails = if trails { 1.5 } else { 0.0 };
+            }
+            ui.toggle_value(&mut self.settings.dark, "Dark");
+            ui.toggle_value(&mut self.help, "?");
+            ui.separator();
+            if let Some(shown) = shown {
+                ui.label(egui::RichText::new(&shown.setting.title).strong());
+            }
+            let wrong = trouble.map(ToString::to_string).or_else(|| self.notice.clone());
+            if let Some(line) = wrong.as_deref().and_then(|says| says.lines().next()) {
+                ui.colored_label(ui.visuals().error_fg_color, line).on_hover_text(wrong.as_deref().unwrap_or_default());
+            }
+        });
+    }
+
+    fn tell(&mut self, shown: &Shown, trouble: Option<&Trouble>) {
+        let told = State::new(shown, self.view.selected, trouble).json();
+        if told != self.told {
+            crate::outside::tell(&self.options, &told);
+            self.told = told;
+        }
+    }
+}
+
+impl eframe::App for App {
+    fn raw_input_hook(&mut self, ctx: &Context, raw: &mut egui::RawInput) {
+        let actions = keys::take(&mut raw.events, ctx.egui_wants_keyboard_input());
+        self.actions.extend(actions);
+    }
+
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        let ctx = ui.ctx().clone();
+        if self.dark != Some(self.settings.dark) {
+            style::apply(&ctx, &self.settings.theme(), self.settings.dark);
+            self.dark = Some(self.settings.dark);
+        }
+        crate::outside::work(&mut self.player, &ctx);
+        if let Some(text) = self.outside.changed(&ctx) {
+            self.document.edit(text);
+            self.document.mark_saved();
+            self.play(true);
+        }
+        let (shown, trouble): (Option<Arc<Shown>>, _) = (self.player.shown(), self.player.trouble());
+        let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
+        if let Some(path) = dropped {
+            self.open(&path.display().to_string());
+        }
+        for action in std::mem::take(&mut self.actions) {
+            self.act(action, shown.as_deref());
+        }
+        self.panels(ui, shown.as_deref(), trouble.as_ref());
+        CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
+            if let Some(shown) = &shown {
+                self.view.ui(ui, shown, &self.settings);
+            }
+        });
+        panels::help(&ctx, &mut self.help);
+        if let Some(shown) = &shown {
+            self.tell(shown, trouble.as_ref());
+            self.outside.screenshot(&ctx, &self.options, shown);
+        }
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        eframe::set_value(storage, eframe::APP_KEY, &self.settings);
+    }
+
+    fn on_exit(&mut self, gl: Option<&eframe::glow::Context>) {
+        gl.into_iter().for_each(|gl| self.view.destroy(gl));
+    }
+}

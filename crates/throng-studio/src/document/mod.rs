@@ -1,0 +1,156 @@
+//! The scene's text: the one document. Whatever edits a scene edits this text, so that nothing a person has written is lost.
+
+mod history;
+#[cfg(not(target_arch = "wasm32"))]
+mod watched;
+
+pub use history::History;
+#[cfg(not(target_arch = "wasm32"))]
+pub use watched::Watched;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use throng_scene::{Error, Scene, gallery};
+
+/// A scene's text, where it is from, and what it says.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// What it is called: a name of the gallery, or the stem of a file's name.
+    pub name: Arc<str>,
+    /// The file it is saved in, if it has one.
+    pub path: Option<PathBuf>,
+    text: String,
+    /// The text as it was opened or saved.
+    saved: String,
+    history: History,
+    scene: Result<Arc<Scene>, Box<Error>>,
+}
+
+impl Document {
+    /// A text that is not in a file.
+    pub fn new(name: &str, text: impl Into<String>) -> Self {
+        let text = text.into();
+        let mut document = Self {
+            name: name.into(),
+            path: None,
+            saved: text.clone(),
+            text,
+            history: History::default(),
+            scene: Ok(Arc::default()),
+        };
+        document.parse();
+        document
+    }
+
+    /// A scene of the gallery.
+    pub fn gallery(name: &str) -> Option<Self> {
+        Some(Self::new(name, gallery::text(name)?))
+    }
+
+    /// The text of a scene file.
+    pub fn of_file(path: &Path, text: impl Into<String>) -> Self {
+        let name = path.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
+        let mut document = Self { path: Some(path.to_owned()), ..Self::new(&name, text) };
+        document.parse();
+        document
+    }
+
+    /// The text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// What it says; or what is wrong with it, and where.
+    pub fn scene(&self) -> Result<&Arc<Scene>, &Error> {
+        self.scene.as_ref().map_err(Box::as_ref)
+    }
+
+    /// Whether there is something that is not saved.
+    pub fn changed(&self) -> bool {
+        self.text != self.saved
+    }
+
+    /// Makes it say something else, which can be undone.
+    pub fn edit(&mut self, text: String) {
+        if text != self.text {
+            self.history.push(std::mem::replace(&mut self.text, text));
+            self.parse();
+        }
+    }
+
+    /// Takes back the last edit; whether there was one.
+    pub fn undo(&mut self) -> bool {
+        let text = self.history.undo(&self.text);
+        self.replaced(text)
+    }
+
+    /// Takes back the last undo; whether there was one.
+    pub fn redo(&mut self) -> bool {
+        let text = self.history.redo(&self.text);
+        self.replaced(text)
+    }
+
+    fn replaced(&mut self, text: Option<String>) -> bool {
+        let found = text.is_some();
+        if let Some(text) = text {
+            self.text = text;
+            self.parse();
+        }
+        found
+    }
+
+    /// The text is now what its file holds.
+    pub fn mark_saved(&mut self) {
+        self.saved.clone_from(&self.text);
+    }
+
+    fn parse(&mut self) {
+        let file = match &self.path {
+            Some(path) => path.display().to_string(),
+            None => format!("{}.toml", self.name),
+        };
+        let folder = self.path.as_deref().and_then(Path::parent).map(Path::to_owned).unwrap_or_default();
+        self.scene = Scene::parse(&file, self.text.as_str()).map_err(Box::new).map(|mut scene| {
+            scene.origin.folder = folder;
+            Arc::new(scene)
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RING: &str = "[[group]]\nname = \"a\"\ncount = 6\nplace.ring = { radius = 4.0 }\n";
+
+    #[test]
+    fn edits_are_undone_and_done_again() {
+        let mut document = Document::new("ring", RING);
+        assert!(!document.changed() && !document.undo() && !document.redo());
+        document.edit(RING.replace('6', "9"));
+        assert_eq!(document.scene().unwrap().groups[0].count, Some(9));
+        assert!(document.changed() && document.undo() && !document.changed());
+        assert_eq!(document.scene().unwrap().groups[0].count, Some(6));
+        assert!(document.redo() && !document.redo());
+        assert_eq!(document.scene().unwrap().groups[0].count, Some(9));
+        document.mark_saved();
+        assert!(!document.changed());
+    }
+
+    #[test]
+    fn what_is_wrong_has_its_line() {
+        let mut document = Document::new("ring", RING);
+        document.edit(RING.replace("count", "cuont"));
+        let error = document.scene().unwrap_err();
+        assert_eq!(error.at.map(|(line, _)| line), Some(3), "{error}");
+        assert!(document.undo() && document.scene().is_ok());
+    }
+
+    #[test]
+    fn every_scene_of_the_gallery_opens() {
+        for name in gallery::names() {
+            assert!(Document::gallery(name).unwrap().scene().is_ok(), "{name}");
+        }
+        assert!(Document::gallery("no such scene").is_none());
+    }
+}

@@ -1,0 +1,29 @@
+//! The studio: where people see, prototype, direct and debug crowds; in a window, and the same in a web page.
+//!
+//! | room | what it holds |
+//! |---|---|
+//! | [`document`] | the scene's text, the one thing that is edited |
+//! | [`play`] | what plays it: commands in, states out |
+//! | [`view`] | cameras, and what is drawn by the graphics processor |
+//! | [`panels`] | what stands round the view |
+//! | [`keys`], [`settings`], [`state`] | the keyboard; what is remembered; what tests read |
+//!
+//! [`App`] puts them together. The text is the one document: what edits a scene edits the text, the player gets the scene
+//! that it says, and the view shows what the player has published.
+
+mod app;
+pub mod document;
+pub mod keys;
+mod outside;
+#[cfg(target_arch = "wasm32")]
+pub mod page;
+pub mod panels;
+pub mod play;
+pub mod settings;
+pub mod state;
+mod style;
+pub mod view;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod window;
+
+pub use app::{App, Options};

@@ -1,0 +1,111 @@
+//! In a window.
+
+use crate::Options;
+use crate::document::{Document, Watched};
+use crate::play::{Player, Shown, Threaded};
+use eframe::egui::{ColorImage, Context, ViewportCommand};
+use std::path::Path;
+use std::time::Duration;
+use throng_scene::gallery;
+
+/// A name of the gallery or a file, as a document.
+///
+/// # Errors
+/// It is neither; what to do about it.
+pub fn open(scene: &str) -> Result<Document, String> {
+    if let Some(document) = Document::gallery(scene) {
+        return Ok(document);
+    }
+    let path = Path::new(scene);
+    if path.exists() {
+        let text = std::fs::read_to_string(path).map_err(|error| format!("{scene} cannot be read: {error}"))?;
+        return Ok(Document::of_file(path, text));
+    }
+    Err(gallery::scene(scene).err().map_or_else(String::new, |error| error.to_string()))
+}
+
+/// A player that wakes the window.
+///
+/// # Errors
+/// The system starts no thread.
+pub fn player(ctx: &Context) -> Result<Player, String> {
+    let ctx = ctx.clone();
+    Threaded::start(move || ctx.request_repaint())
+        .map_err(|error| format!("the player's thread does not start: {error}"))
+}
+
+/// Threads work by themselves.
+pub fn work(_: &mut Player, _: &Context) {}
+
+/// The file of the document, watched.
+pub struct Outside {
+    watched: Option<Watched>,
+    /// Whether a picture has been asked for.
+    pictured: bool,
+}
+
+impl Outside {
+    /// Watches the file of a document, if it has one.
+    pub fn new(document: &Document) -> Self {
+        Self { watched: document.path.as_deref().map(Watched::new), pictured: false }
+    }
+
+    /// The text of the file, where somebody else has written it.
+    pub fn changed(&mut self, ctx: &Context) -> Option<String> {
+        let watched = self.watched.as_mut()?;
+        // a window that nobody touches looks too
+        ctx.request_repaint_after(Duration::from_millis(300));
+        watched.changed()
+    }
+
+    /// Writes a document to its file, or, of the gallery, to one of its name in the current folder.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn save(&mut self, document: &mut Document) -> Result<(), String> {
+        let path = document.path.clone().unwrap_or_else(|| format!("{}.toml", document.name).into());
+        if document.path.is_none() && path.exists() {
+            return Err(format!("there is a file {} already: save under another name", path.display()));
+        }
+        std::fs::write(&path, document.text())
+            .map_err(|error| format!("{} cannot be written: {error}", path.display()))?;
+        document.path = Some(path.clone());
+        document.mark_saved();
+        let watched = self.watched.get_or_insert_with(|| Watched::new(&path));
+        watched.know();
+        Ok(())
+    }
+
+    /// Takes the picture that the options ask for when its step is there, and closes the studio.
+    pub fn screenshot(&mut self, ctx: &Context, options: &Options, shown: &Shown) {
+        let Some(path) = options.screenshot.clone().filter(|_| !self.pictured) else { return };
+        ctx.request_repaint();
+        // panels need some frames to find their sizes
+        if shown.step == options.at_step && !shown.playing && ctx.cumulative_frame_nr() > 20 {
+            self.pictured = true;
+            let window = ctx.clone();
+            ctx.request_screenshot(move |image| {
+                if let Err(error) = write_png(&path, &image) {
+                    eprintln!("error: {} cannot be written: {error}", path.display());
+                }
+                window.send_viewport_cmd(ViewportCommand::Close);
+            });
+        }
+    }
+}
+
+/// Writes what is shown to the file that the options name.
+pub fn tell(options: &Options, state: &str) {
+    if let Some(path) = &options.state {
+        // a test that reads it sees that it is missing
+        let _ = std::fs::write(path, state);
+    }
+}
+
+fn write_png(path: &Path, image: &ColorImage) -> Result<(), Box<dyn std::error::Error>> {
+    let [width, height] = image.size.map(|side| side as u32);
+    let mut encoder = png::Encoder::new(std::io::BufWriter::new(std::fs::File::create(path)?), width, height);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.write_header()?.write_image_data(image.as_raw())?;
+    Ok(())
+}

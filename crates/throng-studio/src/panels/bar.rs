@@ -1,0 +1,90 @@
+//! The bar below the view: playing, the clock, cameras and colours.
+
+use super::icon::Icon;
+use crate::play::{Command, Shown, Speed};
+use crate::settings::Settings;
+use crate::view::{Coloring, Mode, View};
+use eframe::egui::{Align, ComboBox, DragValue, Layout, RichText, Slider, Ui};
+
+/// Shows the bar; what it asks the player to do.
+pub fn bar(ui: &mut Ui, shown: &Shown, settings: &mut Settings, view: &mut View) -> Vec<Command> {
+    let mut asked = Vec::new();
+    ui.horizontal(|ui| {
+        if Icon::Restart.button(ui, "restart (R)").clicked() {
+            asked.push(Command::Restart);
+        }
+        if Icon::Back.button(ui, "a step back (←)").clicked() {
+            asked.push(Command::Back);
+        }
+        let (play, icon, says) = match shown.playing {
+            true => (Command::Pause, Icon::Pause, "pause (Space)"),
+            false => (Command::Run, Icon::Run, "run (Space)"),
+        };
+        if icon.button(ui, says).clicked() {
+            asked.push(play);
+        }
+        if Icon::Step.button(ui, "a step on (→)").clicked() {
+            asked.push(Command::Step);
+        }
+        ui.separator();
+        timeline(ui, shown, &mut asked);
+        ui.separator();
+        speeds(ui, settings, &mut asked);
+        let mut seed = shown.seed;
+        ui.label("seed");
+        let most = i64::MAX as u64;
+        if ui
+            .add(DragValue::new(&mut seed).range(0..=most).update_while_editing(false))
+            .on_hover_text("of everything random")
+            .changed()
+        {
+            asked.push(Command::Seed(seed));
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| looks(ui, settings, view));
+    });
+    asked
+}
+
+/// The time, and where in the run it is: dragged, the run goes there.
+fn timeline(ui: &mut Ui, shown: &Shown, asked: &mut Vec<Command>) {
+    let time = &shown.scene.time;
+    ui.label(RichText::new(format!("{:6.2} s", shown.time())).monospace().size(15.0));
+    let last = (time.limit / time.step).round().max(1.0) as u64;
+    let mut step = shown.step;
+    let last = last.max(step);
+    ui.spacing_mut().slider_width = (ui.available_width() - 560.0).clamp(60.0, 420.0);
+    let slider = ui.add(Slider::new(&mut step, 0..=last).show_value(false));
+    if slider.on_hover_text(format!("step {} of at most {last}", shown.step)).changed() {
+        asked.push(Command::Seek(step));
+    }
+}
+
+fn speeds(ui: &mut Ui, settings: &mut Settings, asked: &mut Vec<Command>) {
+    let before = settings.speed;
+    ComboBox::from_id_salt("speed").width(78.0).selected_text(before.label()).show_ui(ui, |ui| {
+        for speed in Speed::ALL {
+            ui.selectable_value(&mut settings.speed, speed, speed.label());
+        }
+    });
+    if settings.speed != before {
+        asked.push(Command::Speed(settings.speed));
+    }
+}
+
+fn looks(ui: &mut Ui, settings: &mut Settings, view: &mut View) {
+    let mut mode = view.eye.mode();
+    ComboBox::from_id_salt("camera").width(108.0).selected_text(mode.label()).show_ui(ui, |ui| {
+        for other in Mode::ALL {
+            ui.selectable_value(&mut mode, other, other.label());
+        }
+    });
+    if mode != view.eye.mode() {
+        view.eye.set_mode(mode);
+    }
+    ComboBox::from_id_salt("colour").width(98.0).selected_text(settings.coloring.label()).show_ui(ui, |ui| {
+        for other in Coloring::ALL {
+            ui.selectable_value(&mut settings.coloring, other, other.label());
+        }
+    });
+    ui.label("by");
+}

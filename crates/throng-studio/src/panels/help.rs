@@ -1,0 +1,28 @@
+//! The help: every key, and what the mouse does.
+
+use crate::keys::KEYS;
+use eframe::egui::{Align2, Context, Grid, RichText, Window};
+
+const MOUSE: [(&str, &str); 6] = [
+    ("drag", "move the plan; go round in orbit"),
+    ("Shift drag, right drag", "move the target in orbit"),
+    ("wheel, pinch", "zoom at the pointer"),
+    ("click", "select an agent"),
+    ("double click", "see everything"),
+    ("drop a file", "open a scene"),
+];
+
+/// Shows the help while it is `open`.
+pub fn help(ctx: &Context, open: &mut bool) {
+    let window = Window::new("Help").open(open).collapsible(false).resizable(false);
+    window.anchor(Align2::CENTER_CENTER, [0.0, 0.0]).show(ctx, |ui| {
+        let rows = KEYS.iter().map(|(.., key, says)| (*key, *says)).chain(MOUSE);
+        Grid::new("keys").num_columns(2).spacing([24.0, 3.0]).show(ui, |ui| {
+            for (key, says) in rows {
+                ui.label(RichText::new(key).strong());
+                ui.label(says);
+                ui.end_row();
+            }
+        });
+    });
+}

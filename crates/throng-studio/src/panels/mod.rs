@@ -1,0 +1,14 @@
+//! What stands round the view: each panel shows a part of what is known, and tells what people ask for.
+
+mod bar;
+mod gallery;
+mod help;
+mod icon;
+mod summary;
+mod text;
+
+pub use bar::bar;
+pub use gallery::{Gallery, beside};
+pub use help::help;
+pub use summary::summary;
+pub use text::{Asked, text};

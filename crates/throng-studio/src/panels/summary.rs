@@ -1,0 +1,67 @@
+//! How the run goes: counts, figures, and what steps cost.
+
+use crate::play::Shown;
+use eframe::egui::{Grid, ProgressBar, RichText, Ui};
+use throng::Stage;
+
+/// Shows how the run goes.
+pub fn summary(ui: &mut Ui, shown: &Shown) {
+    ui.label(RichText::new(&shown.setting.title).heading());
+    if !shown.scene.description.is_empty() {
+        ui.label(RichText::new(&shown.scene.description).weak());
+    }
+    ui.add_space(6.0);
+    let summary = &shown.summary;
+    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+    let ratio = |ratio: f64| if ratio.is_finite() && ratio > 0.0 { format!("{ratio:.3}") } else { "–".into() };
+    let rows = [
+        ("agents", format!("{}", shown.frame.total), "here, gone, and yet to come"),
+        ("arrived", format!("{}", shown.frame.arrived), "at the end of their journeys"),
+        ("stuck", format!("{}", summary.stuck), "cannot reach their goal, or made no progress for 10 s"),
+        ("overlaps", format!("{}", summary.overlaps), "bodies and walls that overlapped by more than 1e-4 of a radius"),
+        (
+            "least separation",
+            ratio(summary.least_separation),
+            "distance of two centres over the sum of their radii; 1: they touched",
+        ),
+        ("time ratio", ratio(summary.time_ratio), "time over that of the shortest way at preferred speed"),
+        ("path ratio", ratio(summary.path_ratio), "way walked over the shortest way"),
+        (
+            "guard acted",
+            percent(summary.guard_share),
+            "share of agent-steps that the guard changed by more than a hundredth",
+        ),
+        ("heading change", format!("{:.1} °/s", summary.heading_change_deg_per_s), "mean turning of headings"),
+    ];
+    figures(ui, "figures", rows.into_iter());
+    if !shown.frame.standing.is_empty() {
+        ui.label(&shown.frame.standing);
+    }
+    ui.add_space(8.0);
+    ui.label(RichText::new("Steps").strong());
+    let cost = &shown.cost;
+    ui.add(ProgressBar::new(cost.usage.min(1.0) as f32).text(format!("usage {:.0} %", 100.0 * cost.usage)))
+        .on_hover_text("share of real time that steps take at this speed");
+    let micros = |seconds: f64| format!("{:.0} µs", 1e6 * seconds);
+    let stages = Stage::ALL
+        .into_iter()
+        .map(|stage| (stage.name(), micros(cost.stages[stage as usize]), "a step, in this stage"));
+    figures(ui, "stages", stages.chain([("a step", micros(cost.step), "all stages together")]));
+    ui.add_space(8.0);
+    let rows = [
+        ("step", format!("{}", shown.step), "steps made"),
+        ("state", format!("{:016x}", shown.hash), "hash of the state: the same for the same bits"),
+        ("kept", format!("{:.1} MB", shown.kept as f64 / 1e6), "states to go back to"),
+    ];
+    figures(ui, "state", rows.into_iter());
+}
+
+fn figures<'a>(ui: &mut Ui, name: &str, rows: impl Iterator<Item = (&'a str, String, &'a str)>) {
+    Grid::new(name).num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
+        for (name, value, says) in rows {
+            ui.label(RichText::new(name).weak()).on_hover_text(says);
+            ui.label(RichText::new(value).monospace());
+            ui.end_row();
+        }
+    });
+}

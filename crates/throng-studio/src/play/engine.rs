@@ -1,0 +1,223 @@
+//! What plays: it takes commands, makes the steps that are due, and tells what there is to see.
+
+use super::pace::{Pace, Speed};
+use super::run::Run;
+use super::shown::{Shown, Trouble};
+use std::sync::Arc;
+use std::time::Duration;
+use throng::Asked;
+use throng_scene::Scene;
+use web_time::Instant;
+
+/// What one can tell a player to do.
+#[derive(Clone, Debug)]
+pub enum Command {
+    /// Plays another scene from its start, paused or not; if it cannot be built, the one before goes on.
+    Load {
+        /// What it is called.
+        name: Arc<str>,
+        /// The scene.
+        scene: Arc<Scene>,
+        /// Whether it begins to run.
+        run: bool,
+    },
+    /// Goes on; after the end, from the start.
+    Run,
+    /// Stops.
+    Pause,
+    /// Stops at a step, wherever it is: on from here, or back.
+    Seek(u64),
+    /// Stops a step later.
+    Step,
+    /// Stops a step earlier.
+    Back,
+    /// Begins again.
+    Restart,
+    /// Begins again with another seed.
+    Seed(u64),
+    /// Plays faster or slower.
+    Speed(Speed),
+    /// Who tells why they go where they go.
+    Ask(Asked),
+}
+
+/// Plays scenes: [`command`](Self::command) it, let it [`work`](Self::work), and look at what is [`shown`](Self::shown).
+pub struct Engine {
+    run: Option<Run>,
+    /// How many runs have begun.
+    runs: u64,
+    pace: Pace,
+    playing: bool,
+    /// The step it is on its way to, however fast that goes.
+    goal: Option<u64>,
+    asked: Asked,
+    trouble: Option<Trouble>,
+}
+
+impl Default for Engine {
+    fn default() -> Self {
+        Self {
+            run: None,
+            runs: 0,
+            pace: Pace::new(Speed::Times(1.0), Instant::now()),
+            playing: false,
+            goal: None,
+            asked: Asked::Nobody,
+            trouble: None,
+        }
+    }
+}
+
+impl Engine {
+    /// Does what it is told.
+    pub fn command(&mut self, command: Command) {
+        match command {
+            Command::Load { name, scene, run } => self.load(name, scene, run),
+            Command::Run if self.over() => {
+                self.restart(None);
+                self.playing = true;
+            }
+            Command::Run => (self.playing, self.goal) = (self.run.is_some(), None),
+            Command::Pause => (self.playing, self.goal) = (false, None),
+            Command::Seek(step) => self.seek(step),
+            Command::Step => self.seek(self.step() + 1),
+            Command::Back => self.seek(self.step().saturating_sub(1)),
+            Command::Restart => self.restart(None),
+            Command::Seed(seed) => self.restart(Some(seed)),
+            Command::Speed(speed) => self.pace = Pace::new(speed, Instant::now()),
+            Command::Ask(asked) => {
+                self.asked = asked.clone();
+                if let Some(run) = &mut self.run {
+                    run.world.ask(asked);
+                }
+            }
+        }
+    }
+
+    fn load(&mut self, name: Arc<str>, scene: Arc<Scene>, go: bool) {
+        match Run::new(name, scene) {
+            Ok(mut run) => {
+                run.world.ask(self.asked.clone());
+                self.runs += 1;
+                (self.run, self.trouble, self.goal, self.playing) = (Some(run), None, None, go);
+            }
+            Err(trouble) => self.trouble = Some(trouble),
+        }
+    }
+
+    fn restart(&mut self, seed: Option<u64>) {
+        let Some(run) = &self.run else { return };
+        let mut scene = run.scene.clone();
+        if let Some(seed) = seed.filter(|seed| *seed != scene.seed) {
+            Arc::make_mut(&mut scene).seed = seed;
+        }
+        self.load(run.name.clone(), scene, self.playing);
+    }
+
+    fn seek(&mut self, step: u64) {
+        self.playing = false;
+        self.goal = Some(step);
+        if let Some(run) = self.run.as_mut().filter(|run| step < run.world.steps()) {
+            run.back_to(step);
+            self.trouble = None;
+        }
+    }
+
+    fn step(&self) -> u64 {
+        self.run.as_ref().map_or(0, |run| run.world.steps())
+    }
+
+    fn over(&self) -> bool {
+        self.run.as_ref().is_some_and(Run::over)
+    }
+
+    /// Makes the steps that are due, for as long as `budget` at most, or until one more is made than fits; whether there is
+    /// something new to see.
+    pub fn work(&mut self, budget: Duration) -> bool {
+        let begin = Instant::now();
+        self.pace.pass(begin, self.playing);
+        let mut made = 0;
+        while begin.elapsed() < budget && self.due() {
+            let Some(run) = &mut self.run else { break };
+            if let Err(trouble) = run.step() {
+                (self.trouble, self.playing, self.goal) = (Some(trouble), false, None);
+                return true;
+            }
+            made += 1;
+            let step = run.world.steps();
+            // on the way to a step only the last two are looked at
+            if self.goal.is_none_or(|goal| step + 1 >= goal) {
+                run.see();
+            }
+        }
+        let Some(run) = &mut self.run else { return false };
+        if run.frame.time != run.world.time() {
+            run.see();
+        }
+        if begin.elapsed() >= budget {
+            self.pace.let_go(run.scene.time.step);
+        }
+        let usage = match self.pace.speed {
+            Speed::Fastest => 1.0,
+            Speed::Times(times) => run.cost.step * times / run.scene.time.step,
+        };
+        run.cost.usage = if self.playing { usage } else { 0.0 };
+        let arrived = self.goal.is_some_and(|goal| run.world.steps() >= goal);
+        if arrived {
+            self.goal = None;
+        }
+        let ended = self.playing && run.over();
+        if ended {
+            self.playing = false;
+        }
+        made > 0 || arrived || ended
+    }
+
+    /// Whether a step is to be made now.
+    fn due(&mut self) -> bool {
+        let Some(run) = &self.run else { return false };
+        match self.goal {
+            Some(goal) => run.world.steps() < goal,
+            None => self.playing && !run.over() && self.pace.take(run.scene.time.step),
+        }
+    }
+
+    /// How long nothing is to be done; `None`: until the next command.
+    pub fn idle(&self) -> Option<Duration> {
+        let run = self.run.as_ref()?;
+        match (self.goal, self.playing) {
+            (Some(_), _) => Some(Duration::ZERO),
+            (None, true) => Some(self.pace.wait(run.scene.time.step)),
+            (None, false) => None,
+        }
+    }
+
+    /// What there is to see; `None` before the first scene.
+    pub fn shown(&mut self) -> Option<Arc<Shown>> {
+        let run = self.run.as_mut()?;
+        Some(Arc::new(Shown {
+            name: run.name.clone(),
+            scene: run.scene.clone(),
+            setting: run.setting.clone(),
+            first: run.first.clone(),
+            bounds: run.bounds,
+            run: self.runs,
+            frame: run.frame.clone(),
+            before: run.before.clone(),
+            step: run.world.steps(),
+            seed: run.scene.seed,
+            playing: self.playing,
+            over: run.over(),
+            cost: run.cost,
+            summary: run.summary(!self.playing),
+            hash: run.world.state_hash(),
+            kept: run.history.bytes(),
+            pace: self.pace,
+        }))
+    }
+
+    /// What went wrong last.
+    pub fn trouble(&self) -> Option<Trouble> {
+        self.trouble.clone()
+    }
+}

@@ -1,0 +1,26 @@
+//! Playing a scene: commands go in, states come out.
+//!
+//! An [`Engine`] owns the scene and the world that was made of it. In a window it runs in a thread of its own
+//! ([`Threaded`]); in a web page, where there are none, the page lets it work a slice of each frame. Either is a [`Player`].
+
+mod engine;
+mod history;
+mod pace;
+mod run;
+mod shown;
+#[cfg(not(target_arch = "wasm32"))]
+mod threaded;
+
+pub use engine::{Command, Engine};
+pub use history::History;
+pub use pace::{Pace, Speed};
+pub use shown::{Cost, Shown, Trouble};
+#[cfg(not(target_arch = "wasm32"))]
+pub use threaded::Threaded;
+
+/// What plays scenes here.
+#[cfg(not(target_arch = "wasm32"))]
+pub type Player = Threaded;
+/// What plays scenes here.
+#[cfg(target_arch = "wasm32")]
+pub type Player = Engine;

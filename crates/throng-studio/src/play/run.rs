@@ -1,0 +1,128 @@
+//! One scene being played: its world, what it looks like, and where it has been.
+
+use super::history::History;
+use super::shown::{Cost, Trouble};
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use throng::{Stage, Summary, World};
+use throng_draw::WorldBox;
+use throng_record::{Frame, Setting, moment};
+use throng_scene::Scene;
+use web_time::Instant;
+
+/// Bytes of states that are kept to go back to.
+const MEMORY: usize = 256 << 20;
+/// How much of the cost of a step is the last one's.
+const FRESH: f64 = 0.1;
+
+/// A scene, its world, and what is to be seen of it.
+pub(super) struct Run {
+    pub name: Arc<str>,
+    pub scene: Arc<Scene>,
+    pub world: World,
+    pub setting: Arc<Setting>,
+    pub bounds: WorldBox,
+    pub first: Arc<Frame>,
+    pub before: Arc<Frame>,
+    pub frame: Arc<Frame>,
+    pub cost: Cost,
+    pub history: History,
+    summary: (Instant, Arc<Summary>),
+}
+
+impl Run {
+    /// Builds the scene's world.
+    pub fn new(name: Arc<str>, scene: Arc<Scene>) -> Result<Self, Trouble> {
+        let built = guarded(|| scene.build())?;
+        let (world, built) = built.map_err(|error| Trouble::Scene(Box::new(error)))?;
+        let title = if scene.title.is_empty() { &name } else { scene.title.as_str() };
+        let setting = moment::setting(&world, &built, title);
+        let mut frame = Frame::default();
+        moment::capture(&world, &mut frame);
+        let frame = Arc::new(frame);
+        let [min, max] = built.bounds;
+        let mut run = Self {
+            bounds: WorldBox::of(&setting, &frame).unwrap_or(WorldBox { min, max }),
+            setting: Arc::new(setting),
+            first: frame.clone(),
+            before: frame.clone(),
+            frame,
+            cost: Cost::default(),
+            history: History::new(MEMORY),
+            summary: (Instant::now(), Arc::new(world.summary())),
+            name,
+            scene,
+            world,
+        };
+        run.keep();
+        Ok(run)
+    }
+
+    /// Whether the scene has ended.
+    pub fn over(&self) -> bool {
+        self.scene.time.over(&self.world)
+    }
+
+    /// Makes one step.
+    pub fn step(&mut self) -> Result<(), Trouble> {
+        let begin = Instant::now();
+        let (mut last, mut stages) = (begin, [0.0; 5]);
+        guarded(|| {
+            self.world.step_in_stages(|stage: Stage| {
+                let now = Instant::now();
+                stages[stage as usize] += (now - last).as_secs_f64();
+                last = now;
+            });
+        })?;
+        let share = if self.world.steps() == 1 { 1.0 } else { FRESH };
+        let mix = |old: &mut f64, new: f64| *old += (new - *old) * share;
+        self.cost.stages.iter_mut().zip(stages).for_each(|(old, new)| mix(old, new));
+        mix(&mut self.cost.step, begin.elapsed().as_secs_f64());
+        self.keep();
+        Ok(())
+    }
+
+    /// Goes to the last state that is kept of a step or of one before it.
+    pub fn back_to(&mut self, step: u64) {
+        if let Some(state) = self.history.nearest(step) {
+            // a state of this very world: it is whole
+            let loaded = self.world.load(state);
+            debug_assert!(loaded.is_ok(), "{loaded:?}");
+            self.see();
+            self.before = self.frame.clone();
+        }
+    }
+
+    /// What is there now is to be seen.
+    pub fn see(&mut self) {
+        let mut next = std::mem::replace(&mut self.before, self.frame.clone());
+        // memory of moments that nobody looks at any more is used again
+        moment::capture(&self.world, Arc::make_mut(&mut next));
+        self.frame = next;
+    }
+
+    /// How it went so far: counted anew where `fresh`, else now and then.
+    pub fn summary(&mut self, fresh: bool) -> Arc<Summary> {
+        if fresh || self.summary.0.elapsed().as_secs_f64() > 0.2 {
+            self.summary = (Instant::now(), Arc::new(self.world.summary()));
+        }
+        self.summary.1.clone()
+    }
+
+    fn keep(&mut self) {
+        let step = self.world.steps();
+        if self.history.wants(step) {
+            self.history.push(step, self.world.save());
+        }
+    }
+}
+
+/// Runs code of a scene: a panic in it becomes what it says.
+fn guarded<T>(code: impl FnOnce() -> T) -> Result<T, Trouble> {
+    catch_unwind(AssertUnwindSafe(code)).map_err(|panic: Box<dyn Any + Send>| {
+        let says = panic.downcast_ref::<String>().map(String::as_str);
+        let says = says.or_else(|| panic.downcast_ref::<&str>().copied());
+        Trouble::Panic(says.unwrap_or("without a word").into())
+    })
+}

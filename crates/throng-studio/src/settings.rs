@@ -1,0 +1,68 @@
+//! What the studio remembers from one time to the next.
+
+use crate::play::Speed;
+use crate::view::Coloring;
+use serde::{Deserialize, Serialize};
+use throng_draw::Theme;
+
+/// What people have chosen.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Settings {
+    /// Light on dark ground.
+    pub dark: bool,
+    /// Whether there is a grid on the ground.
+    pub grid: bool,
+    /// Length of the trails, seconds; 0 for none.
+    pub trails: f32,
+    /// What the colour of an agent says.
+    pub coloring: Coloring,
+    /// How fast scenes play.
+    pub speed: Speed,
+    /// Whether what the selected agent has in mind is drawn.
+    pub annotations: bool,
+    /// Which panels are open.
+    pub panels: Panels,
+    /// The scene that was open last: a name of the gallery or a file.
+    pub scene: String,
+}
+
+/// Which panels are open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Panels {
+    /// The scenes that come with the project.
+    pub gallery: bool,
+    /// The scene's text.
+    pub text: bool,
+    /// How the run goes.
+    pub summary: bool,
+}
+
+impl Default for Panels {
+    fn default() -> Self {
+        Self { gallery: true, text: false, summary: true }
+    }
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            dark: false,
+            grid: true,
+            trails: 1.5,
+            coloring: Coloring::Group,
+            speed: Speed::Times(1.0),
+            annotations: true,
+            panels: Panels::default(),
+            scene: "circle".into(),
+        }
+    }
+}
+
+impl Settings {
+    /// The colours of everything but the agents.
+    pub fn theme(&self) -> Theme {
+        if self.dark { Theme::dark() } else { Theme::light() }
+    }
+}

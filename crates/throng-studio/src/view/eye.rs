@@ -1,0 +1,319 @@
+//! Cameras: where the eye is, what moves it, and how it gets there.
+
+use glam::{DVec2, DVec3, Vec2};
+use throng_draw::{Camera, Lens, Projector, WorldBox};
+
+/// How the world is looked at.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub enum Mode {
+    /// From straight above, true to scale.
+    #[default]
+    Plan,
+    /// From a point that goes round what it looks at.
+    Orbit,
+    /// Behind the selected agent, drawn along at a fixed distance.
+    Distance,
+    /// At a fixed place beside the selected agent: it turns with it.
+    Offset,
+    /// With the eyes of the selected agent.
+    PointOfView,
+    /// From above the selected agent.
+    Down,
+}
+
+impl Mode {
+    /// All of them, in the order in which `c` goes through them.
+    pub const ALL: [Self; 6] = [Self::Plan, Self::Orbit, Self::Distance, Self::Offset, Self::PointOfView, Self::Down];
+
+    /// What it is called.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Plan => "plan",
+            Self::Orbit => "orbit",
+            Self::Distance => "fixed distance",
+            Self::Offset => "local offset",
+            Self::PointOfView => "point of view",
+            Self::Down => "straight down",
+        }
+    }
+
+    /// Whether it looks at an agent.
+    pub fn follows(self) -> bool {
+        !matches!(self, Self::Plan | Self::Orbit)
+    }
+
+    /// The next one.
+    pub fn next(self) -> Self {
+        let now = Self::ALL.iter().position(|&mode| mode == self).unwrap_or_default();
+        Self::ALL[(now + 1) % Self::ALL.len()]
+    }
+}
+
+/// Whom an eye follows.
+#[derive(Clone, Copy, Debug)]
+pub struct Followed {
+    /// Its middle.
+    pub center: DVec3,
+    /// Where it faces, of length 1.
+    pub forward: DVec3,
+    /// Its radius, metres.
+    pub radius: f64,
+}
+
+/// The angle between the top and the bottom of a picture in perspective, radians.
+const FIELD_OF_VIEW: f64 = 0.66;
+/// From where an orbit begins: so far round from +x, and above the ground.
+const AZIMUTH: f64 = -2.0;
+const ELEVATION: f64 = 0.6;
+/// How near and how far an eye goes.
+const DISTANCES: (f64, f64) = (0.5, 20_000.0);
+/// Points of the screen a metre takes, least and most.
+const SCALES: (f64, f64) = (0.005, 5_000.0);
+/// How fast an eye gets where it wants to be, a second.
+const HASTE: f64 = 7.0;
+/// Radians that a point of the screen turns an orbit.
+const TURN: f64 = 0.006;
+
+/// From where one looks, and to where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Sight {
+    eye: DVec3,
+    target: DVec3,
+}
+
+/// An eye: what it is told to look at, and where it is on its way there.
+#[derive(Clone, Copy, Debug)]
+pub struct Eye {
+    mode: Mode,
+    center: DVec2,
+    scale: f64,
+    target: DVec3,
+    azimuth: f64,
+    elevation: f64,
+    distance: f64,
+    /// Distance to who is followed, in radii.
+    aside: f64,
+    followed: Option<Followed>,
+    shown: Sight,
+    /// How far everything reaches from its middle, metres.
+    reach: f64,
+}
+
+impl Default for Eye {
+    fn default() -> Self {
+        let mut eye = Self {
+            mode: Mode::Plan,
+            center: DVec2::ZERO,
+            scale: 30.0,
+            target: DVec3::ZERO,
+            azimuth: AZIMUTH,
+            elevation: ELEVATION,
+            distance: 30.0,
+            aside: 30.0,
+            followed: None,
+            shown: Sight { eye: DVec3::Z, target: DVec3::ZERO },
+            reach: 10.0,
+        };
+        eye.shown = eye.wanted();
+        eye
+    }
+}
+
+impl Eye {
+    /// How it looks at the world.
+    pub fn mode(&self) -> Mode {
+        self.mode
+    }
+
+    /// Looks at the world another way; it gets there smoothly.
+    pub fn set_mode(&mut self, mode: Mode) {
+        if self.mode == Mode::Plan && mode == Mode::Orbit {
+            self.target = self.center.extend(self.target.z);
+        }
+        self.mode = mode;
+    }
+
+    /// Sees all of a box `height` metres high on a picture of this size, points of the screen.
+    pub fn fit(&mut self, bounds: WorldBox, height: f64, size: Vec2) {
+        let margin = Vec2::splat(28.0).min(size * 0.1);
+        let camera = Camera::fit(bounds, margin, size - margin);
+        (self.center, self.scale) = (camera.center, camera.scale.clamp(SCALES.0, SCALES.1));
+        let extent = (bounds.max - bounds.min).extend(height);
+        self.reach = 0.5 * extent.length().max(1.0);
+        self.target = camera.center.extend(0.5 * height);
+        (self.azimuth, self.elevation) = (AZIMUTH, ELEVATION);
+        let narrow = f64::from((size.x / size.y.max(1.0)).min(1.0));
+        self.distance = self.reach / (0.5 * FIELD_OF_VIEW).tan() / narrow.max(0.1) * 0.92;
+        self.shown = self.wanted();
+    }
+
+    /// Drags the world, or, `turning`, goes round it.
+    pub fn drag(&mut self, by: Vec2, turning: bool, size: Vec2) {
+        let by = by.as_dvec2();
+        match self.mode {
+            Mode::Plan => self.center -= DVec2::new(by.x, -by.y) / self.scale,
+            Mode::Orbit if !turning => {
+                let metres = self.distance / self.focal(size);
+                let ahead = -DVec2::from_angle(self.azimuth);
+                let shift = -ahead.perp() * -by.x + ahead * by.y / self.elevation.sin().max(0.2);
+                self.target += (shift * metres).extend(0.0);
+            }
+            _ => {
+                self.azimuth -= by.x * TURN;
+                self.elevation = (self.elevation + by.y * TURN).clamp(0.03, 1.55);
+            }
+        }
+        self.arrive();
+    }
+
+    /// Comes nearer by a factor; from straight above what is at the pixel `at` stays there.
+    pub fn zoom(&mut self, at: Vec2, factor: f64, size: Vec2) {
+        match self.mode {
+            Mode::Plan => {
+                let held = self.plan(size).point(at);
+                self.scale = (self.scale * factor).clamp(SCALES.0, SCALES.1);
+                self.center += held - self.plan(size).point(at);
+            }
+            Mode::Orbit => self.distance = (self.distance / factor).clamp(DISTANCES.0, DISTANCES.1),
+            _ => self.aside = (self.aside / factor).clamp(4.0, 2000.0),
+        }
+        self.arrive();
+    }
+
+    /// Lets `seconds` pass beside who is followed.
+    pub fn settle(&mut self, followed: Option<Followed>, seconds: f64) {
+        self.followed = followed.or(self.followed);
+        let (wanted, part) = (self.wanted(), 1.0 - (-HASTE * seconds).exp());
+        self.shown.eye = self.shown.eye.lerp(wanted.eye, part);
+        self.shown.target = self.shown.target.lerp(wanted.target, part);
+    }
+
+    /// Whether it is still on its way.
+    pub fn moves(&self) -> bool {
+        let wanted = self.wanted();
+        let off = self.shown.eye.distance(wanted.eye) + self.shown.target.distance(wanted.target);
+        self.mode != Mode::Plan && off > 1e-3 * wanted.eye.distance(wanted.target)
+    }
+
+    /// What the hand moves is there at once.
+    fn arrive(&mut self) {
+        if !self.mode.follows() {
+            self.shown = self.wanted();
+        }
+    }
+
+    fn wanted(&self) -> Sight {
+        let out = DVec2::from_angle(self.azimuth).extend(0.0) * self.elevation.cos() + DVec3::Z * self.elevation.sin();
+        let orbit = Sight { eye: self.target + out * self.distance, target: self.target };
+        let Some(Followed { center, forward, radius }) = self.followed.filter(|_| self.mode.follows()) else {
+            return orbit;
+        };
+        let away = self.aside * radius;
+        let level = forward.with_z(0.0).normalize_or(DVec3::X);
+        let left = DVec3::Z.cross(level);
+        match self.mode {
+            // drawn along: it keeps the side it is on
+            Mode::Distance => {
+                let behind = (self.shown.eye - center).with_z(0.0).normalize_or(-level);
+                Sight { eye: center + (behind * 0.85 + DVec3::Z * 0.5) * away, target: center }
+            }
+            Mode::Offset => Sight { eye: center + (level * -0.6 + left * 0.6 + DVec3::Z * 0.5) * away, target: center },
+            Mode::PointOfView => {
+                let eye = center + DVec3::Z * 1.5 * radius - forward * 2.0 * radius;
+                Sight { eye, target: eye + forward * 20.0 * radius - DVec3::Z * radius }
+            }
+            _ => Sight { eye: center + DVec3::Z * away * 1.5, target: center },
+        }
+    }
+
+    fn focal(&self, size: Vec2) -> f64 {
+        0.5 * f64::from(size.y) / (0.5 * FIELD_OF_VIEW).tan()
+    }
+
+    fn plan(&self, size: Vec2) -> Camera {
+        Camera { center: self.center, anchor: size * 0.5, scale: self.scale }
+    }
+
+    /// From the world to a picture of this size, points of the screen.
+    pub fn projector(&self, size: Vec2) -> Projector {
+        match self.mode {
+            Mode::Plan => Projector::Plan(self.plan(size)),
+            _ => {
+                let Sight { eye, target } = self.shown;
+                Projector::Perspective(Lens::new(eye, target, self.focal(size), size * 0.5, self.reach))
+            }
+        }
+    }
+}
+
+/// The point of the ground that a pixel shows; `None` above the horizon.
+pub fn ground(projector: &Projector, pixel: Vec2) -> Option<DVec2> {
+    match projector {
+        Projector::Plan(camera) => Some(camera.point(pixel)),
+        Projector::Perspective(lens) => {
+            let sight = lens.sight(pixel);
+            let way = -lens.eye.z / sight.z;
+            (way > 0.0 && way.is_finite()).then(|| (lens.eye + sight * way).truncate())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: Vec2 = Vec2::new(800.0, 600.0);
+
+    fn eye(mode: Mode) -> Eye {
+        let mut eye = Eye::default();
+        eye.set_mode(mode);
+        eye.fit(WorldBox { min: DVec2::new(-1810.0, 3.0), max: DVec2::new(-1790.0, 13.0) }, 2.0, SIZE);
+        eye
+    }
+
+    #[test]
+    fn from_the_screen_to_the_ground_and_back() {
+        for mode in [Mode::Plan, Mode::Orbit] {
+            let projector = eye(mode).projector(SIZE);
+            for pixel in [Vec2::new(400.0, 300.0), Vec2::new(120.0, 500.0), Vec2::new(700.0, 250.0)] {
+                let point = ground(&projector, pixel).unwrap();
+                assert!(projector.pixel(point.extend(0.0)).unwrap().distance(pixel) < 1e-2, "{mode:?} {pixel}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_at_the_pointer_stays_there() {
+        let mut eye = eye(Mode::Plan);
+        let pointer = Vec2::new(150.0, 480.0);
+        let held = ground(&eye.projector(SIZE), pointer).unwrap();
+        eye.zoom(pointer, 3.0, SIZE);
+        assert!(ground(&eye.projector(SIZE), pointer).unwrap().distance(held) < 1e-6);
+        eye.drag(Vec2::new(30.0, -20.0), false, SIZE);
+        assert!(ground(&eye.projector(SIZE), pointer + Vec2::new(30.0, -20.0)).unwrap().distance(held) < 1e-6);
+    }
+
+    #[test]
+    fn everything_is_seen_from_everywhere() {
+        for mode in [Mode::Plan, Mode::Orbit] {
+            let projector = eye(mode).projector(SIZE);
+            for corner in [(-1810.0, 3.0, 0.0), (-1790.0, 13.0, 2.0), (-1810.0, 13.0, 2.0)] {
+                let pixel = projector.pixel(corner.into()).unwrap();
+                assert!(pixel.cmpge(Vec2::ZERO).all() && pixel.cmple(SIZE).all(), "{mode:?}: {pixel}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_eye_comes_to_whom_it_follows() {
+        let followed = Followed { center: DVec3::new(5.0, 5.0, 0.0), forward: DVec3::X, radius: 0.3 };
+        for mode in Mode::ALL.into_iter().filter(|mode| mode.follows()) {
+            let mut eye = eye(mode);
+            (0..300).for_each(|_| eye.settle(Some(followed), 0.02));
+            assert!(!eye.moves(), "{mode:?}");
+            let seen = eye.projector(SIZE).pixel(followed.center).unwrap();
+            assert!(seen.distance(SIZE * 0.5) < 220.0, "{mode:?}: {seen}");
+        }
+        assert_eq!(Mode::ALL.iter().fold(Mode::Plan, |mode, _| mode.next()), Mode::Plan);
+    }
+}

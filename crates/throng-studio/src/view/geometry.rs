@@ -1,0 +1,188 @@
+//! What is drawn: areas, discs and lines, relative to the world's origin, as they are handed to the graphics processor.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{DVec2, Vec2, Vec3};
+use throng_draw::{Coat, Color};
+use throng_record::Body;
+
+/// Red, green, blue and opacity, not multiplied in.
+type Paint = [u8; 4];
+
+/// A corner of a triangle.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+pub struct Corner {
+    at: Vec3,
+    color: Paint,
+}
+
+/// A line, as wide on the screen everywhere.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+pub struct Line {
+    from: Vec3,
+    to: Vec3,
+    color: Paint,
+    /// Width, and length of dashes and gaps (0: none), points of the screen.
+    stroke: Vec2,
+}
+
+/// A body that lies level, on its way from one state to the next.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+pub struct Disc {
+    before: [f32; 4],
+    now: [f32; 4],
+    /// Radius, half extents of the core, and 0.
+    body: [f32; 4],
+    /// Width of the rim, points of the screen (negative: part of the radius); least radius, points; opacity of the notch; 0.
+    look: [f32; 4],
+    fill: Paint,
+    rim: Paint,
+}
+
+/// The least radius an agent is drawn with, points of the screen.
+const LEAST_RADIUS: f32 = 1.5;
+
+impl Disc {
+    /// An agent on its way from `before` to `now`.
+    pub fn agent(before: &Body, now: &Body, coat: Coat, origin: DVec2) -> Self {
+        let stranded = now.status == throng::Status::Stranded;
+        Self {
+            before: pose(before, origin),
+            now: pose(now, origin),
+            body: [now.radius, now.core.x, now.core.y, 0.0],
+            look: [if stranded { -0.34 } else { -0.13 }, LEAST_RADIUS, 1.0, 0.0],
+            fill: paint(coat.fill),
+            rim: paint(coat.rim),
+        }
+    }
+
+    /// A ring round an agent.
+    pub fn round_agent(before: &Body, now: &Body, color: Color, origin: DVec2) -> Self {
+        let disc = Self::agent(before, now, Coat { fill: color.alpha(0.0), rim: color }, origin);
+        let [radius, along, across, rest] = disc.body;
+        Self { body: [1.35 * radius, along, across, rest], look: [1.8, 6.0, 0.0, 0.0], ..disc }
+    }
+
+    /// How high it is.
+    pub fn altitude(&self) -> f32 {
+        self.now[2]
+    }
+
+    /// A disc with a rim of this width and of at least this radius, points of the screen.
+    pub fn round(center: Vec3, radius: f32, fill: Color, rim: (f32, Color), least: f32) -> Self {
+        let at = center.extend(0.0).to_array();
+        let (width, rim) = rim;
+        let (fill, rim) = (paint(fill), paint(rim));
+        Self { before: at, now: at, body: [radius, 0.0, 0.0, 0.0], look: [width, least, 0.0, 0.0], fill, rim }
+    }
+}
+
+fn pose(body: &Body, origin: DVec2) -> [f32; 4] {
+    (body.position - origin).as_vec2().extend(body.altitude).extend(body.heading).to_array()
+}
+
+fn paint(color: Color) -> Paint {
+    [color.r, color.g, color.b, color.a]
+}
+
+/// What one layer of a picture holds: areas, over them discs, over them lines.
+#[derive(Clone, Debug, Default)]
+pub struct Geometry {
+    /// Triangles, three corners each.
+    pub areas: Vec<Corner>,
+    /// Bodies and round things.
+    pub discs: Vec<Disc>,
+    /// Lines.
+    pub lines: Vec<Line>,
+}
+
+impl Geometry {
+    /// Adds a polygon with holes: rings of corners, the outer one first.
+    pub fn area(&mut self, rings: &[Vec<DVec2>], origin: DVec2, color: Color) {
+        let corners: Vec<[f64; 2]> = rings.iter().flatten().map(|&corner| (corner - origin).to_array()).collect();
+        if corners.len() < 3 || corners.iter().flatten().any(|x| !x.is_finite()) {
+            return;
+        }
+        let holes = rings.iter().scan(0, |end, ring| {
+            *end += ring.len();
+            Some(*end)
+        });
+        let holes: Vec<u32> = holes.take(rings.len() - 1).map(|hole| hole as u32).collect();
+        let mut triangles: Vec<u32> = Vec::new();
+        earcut::Earcut::new().earcut(corners.iter().copied(), &holes, &mut triangles);
+        let corner = |k: u32| {
+            let [x, y] = corners[k as usize];
+            Corner { at: Vec3::new(x as f32, y as f32, 0.0), color: paint(color) }
+        };
+        self.areas.extend(triangles.into_iter().map(corner));
+    }
+
+    /// Adds a flat convex polygon in space.
+    pub fn facet(&mut self, corners: &[Vec3], color: Color) {
+        let color = paint(color);
+        for pair in corners.windows(2).skip(1) {
+            self.areas.extend([corners[0], pair[0], pair[1]].map(|at| Corner { at, color }));
+        }
+    }
+
+    /// Adds a level ribbon through points: where, half the width there, metres, and the colour.
+    pub fn ribbon(&mut self, ends: &[(Vec3, f32, Color)]) {
+        let sides = |k: usize| {
+            let (at, half, color) = ends[k];
+            let along = ends[(k + 1).min(ends.len() - 1)].0 - ends[k.saturating_sub(1)].0;
+            let aside = along.truncate().perp().normalize_or_zero().extend(0.0) * half;
+            [at + aside, at - aside].map(|at| Corner { at, color: paint(color) })
+        };
+        for k in 1..ends.len() {
+            let ([a, b], [c, d]) = (sides(k - 1), sides(k));
+            self.areas.extend([a, b, c, c, b, d]);
+        }
+    }
+
+    /// Adds a line through points.
+    pub fn line(&mut self, points: &[Vec3], closed: bool, stroke: Stroke) {
+        let Stroke { width, color, dash } = stroke;
+        let (color, stroke) = (paint(color), Vec2::new(width, dash));
+        let ends = points.windows(2).map(|pair| (pair[0], pair[1]));
+        let back = points.last().zip(points.first()).filter(|_| closed).map(|(&last, &first)| (last, first));
+        let lines = ends.chain(back).filter(|(from, to)| from.is_finite() && to.is_finite());
+        self.lines.extend(lines.map(|(from, to)| Line { from, to, color, stroke }));
+    }
+}
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Stroke {
+    /// Points of the screen.
+    pub width: f32,
+    /// Its colour.
+    pub color: Color,
+    /// Length of dashes and gaps, points of the screen; 0 for none.
+    pub dash: f32,
+}
+
+impl Stroke {
+    /// Without dashes.
+    pub fn plain(width: f32, color: Color) -> Self {
+        Self { width, color, dash: 0.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_square_with_a_hole_keeps_its_area() {
+        let square =
+            |half: f64| [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| DVec2::new(x, y) * half);
+        let mut geometry = Geometry::default();
+        geometry.area(&[square(2.0).to_vec(), square(1.0).to_vec()], DVec2::ZERO, Color::rgb(0));
+        let area = |t: &[Corner]| 0.5 * (t[1].at - t[0].at).cross(t[2].at - t[0].at).length();
+        assert_eq!(geometry.areas.chunks(3).map(area).sum::<f32>(), 12.0);
+        geometry.area(&[vec![DVec2::NAN; 3]], DVec2::ZERO, Color::rgb(0));
+        assert_eq!(geometry.areas.len(), 24);
+    }
+}

@@ -1,0 +1,144 @@
+//! A program of shaders and what it is told.
+
+use super::{Buffer, Lighting};
+use eframe::glow::{self, HasContext};
+
+/// The names of the fields that shaders read, by place; no shader has two at one.
+const ATTRIBUTES: [(u32, &str); 12] = [
+    (0, "at"),
+    (0, "before"),
+    (0, "from"),
+    (1, "now"),
+    (1, "to"),
+    (2, "color"),
+    (2, "body"),
+    (3, "look"),
+    (3, "stroke"),
+    (4, "fill"),
+    (5, "rim"),
+    (6, "turn"),
+];
+
+/// The place of a field.
+pub(super) fn place(name: &str) -> u32 {
+    ATTRIBUTES.iter().find(|(_, known)| *known == name).map_or(0, |(place, _)| *place)
+}
+
+/// A field of the items of a buffer.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Attribute {
+    /// So many numbers.
+    Floats(i32),
+    /// Four bytes.
+    Colour,
+}
+
+impl Attribute {
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::Floats(count) => 4 * count as usize,
+            Self::Colour => 4,
+        }
+    }
+
+    /// How many, of what, and whether they stand for 0 to 1.
+    pub fn layout(self) -> (i32, u32, bool) {
+        match self {
+            Self::Floats(count) => (count, glow::FLOAT, false),
+            Self::Colour => (4, glow::UNSIGNED_BYTE, true),
+        }
+    }
+}
+
+/// Shaders that work together.
+pub(super) struct Program {
+    program: glow::Program,
+}
+
+const COMMON: &str = include_str!("shaders/common.glsl");
+
+impl Program {
+    pub fn new(gl: &glow::Context, vertex: &str, fragment: &str) -> Result<Self, String> {
+        // SAFETY: shaders and program are of this context; what they are made of is checked by it.
+        unsafe {
+            let header =
+                if gl.version().is_embedded { "#version 300 es\nprecision highp float;\n" } else { "#version 330\n" };
+            let program = gl.create_program()?;
+            let sources = [
+                (glow::VERTEX_SHADER, format!("{header}{COMMON}{vertex}")),
+                (glow::FRAGMENT_SHADER, format!("{header}{fragment}")),
+            ];
+            for (kind, source) in &sources {
+                let shader = gl.create_shader(*kind)?;
+                gl.shader_source(shader, source);
+                gl.compile_shader(shader);
+                if !gl.get_shader_compile_status(shader) {
+                    return Err(gl.get_shader_info_log(shader));
+                }
+                gl.attach_shader(program, shader);
+                gl.delete_shader(shader);
+            }
+            for (place, name) in ATTRIBUTES {
+                gl.bind_attrib_location(program, place, name);
+            }
+            gl.link_program(program);
+            if !gl.get_program_link_status(program) {
+                return Err(gl.get_program_info_log(program));
+            }
+            Ok(Self { program })
+        }
+    }
+
+    /// How the world is seen.
+    pub fn light(&self, gl: &glow::Context, lighting: &Lighting) {
+        // SAFETY: a uniform that the program does not have has no place, and is left alone.
+        unsafe {
+            gl.use_program(Some(self.program));
+            let at = |name| gl.get_uniform_location(self.program, name);
+            gl.uniform_matrix_4_f32_slice(at("clip").as_ref(), false, lighting.clip.as_ref());
+            gl.uniform_2_f32(at("size").as_ref(), lighting.size.x, lighting.size.y);
+            for (name, value) in
+                [("unit", lighting.unit), ("focal", lighting.focal), ("near", lighting.near), ("share", lighting.share)]
+            {
+                gl.uniform_1_f32(at(name).as_ref(), value);
+            }
+            let [r, g, b, a] =
+                [lighting.notch.r, lighting.notch.g, lighting.notch.b, lighting.notch.a].map(|c| f32::from(c) / 255.0);
+            gl.uniform_4_f32(at("notch").as_ref(), r, g, b, a);
+        }
+    }
+
+    /// Whether shadows of this opacity are drawn in place of bodies.
+    pub fn shadows(&self, gl: &glow::Context, opacity: Option<f32>) {
+        // SAFETY: as in `light`.
+        unsafe {
+            gl.use_program(Some(self.program));
+            let at = |name| gl.get_uniform_location(self.program, name);
+            gl.uniform_1_i32(at("shadows").as_ref(), i32::from(opacity.is_some()));
+            gl.uniform_4_f32(at("shade").as_ref(), 0.0, 0.0, 0.0, opacity.unwrap_or_default());
+        }
+    }
+
+    /// Draws all items of a buffer: each a quad, or every three a triangle.
+    pub fn draw(&self, gl: &glow::Context, buffer: &Buffer, mode: u32) {
+        if buffer.count == 0 {
+            return;
+        }
+        // SAFETY: the buffer has so many items, of the fields that the program reads.
+        unsafe {
+            gl.use_program(Some(self.program));
+            gl.bind_vertex_array(Some(buffer.array));
+            if buffer.instanced {
+                gl.draw_arrays_instanced(mode, 0, 4, buffer.count);
+            } else {
+                gl.draw_arrays(mode, 0, buffer.count);
+            }
+            gl.bind_vertex_array(None);
+        }
+    }
+
+    pub fn destroy(&self, gl: &glow::Context) {
+        // SAFETY: it is of this context and not used again.
+        unsafe { gl.delete_program(self.program) }
+    }
+}

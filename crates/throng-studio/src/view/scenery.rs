@@ -1,0 +1,126 @@
+//! What stays where it is: the ground, obstacles, paths, goals; and the grid on the ground.
+
+use super::geometry::{Disc, Geometry, Stroke};
+use glam::{DVec2, Vec3};
+use throng::Obstacle;
+use throng_draw::{Color, Theme, points_to_go};
+use throng_record::{Frame, Setting};
+use throng_scene::Scene;
+
+/// More goals than this step back.
+const MANY_GOALS: usize = 40;
+/// Points of the screen between the lines of the grid, at least.
+const CELL: f64 = 36.0;
+
+/// The ground.
+pub fn floor(setting: &Setting, theme: &Theme) -> Geometry {
+    let mut floor = Geometry::default();
+    for area in &setting.walkable {
+        let rings: Vec<Vec<DVec2>> = std::iter::once(&area.outer).chain(&area.holes).cloned().collect();
+        for hole in &area.holes {
+            floor.area(std::slice::from_ref(hole), setting.origin, theme.obstacle);
+        }
+        floor.area(&rings, setting.origin, theme.ground);
+    }
+    floor
+}
+
+/// What stands on it, and where people go.
+pub fn place(setting: &Setting, scene: &Scene, theme: &Theme, first: &Frame) -> Geometry {
+    let mut place = Geometry::default();
+    let local = |point: DVec2| (point - setting.origin).as_vec2().extend(0.0);
+    let ring = |points: &[DVec2]| points.iter().map(|&point| local(point)).collect::<Vec<Vec3>>();
+    let edge = Stroke::plain(1.2, theme.edge);
+    for area in &setting.walkable {
+        std::iter::once(&area.outer).chain(&area.holes).for_each(|corners| place.line(&ring(corners), true, edge));
+    }
+    for points in &scene.view.lines {
+        let points: Vec<DVec2> = points.iter().copied().map(DVec2::from).collect();
+        place.line(&ring(&points), false, edge);
+    }
+    for path in &setting.paths {
+        for segment in path.segments() {
+            place.line(&[segment.start, segment.end], false, Stroke { width: 1.2, color: theme.goal, dash: 5.0 });
+        }
+    }
+    for shell in &setting.shells {
+        for facet in &shell.facets {
+            if !shell.hollow {
+                place.facet(facet, theme.obstacle);
+            }
+            place.line(facet, true, Stroke::plain(1.0, theme.edge));
+        }
+    }
+    for obstacle in &setting.obstacles {
+        match obstacle {
+            Obstacle::Circle { center, radius } => {
+                let rim = (1.0, theme.edge);
+                place.discs.push(Disc::round(local(*center), *radius as f32, theme.obstacle, rim, 0.0));
+            }
+            Obstacle::Polygon { corners } => {
+                place.area(std::slice::from_ref(corners), setting.origin, theme.obstacle);
+                place.line(&ring(corners), true, Stroke::plain(1.0, theme.edge));
+            }
+            Obstacle::Wall { points } => place.line(&ring(points), false, Stroke::plain(2.0, theme.edge)),
+        }
+    }
+    if scene.view.goals.unwrap_or(true) {
+        goals(setting, theme, first, &mut place);
+    }
+    place
+}
+
+fn goals(setting: &Setting, theme: &Theme, first: &Frame, place: &mut Geometry) {
+    let local = |point: DVec2| (point - setting.origin).as_vec2().extend(0.0);
+    for corners in setting.goals.iter().filter_map(|goal| goal.corners()) {
+        let ring: Vec<Vec3> = corners.iter().map(|&corner| local(corner)).collect();
+        place.area(&[corners.to_vec()], setting.origin, theme.goal.alpha(0.10));
+        place.line(&ring, true, Stroke { width: 1.1, color: theme.goal.alpha(0.8), dash: 4.0 });
+    }
+    let points: Vec<(DVec2, f64)> = points_to_go(setting, first).collect();
+    let (opacity, width, least) = if points.len() > MANY_GOALS { (0.35, 0.9, 1.8) } else { (0.9, 1.3, 4.0) };
+    let color = theme.goal.alpha(opacity);
+    for (at, tolerance) in points.into_iter().filter(|(at, _)| at.is_finite()) {
+        place.discs.push(Disc::round(local(at), tolerance as f32, color.alpha(0.0), (width, color), least));
+    }
+}
+
+/// The distance of the lines of a grid where a metre takes so many points of the screen: 1, 2 or 5 of a power of ten.
+pub fn cell(scale: f64) -> f64 {
+    let least = CELL / scale;
+    let power = 10f64.powf(least.log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0].into_iter().map(|step| step * power);
+    steps.filter(|&step| step >= least).fold(10.0 * power, f64::min)
+}
+
+/// Lines `cell` apart, from one corner to another, every fifth a little stronger; relative to `origin`.
+pub fn grid([low, high]: [DVec2; 2], cell: f64, origin: DVec2, color: Color) -> Geometry {
+    let mut grid = Geometry::default();
+    let (from, to) = ((low / cell).ceil(), (high / cell).floor());
+    let mut lines = |from: f64, to: f64, ends: &dyn Fn(f64) -> [DVec2; 2]| {
+        // a grid is there to be seen: of more lines than this none would be
+        for k in 0..=((to - from).clamp(0.0, 400.0) as i64) {
+            let at = from + k as f64;
+            let strength = if at.rem_euclid(5.0) == 0.0 { 1.0 } else { 0.45 };
+            let points = ends(at * cell).map(|point| (point - origin).as_vec2().extend(0.0));
+            grid.line(&points, false, Stroke::plain(1.0, color.alpha(strength * f32::from(color.a) / 255.0)));
+        }
+    };
+    lines(from.x, to.x, &|x| [DVec2::new(x, low.y), DVec2::new(x, high.y)]);
+    lines(from.y, to.y, &|y| [DVec2::new(low.x, y), DVec2::new(high.x, y)]);
+    grid
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_grid_is_never_too_dense() {
+        for (scale, want) in [(36.0, 1.0), (30.0, 2.0), (10.0, 5.0), (5.0, 10.0), (400.0, 0.1)] {
+            assert!((cell(scale) - want).abs() < 1e-9, "{scale}: {}", cell(scale));
+        }
+        let lines = grid([DVec2::ZERO, DVec2::splat(4.0)], 1.0, DVec2::ZERO, Color::rgb(0)).lines.len();
+        assert_eq!(lines, 10);
+    }
+}
