@@ -77,6 +77,9 @@ pub enum Command {
     /// Draws why one agent goes where it goes: its velocity space at one moment
     #[command(after_help = explain::SHORT, after_long_help = explain::LONG)]
     Explain(Box<ExplainArgs>),
+    /// Opens the studio: see, direct and debug scenes in a window
+    #[cfg(feature = "studio")]
+    Studio(throng_studio::window::Arguments),
     /// Writes the JSON schema of scene files to standard output
     ///
     /// Editors that know it complete and check the keys of scene files while one types.

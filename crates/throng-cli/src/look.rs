@@ -4,9 +4,9 @@ use crate::failure::Failure;
 use crate::field::FieldArgs;
 use crate::source::parse_four;
 use clap::{Args, ValueEnum};
-use glam::{DVec2, DVec3};
-use throng_draw::{Color, ColorBy, Form, Projection, Style, Viewpoint, WorldBox};
-use throng_scene::{Camera, Colour, Scene, View};
+use glam::DVec2;
+use throng_draw::{ColorBy, Projection, Style, WorldBox};
+use throng_scene::Scene;
 
 /// How pictures look.
 #[derive(Args, Debug)]
@@ -71,85 +71,43 @@ impl LookArgs {
     /// # Errors
     /// The camera sees nothing.
     pub fn style(&self, scene: &Scene, bounds: [DVec2; 2]) -> Result<Style, Failure> {
-        let (view, default) = (&scene.view, Style::default());
-        let corners = match (self.camera, view.min, view.max) {
-            (Some([x0, y0, x1, y1]), ..) => Some(([x0, y0], [x1, y1])),
-            (None, Some(min), Some(max)) => Some((min, max)),
-            _ => None,
-        };
-        let shown = corners.map(|(a, b)| {
-            let (a, b) = (DVec2::from(a), DVec2::from(b));
+        let said = Style::said(scene);
+        let given = self.camera.map(|[x0, y0, x1, y1]| {
+            let (a, b) = (DVec2::new(x0, y0), DVec2::new(x1, y1));
             WorldBox { min: a.min(b), max: a.max(b) }
         });
+        let shown = given.or(said.view);
         if let Some(shown) = shown.filter(|shown| (shown.max - shown.min).min_element() <= 0.0) {
             let text = format!("the camera sees {} by {} m", shown.max.x - shown.min.x, shown.max.y - shown.min.y);
             return Err(Failure::hint(text, "give two opposite corners, such as --camera=-10,-5,10,5"));
         }
         let extent = shown.map_or(bounds[1] - bounds[0], |shown| shown.max - shown.min);
-        let (width, height) = self.size.or(view.size.map(Into::into)).unwrap_or_else(|| shaped_like(extent));
-        let mut theme = default.theme.clone();
-        let color = |Colour([r, g, b]): Colour| Color::rgb(u32::from_be_bytes([0, r, g, b]));
-        let paint = |place: &mut Color, colour: Option<Colour>| {
-            if let Some(colour) = colour {
-                *place = color(colour);
-            }
-        };
-        paint(&mut theme.outside, view.background);
-        paint(&mut theme.ground, view.ground);
-        paint(&mut theme.obstacle, view.obstacles);
+        let (width, height) = self.size.or(scene.view.size.map(Into::into)).unwrap_or_else(|| shaped_like(extent));
         Ok(Style {
             width,
             height,
             view: shown,
-            projection: self.projection(view),
-            viewpoint: viewpoint(view.camera.unwrap_or_default()),
-            trails: self.trails.or(view.trails).map_or(default.trails, |seconds| seconds as f32),
+            projection: self.projection.map(ProjectionArg::projection).or(said.projection),
+            trails: self.trails.map_or(said.trails, |seconds| seconds as f32),
             color_by: match self.color {
                 ColorArg::Group => ColorBy::Group,
                 ColorArg::Speed => ColorBy::Speed { max: None },
                 ColorArg::Goal => ColorBy::Goal,
                 ColorArg::Altitude => ColorBy::Altitude,
             },
-            groups: scene.groups.iter().map(|group| group.colour.map(color)).collect(),
-            forms: scene.groups.iter().map(|group| form(group.mark)).collect(),
             flow: self.field.style(),
             headings: !self.no_headings,
-            lines: view.lines.iter().map(|line| line.iter().copied().map(DVec2::from).collect()).collect(),
-            goals: view.goals.unwrap_or(default.goals),
-            theme,
-            ..default
+            ..said
         })
     }
 }
 
-impl LookArgs {
-    /// How the world is seen, if anybody says so: who places an eye wants to see through it.
-    fn projection(&self, view: &View) -> Option<Projection> {
-        match (self.projection, view.projection) {
-            (Some(ProjectionArg::Plan), _) => Some(Projection::Plan),
-            (Some(ProjectionArg::Perspective), _) => Some(Projection::Perspective),
-            (None, Some(throng_scene::Projection::Plan)) => Some(Projection::Plan),
-            (None, Some(throng_scene::Projection::Perspective)) => Some(Projection::Perspective),
-            (None, None) => view.camera.map(|_| Projection::Perspective),
+impl ProjectionArg {
+    fn projection(self) -> Projection {
+        match self {
+            Self::Plan => Projection::Plan,
+            Self::Perspective => Projection::Perspective,
         }
-    }
-}
-
-/// What those of a group look like.
-fn form(said: Option<throng_scene::Mark>) -> Form {
-    match said {
-        Some(throng_scene::Mark::Insect) => Form::Insect,
-        Some(throng_scene::Mark::Body) | None => Form::Body,
-    }
-}
-
-fn viewpoint(camera: Camera) -> Viewpoint {
-    let standard = Viewpoint::default();
-    Viewpoint {
-        eye: camera.eye.map(DVec3::from),
-        target: camera.target.map(DVec3::from),
-        field_of_view: camera.field_of_view.unwrap_or(standard.field_of_view),
-        orbit: camera.orbit.unwrap_or(standard.orbit),
     }
 }
 

@@ -54,6 +54,8 @@ fn main() -> ExitCode {
         Command::Sheet(args) => sheet::sheet(args, &mut out),
         Command::Measure(args) => measure::measure(args, &mut out),
         Command::Explain(args) => explain::explain(args, &mut out),
+        #[cfg(feature = "studio")]
+        Command::Studio(args) => throng_studio::window::open(args.clone().into()).map_err(failure::Failure::Error),
         Command::Schema => schema::schema(&mut out),
         Command::Completions(args) => completions::completions(args, &mut out),
     };

@@ -8,13 +8,32 @@ use glam::Vec2;
 
 /// A shape or a line of type.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Mark {
+pub enum Mark {
     /// Filled rings of corners, even-odd: what is inside two rings is a hole.
-    Area { rings: Vec<Vec<Vec2>>, fill: Color },
+    Area {
+        /// Closed lines.
+        rings: Vec<Vec<Vec2>>,
+        /// The colour inside.
+        fill: Color,
+    },
     /// A line through points.
-    Line { points: Vec<Vec2>, closed: bool, stroke: Stroke },
+    Line {
+        /// From the first to the last.
+        points: Vec<Vec2>,
+        /// Whether it comes back to the first.
+        closed: bool,
+        /// How it is drawn.
+        stroke: Stroke,
+    },
     /// A filled disc.
-    Disc { center: Vec2, radius: f32, fill: Color },
+    Disc {
+        /// Its middle.
+        center: Vec2,
+        /// Its radius.
+        radius: f32,
+        /// Its colour.
+        fill: Color,
+    },
     /// An agent.
     Agent(Rounded),
     /// An insect.
@@ -24,19 +43,46 @@ pub(crate) enum Mark {
     /// Trails, none darker where they cross or meet.
     Trails(Vec<Trail>),
     /// A circle.
-    Ring { center: Vec2, radius: f32, stroke: Stroke },
+    Ring {
+        /// Its middle.
+        center: Vec2,
+        /// Its radius.
+        radius: f32,
+        /// How it is drawn.
+        stroke: Stroke,
+    },
     /// What of some marks lies within a rectangle of whole pixels.
-    Within { low: Vec2, high: Vec2, marks: Vec<Mark> },
+    Within {
+        /// The upper left corner.
+        low: Vec2,
+        /// The lower right corner.
+        high: Vec2,
+        /// What is cut off at it.
+        marks: Vec<Mark>,
+    },
     /// A layer over all of the picture, with its own opacity.
     Pixels(Image),
     /// A line of type.
-    Text { text: String, at: Vec2, anchor: Anchor, size: f32, color: Color },
+    Text {
+        /// What it says.
+        text: String,
+        /// Where on the baseline.
+        at: Vec2,
+        /// Which end of it is there.
+        anchor: Anchor,
+        /// Size of the type.
+        size: f32,
+        /// Its colour.
+        color: Color,
+    },
 }
 
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Stroke {
+pub struct Stroke {
+    /// Pixels.
     pub width: f32,
+    /// Its colour.
     pub color: Color,
     /// Length of dashes and gaps.
     pub dash: Option<f32>,
@@ -50,7 +96,7 @@ impl Stroke {
 
 /// Which end of a line of type stands at its point on the baseline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Anchor {
+pub enum Anchor {
     /// The left end.
     Start,
     /// The middle.

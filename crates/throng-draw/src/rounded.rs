@@ -9,7 +9,7 @@ use glam::Vec2;
 
 /// One body, in pixels: everything within a radius of a rectangle; of a point, a disc.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Rounded {
+pub struct Rounded {
     pub center: Vec2,
     /// Half extents of the rectangle, along and across `along`; zero for a disc.
     pub core: Vec2,

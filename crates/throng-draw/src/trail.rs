@@ -127,7 +127,7 @@ pub(crate) struct TrailLayer {
 
 /// A trail to be drawn, from end to end of its pieces.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Trail {
+pub struct Trail {
     pub ends: Vec<End>,
     pub color: Color,
 }
@@ -143,7 +143,7 @@ impl Trail {
 
 /// The end of a piece of a trail.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct End {
+pub struct End {
     /// Pixel.
     pub at: Vec2,
     /// Half the width there, pixels.

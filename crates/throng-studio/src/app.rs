@@ -2,7 +2,7 @@
 
 use crate::document::Document;
 use crate::keys::{self, Action};
-use crate::panels::{self, Asked, Gallery};
+use crate::panels::{self, Asked, Gallery, Why};
 use crate::play::{Command, Player, Shown, Speed, Trouble};
 use crate::settings::Settings;
 use crate::state::State;
@@ -33,6 +33,9 @@ pub struct App {
     player: Player,
     view: View,
     gallery: Gallery,
+    why: Why,
+    /// Who explains itself.
+    explained: Option<u32>,
     help: bool,
     /// What keys asked for since the last frame.
     actions: Vec<Action>,
@@ -63,6 +66,8 @@ impl App {
             document,
             view: View::default(),
             gallery: Gallery::default(),
+            why: Why::default(),
+            explained: None,
             help: false,
             actions: Vec::new(),
             dark: None,
@@ -123,6 +128,7 @@ impl App {
             Action::Gallery => panels.gallery = !panels.gallery,
             Action::Text => panels.text = !panels.text,
             Action::Summary => panels.summary = !panels.summary,
+            Action::Why => panels.why = !panels.why,
             Action::Help => self.help = !self.help,
             Action::Leave => (self.help, self.view.selected) = (false, None),
             Action::Save => self.save(),
@@ -158,11 +164,14 @@ impl App {
             });
         }
         if self.settings.panels.gallery {
-            Panel::left("gallery").frame(frame).show_separator_line(false).default_size(210.0).show(ui, |ui| {
-                if let Some(name) = self.gallery.ui(ui, &self.document.name) {
-                    self.open(name);
-                }
-            });
+            Panel::left("gallery").frame(frame).show_separator_line(false).min_size(234.0).default_size(242.0).show(
+                ui,
+                |ui| {
+                    if let Some(name) = self.gallery.ui(ui, &self.document.name) {
+                        self.open(name);
+                    }
+                },
+            );
         }
         if self.settings.panels.text {
             Panel::right("text").frame(frame).show_separator_line(false).default_size(440.0).show(ui, |ui| {
@@ -174,7 +183,11 @@ impl App {
             });
         }
         if let Some(shown) = shown.filter(|_| self.settings.panels.summary) {
-            Panel::right("summary").frame(frame).show_separator_line(false).default_size(230.0).show(ui, |ui| panels::summary(ui, shown));
+            Panel::right("summary")
+                .frame(frame)
+                .show_separator_line(false)
+                .default_size(230.0)
+                .show(ui, |ui| panels::summary(ui, shown));
         }
     }
 
@@ -186,6 +199,7 @@ impl App {
             ui.toggle_value(&mut panels.gallery, "Gallery");
             ui.toggle_value(&mut panels.text, "Text");
             ui.toggle_value(&mut panels.summary, "Summary");
+            ui.toggle_value(&mut panels.why, "Why").on_hover_text("why the selected agent goes where it goes (W)");
             ui.separator();
             ui.toggle_value(&mut self.settings.grid, "Grid");
             let mut trails = self.settings.trails > 0.0;
@@ -203,6 +217,15 @@ impl App {
                 ui.colored_label(ui.visuals().error_fg_color, line).on_hover_text(wrong.as_deref().unwrap_or_default());
             }
         });
+    }
+
+    /// Asks the selected agent for what is to be seen of it.
+    fn explain(&mut self) {
+        let wanted = self.view.selected.filter(|_| self.settings.annotations || self.settings.panels.why);
+        if wanted != self.explained {
+            self.explained = wanted;
+            self.player.command(Command::Explain(wanted));
+        }
     }
 
     fn tell(&mut self, shown: &Shown, trouble: Option<&Trouble>) {
@@ -247,7 +270,11 @@ impl eframe::App for App {
             }
         });
         panels::help(&ctx, &mut self.help);
+        self.explain();
         if let Some(shown) = &shown {
+            let mut open = self.settings.panels.why;
+            self.why.ui(&ctx, &mut open, shown, &self.settings);
+            self.settings.panels.why = open;
             self.tell(shown, trouble.as_ref());
             self.outside.screenshot(&ctx, &self.options, shown);
         }

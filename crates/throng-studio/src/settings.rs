@@ -37,11 +37,13 @@ pub struct Panels {
     pub text: bool,
     /// How the run goes.
     pub summary: bool,
+    /// Why the selected agent goes where it goes.
+    pub why: bool,
 }
 
 impl Default for Panels {
     fn default() -> Self {
-        Self { gallery: true, text: false, summary: true }
+        Self { gallery: true, text: false, summary: true, why: false }
     }
 }
 

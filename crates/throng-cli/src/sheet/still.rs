@@ -9,8 +9,6 @@ use throng_draw::{Painter, Style};
 use throng_record::{Frame, moment};
 use throng_scene::Scene;
 
-/// Of a run that nobody chose a moment of, this much is over.
-const TELLING: f64 = 1.0 / 3.0;
 /// How long trails are that nobody chose, seconds.
 const TRAILS: f64 = 3.0;
 
@@ -38,7 +36,7 @@ pub fn still(loaded: &Loaded, look: &Look) -> Result<(Painter, Frame), Failure> 
     let mut frame = Frame::default();
     moment::capture(&world, &mut frame);
     let mut painter = Painter::new(&moment::setting(&world, &built, loaded.title()), &style, &frame)?;
-    let end = look.at.unwrap_or_else(|| telling(scene));
+    let end = look.at.unwrap_or_else(|| scene.moment());
     while world.time() + 0.5 * scene.time.step < end && !scene.time.over(&world) {
         if interrupt::asked() {
             return Err(Failure::Interrupted);
@@ -49,11 +47,6 @@ pub fn still(loaded: &Loaded, look: &Look) -> Result<(Painter, Frame), Failure> 
     }
     painter.follow(&frame);
     Ok((painter, frame))
-}
-
-/// The moment that tells what a scene is about, seconds.
-fn telling(scene: &Scene) -> f64 {
-    scene.view.moment.unwrap_or_else(|| TELLING * scene.expect.within.unwrap_or(scene.time.limit))
 }
 
 fn style(scene: &Scene, look: &Look) -> LookArgs {

@@ -1,10 +1,10 @@
 //! From what agents tell to lines: one layer for each kind.
 
-use super::Annotation;
 use super::pen::Pen;
-use crate::Painter;
+use super::{Annotation, Annotations};
 use crate::mark::Mark;
 use crate::plan::middle;
+use crate::{Look, Painter, Projector, Theme, Trails};
 use glam::{DVec2, DVec3, Vec3};
 use std::f32::consts::PI;
 use throng::Account;
@@ -41,10 +41,45 @@ impl Annotated<'_> {
     }
 }
 
+/// What it takes to draw what agents have in mind.
+#[derive(Clone, Copy, Debug)]
+pub struct Annotator<'a> {
+    /// What, beside whom.
+    pub annotations: &'a Annotations,
+    /// The colours of lines.
+    pub theme: &'a Theme,
+    /// The colours of agents.
+    pub look: &'a Look,
+    /// Where they have been.
+    pub ways: &'a Trails,
+    /// From the world to pixels.
+    pub projector: Projector,
+    /// Pixels of a thin line.
+    pub unit: f32,
+    /// What places that agents tell are relative to.
+    pub origin: DVec2,
+}
+
 impl Painter {
     /// The lines beside agents.
     pub(crate) fn annotations(&self, frame: &Frame) -> Vec<Mark> {
-        let wanted = &self.style.annotations;
+        let annotator = Annotator {
+            annotations: &self.style.annotations,
+            theme: &self.style.theme,
+            look: &self.look,
+            ways: &self.ways,
+            projector: self.projector(),
+            unit: self.layout.unit,
+            origin: self.origin,
+        };
+        annotator.marks(frame)
+    }
+}
+
+impl Annotator<'_> {
+    /// The lines beside agents at a moment, pixels.
+    pub fn marks(&self, frame: &Frame) -> Vec<Mark> {
+        let wanted = self.annotations;
         let account = |number: u32| {
             let found = frame.accounts.binary_search_by_key(&number, |account| account.number);
             found.ok().map(|index| &frame.accounts[index])
@@ -56,10 +91,10 @@ impl Painter {
         let strength = if agents.len() > MANY { 0.55 } else { 0.9 };
         let mut marks = Vec::new();
         for kind in Annotation::ALL.into_iter().filter(|kind| wanted.kinds.contains(kind)) {
-            let color = kind.color(&self.style.theme);
+            let color = kind.color(self.theme);
             let mut pen = Pen {
-                projector: &self.projector(),
-                unit: self.layout.unit,
+                projector: &self.projector,
+                unit: self.unit,
                 color: color.alpha(strength * f32::from(color.a) / 255.0),
                 width: kind.width() * if agents.len() > MANY { 0.7 } else { 1.0 },
                 dashed: kind.is_dashed(),

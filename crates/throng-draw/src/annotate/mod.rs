@@ -5,6 +5,7 @@ mod layers;
 mod pen;
 
 pub(crate) use key::{Row, key, rows};
+pub use layers::Annotator;
 
 use crate::{Color, Theme};
 use throng::Asked;
@@ -68,7 +69,7 @@ impl Annotation {
     }
 
     /// What the key says.
-    fn says(self) -> &'static str {
+    pub fn says(self) -> &'static str {
         match self {
             Self::Preferred => "preferred velocity",
             Self::Force => "steering force",
@@ -77,7 +78,7 @@ impl Annotation {
     }
 
     /// Its colour; the colour of the agent where it is the agent's.
-    fn color(self, theme: &Theme) -> Color {
+    pub fn color(self, theme: &Theme) -> Color {
         match self {
             Self::Neighbourhoods => theme.quiet.alpha(0.5),
             Self::Trails | Self::Velocity => theme.quiet,

@@ -50,7 +50,7 @@ impl Crowd {
 
 /// An insect in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Insect {
+pub struct Insect {
     pub head: Vec2,
     pub tail: Vec2,
     /// Where the wings begin, and where each ends.

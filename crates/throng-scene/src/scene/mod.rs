@@ -127,6 +127,16 @@ fn default_seed() -> u64 {
     1
 }
 
+/// Of a run that nobody chose a moment of, this much is over when one looks.
+const TELLING: f64 = 1.0 / 3.0;
+
+impl Scene {
+    /// The moment that tells what it is about, seconds: what `view.moment` says, or a third of the run.
+    pub fn moment(&self) -> f64 {
+        self.view.moment.unwrap_or_else(|| TELLING * self.expect.within.unwrap_or(self.time.limit))
+    }
+}
+
 impl Default for Scene {
     fn default() -> Self {
         Self {

@@ -1,13 +1,22 @@
 //! The gallery: every scene that comes with the project, by group; search finds names, titles and texts.
 
-use eframe::egui::{CollapsingHeader, Key, Response, RichText, ScrollArea, TextEdit, Ui};
+use super::thumbnails::Thumbnails;
+use eframe::egui::{
+    Align2, CollapsingHeader, CornerRadius, FontId, Key, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke,
+    StrokeKind, TextEdit, Ui, WidgetInfo, pos2, vec2,
+};
 use throng_scene::gallery;
 
+/// Width of a tile, points of the screen, and width over height of its picture.
+const TILE: f32 = 104.0;
+const ASPECT: f32 = 1.5;
+
 /// The gallery's panel.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub struct Gallery {
     /// What is searched for.
     pub search: String,
+    thumbnails: Thumbnails,
 }
 
 impl Gallery {
@@ -19,38 +28,66 @@ impl Gallery {
         ui.add_space(4.0);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             for (group, names) in gallery::groups() {
-                let found: Vec<&'static str> = names.filter(|name| self.finds(name)).collect();
+                let found: Vec<&'static str> = names.filter(|name| finds(name, &self.search)).collect();
                 if found.is_empty() {
                     continue;
                 }
                 if entered && asked.is_none() {
                     asked = found.first().copied();
                 }
-                CollapsingHeader::new(RichText::new(group).strong()).default_open(true).show(ui, |ui| {
-                    for name in found {
-                        if entry(ui, name, name == open).clicked() {
-                            asked = Some(name);
+                CollapsingHeader::new(RichText::new(group).strong()).default_open(true).show_unindented(ui, |ui| {
+                    ui.horizontal_wrapped(|ui| {
+                        ui.spacing_mut().item_spacing = vec2(6.0, 6.0);
+                        for name in found {
+                            if self.tile(ui, name, name == open).clicked() {
+                                asked = Some(name);
+                            }
                         }
-                    }
+                    });
                 });
             }
         });
         asked
     }
 
-    /// Whether a scene has every word that is searched for.
-    fn finds(&self, name: &str) -> bool {
-        let title = gallery::title(name).unwrap_or_default().to_lowercase();
-        let text = gallery::text(name).unwrap_or_default().to_lowercase();
-        let words = self.search.to_lowercase();
-        words.split_whitespace().all(|word| name.contains(word) || title.contains(word) || text.contains(word))
+    fn tile(&mut self, ui: &mut Ui, name: &'static str, open: bool) -> Response {
+        let picture = vec2(TILE, TILE / ASPECT);
+        let (rect, response) = ui.allocate_exact_size(picture + vec2(0.0, 17.0), Sense::click());
+        response.widget_info(|| WidgetInfo::selected(Role::Button, true, open, name));
+        if ui.is_rect_visible(rect) {
+            let (visuals, painter) = (ui.visuals(), ui.painter());
+            let frame = Rect::from_min_size(rect.min, picture);
+            painter.rect_filled(frame, CornerRadius::same(4), visuals.faint_bg_color);
+            if let Some(texture) = self.thumbnails.of(name, ui.ctx()) {
+                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+                painter.image(texture.id(), frame, whole, eframe::egui::Color32::WHITE);
+            }
+            let edge = match (open, response.hovered()) {
+                (true, _) => Stroke::new(2.0, visuals.hyperlink_color),
+                (false, true) => Stroke::new(1.0, visuals.text_color()),
+                (false, false) => visuals.window_stroke,
+            };
+            painter.rect_stroke(frame, CornerRadius::same(4), edge, StrokeKind::Outside);
+            let color = if open { visuals.text_color() } else { visuals.weak_text_color() };
+            let at = frame.left_bottom() + vec2(1.0, 3.0);
+            painter.with_clip_rect(rect.intersect(ui.clip_rect())).text(
+                at,
+                Align2::LEFT_TOP,
+                name,
+                FontId::proportional(11.0),
+                color,
+            );
+        }
+        response.on_hover_text(gallery::title(name).unwrap_or(name))
     }
 }
 
-fn entry(ui: &mut Ui, name: &'static str, open: bool) -> Response {
-    let title = gallery::title(name).unwrap_or(name);
-    let response = ui.selectable_label(open, name);
-    response.on_hover_text(title)
+/// Whether a scene has every word that is searched for.
+fn finds(name: &str, search: &str) -> bool {
+    let words = search.to_lowercase();
+    let title = gallery::title(name).unwrap_or_default().to_lowercase();
+    let text = || gallery::text(name).unwrap_or_default().to_lowercase();
+    words.split_whitespace().all(|word| name.contains(word) || title.contains(word) || text().contains(word))
 }
 
 /// The scene of the gallery that comes `by` places after the one of this name; the first after the last.
@@ -59,4 +96,22 @@ pub fn beside(name: &str, by: isize) -> Option<&'static str> {
     let now = names.iter().position(|&known| known == name);
     let next = now.map_or(0, |now| (now as isize + by).rem_euclid(names.len() as isize) as usize);
     names.get(next).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_found_wherever_they_stand() {
+        assert!(finds("circle", "ring 36") && finds("circle", "CIRC") && finds("circle", ""));
+        assert!(!finds("circle", "drones"));
+    }
+
+    #[test]
+    fn after_the_last_comes_the_first() {
+        let last = gallery::names().last().unwrap();
+        assert_eq!((beside(last, 1), beside("columns", -1)), (Some("columns"), Some(last)));
+        assert_eq!(beside("a file", 1), Some("columns"));
+    }
 }

@@ -23,12 +23,16 @@ impl Icon {
         let large = matches!(self, Self::Run | Self::Pause);
         let side = if large { 34.0 } else { 28.0 };
         let (rect, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::click());
-        response.widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::WidgetType::Button, true, says));
+        response.widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::Role::Button, true, says));
         let visuals = ui.style().interact(&response);
         let fill = if large { ui.visuals().selection.bg_fill } else { visuals.weak_bg_fill };
         ui.painter().circle_filled(rect.center(), 0.5 * side, fill);
         if response.hovered() {
-            ui.painter().circle_stroke(rect.center(), 0.5 * side - 0.5, Stroke::new(1.0, ui.visuals().weak_text_color()));
+            ui.painter().circle_stroke(
+                rect.center(),
+                0.5 * side - 0.5,
+                Stroke::new(1.0, ui.visuals().weak_text_color()),
+            );
         }
         let color = if large { ui.visuals().selection.stroke.color } else { visuals.fg_stroke.color };
         self.draw(ui.painter(), rect.shrink(side * 0.32), color);
@@ -38,7 +42,8 @@ impl Icon {
     fn draw(self, painter: &Painter, rect: Rect, color: Color32) {
         let at = |x: f32, y: f32| rect.min + rect.size() * vec2(x, y);
         let triangle = |corners: [Pos2; 3]| painter.add(Shape::convex_polygon(corners.to_vec(), color, Stroke::NONE));
-        let bar = |x: f32, width: f32| painter.rect_filled(Rect::from_min_max(at(x, 0.0), at(x + width, 1.0)), 1.0, color);
+        let bar =
+            |x: f32, width: f32| painter.rect_filled(Rect::from_min_max(at(x, 0.0), at(x + width, 1.0)), 1.0, color);
         match self {
             Self::Run => _ = triangle([at(0.1, -0.1), at(1.1, 0.5), at(0.1, 1.1)]),
             Self::Pause => _ = (bar(0.08, 0.3), bar(0.62, 0.3)),

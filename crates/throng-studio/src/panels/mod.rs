@@ -6,9 +6,12 @@ mod help;
 mod icon;
 mod summary;
 mod text;
+mod thumbnails;
+mod why;
 
 pub use bar::bar;
 pub use gallery::{Gallery, beside};
 pub use help::help;
 pub use summary::summary;
 pub use text::{Asked, text};
+pub use why::Why;

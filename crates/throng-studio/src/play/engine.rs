@@ -5,7 +5,6 @@ use super::run::Run;
 use super::shown::{Shown, Trouble};
 use std::sync::Arc;
 use std::time::Duration;
-use throng::Asked;
 use throng_scene::Scene;
 use web_time::Instant;
 
@@ -37,8 +36,8 @@ pub enum Command {
     Seed(u64),
     /// Plays faster or slower.
     Speed(Speed),
-    /// Who tells why they go where they go.
-    Ask(Asked),
+    /// Which agent tells why it goes where it goes, by number.
+    Explain(Option<u32>),
 }
 
 /// Plays scenes: [`command`](Self::command) it, let it [`work`](Self::work), and look at what is [`shown`](Self::shown).
@@ -50,7 +49,7 @@ pub struct Engine {
     playing: bool,
     /// The step it is on its way to, however fast that goes.
     goal: Option<u64>,
-    asked: Asked,
+    explained: Option<u32>,
     trouble: Option<Trouble>,
 }
 
@@ -62,7 +61,7 @@ impl Default for Engine {
             pace: Pace::new(Speed::Times(1.0), Instant::now()),
             playing: false,
             goal: None,
-            asked: Asked::Nobody,
+            explained: None,
             trouble: None,
         }
     }
@@ -85,10 +84,10 @@ impl Engine {
             Command::Restart => self.restart(None),
             Command::Seed(seed) => self.restart(Some(seed)),
             Command::Speed(speed) => self.pace = Pace::new(speed, Instant::now()),
-            Command::Ask(asked) => {
-                self.asked = asked.clone();
+            Command::Explain(number) => {
+                self.explained = number;
                 if let Some(run) = &mut self.run {
-                    run.world.ask(asked);
+                    run.explain(number);
                 }
             }
         }
@@ -97,7 +96,7 @@ impl Engine {
     fn load(&mut self, name: Arc<str>, scene: Arc<Scene>, go: bool) {
         match Run::new(name, scene) {
             Ok(mut run) => {
-                run.world.ask(self.asked.clone());
+                run.explain(self.explained);
                 self.runs += 1;
                 (self.run, self.trouble, self.goal, self.playing) = (Some(run), None, None, go);
             }
@@ -210,6 +209,7 @@ impl Engine {
             over: run.over(),
             cost: run.cost,
             summary: run.summary(!self.playing),
+            explanation: run.explanation(!self.playing),
             hash: run.world.state_hash(),
             kept: run.history.bytes(),
             pace: self.pace,

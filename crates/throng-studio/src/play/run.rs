@@ -5,7 +5,7 @@ use super::shown::{Cost, Trouble};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use throng::{Stage, Summary, World};
+use throng::{Asked, Explanation, Stage, Summary, World};
 use throng_draw::WorldBox;
 use throng_record::{Frame, Setting, moment};
 use throng_scene::Scene;
@@ -29,6 +29,9 @@ pub(super) struct Run {
     pub cost: Cost,
     pub history: History,
     summary: (Instant, Arc<Summary>),
+    /// Who is to explain itself, and what it said last, when.
+    explained: Option<u32>,
+    explanation: Option<(Instant, Arc<Explanation>)>,
 }
 
 impl Run {
@@ -51,6 +54,8 @@ impl Run {
             cost: Cost::default(),
             history: History::new(MEMORY),
             summary: (Instant::now(), Arc::new(world.summary())),
+            explained: None,
+            explanation: None,
             name,
             scene,
             world,
@@ -108,6 +113,27 @@ impl Run {
             self.summary = (Instant::now(), Arc::new(self.world.summary()));
         }
         self.summary.1.clone()
+    }
+
+    /// Lets an agent tell why it goes where it goes from now on.
+    pub fn explain(&mut self, number: Option<u32>) {
+        self.world.ask(number.map_or(Asked::Nobody, |number| Asked::Numbers(vec![number])));
+        (self.explained, self.explanation) = (number, None);
+    }
+
+    /// Why the agent that is to tell goes where it goes: asked anew where `fresh`, else now and then.
+    pub fn explanation(&mut self, fresh: bool) -> Option<Arc<Explanation>> {
+        let number = self.explained?;
+        let now = Instant::now();
+        // a clone of the world makes a sub-step: a large one is asked less often
+        let patience = 0.25 + 50.0 * self.cost.step;
+        let old = self.explanation.as_ref().is_none_or(|(at, _)| (now - *at).as_secs_f64() > patience);
+        if old || fresh {
+            let row = (0..self.world.agents().len()).find(|&row| self.world.agents().number[row] == number);
+            let why = row.and_then(|row| guarded(|| self.world.explain(self.world.id(row))).ok().flatten());
+            self.explanation = why.map(|why| (now, Arc::new(why)));
+        }
+        self.explanation.as_ref().map(|(_, why)| why.clone())
     }
 
     fn keep(&mut self) {

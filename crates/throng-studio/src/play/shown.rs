@@ -2,7 +2,7 @@
 
 use super::pace::Pace;
 use std::sync::Arc;
-use throng::Summary;
+use throng::{Explanation, Summary};
 use throng_draw::WorldBox;
 use throng_record::{Frame, Setting};
 use throng_scene::Scene;
@@ -39,6 +39,8 @@ pub struct Shown {
     pub cost: Cost,
     /// How it went so far, taken now and then.
     pub summary: Arc<Summary>,
+    /// Why the agent that is to explain itself goes where it goes, taken now and then.
+    pub explanation: Option<Arc<Explanation>>,
     /// [`World::state_hash`](throng::World::state_hash) of the state at `step`.
     pub hash: u64,
     /// Bytes of states that are kept to go back to.

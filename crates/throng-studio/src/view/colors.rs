@@ -3,9 +3,8 @@
 use crate::play::Shown;
 use glam::{DVec2, IVec2};
 use std::collections::HashMap;
-use throng_draw::{Coat, Color, ColorBy, Form, Look, Style, Theme, palette, ramp};
+use throng_draw::{Coat, ColorBy, Look, Style, Theme, palette, ramp};
 use throng_record::{Body, Frame};
-use throng_scene::{Colour, Mark};
 
 /// What the colour of an agent says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -67,8 +66,6 @@ pub struct Colors {
 impl Colors {
     /// The colours of a moment.
     pub fn new(shown: &Shown, by: Coloring, theme: &Theme) -> Self {
-        let color = |Colour([r, g, b]): Colour| Color::rgb(u32::from_be_bytes([0, r, g, b]));
-        let form = |mark| if mark == Some(Mark::Insect) { Form::Insect } else { Form::Body };
         let style = Style {
             color_by: match by {
                 Coloring::Speed => ColorBy::Speed { max: None },
@@ -76,10 +73,8 @@ impl Colors {
                 Coloring::Altitude => ColorBy::Altitude,
                 _ => ColorBy::Group,
             },
-            groups: shown.scene.groups.iter().map(|group| group.colour.map(color)).collect(),
-            forms: shown.scene.groups.iter().map(|group| form(group.mark)).collect(),
             theme: theme.clone(),
-            ..Style::default()
+            ..Style::said(&shown.scene)
         };
         let mut colors = Self {
             look: Look::new(&shown.setting, &style, &shown.first),
@@ -98,6 +93,11 @@ impl Colors {
             _ => {}
         }
         colors
+    }
+
+    /// The colours by group, speed, goal and altitude.
+    pub fn look(&self) -> &Look {
+        &self.look
     }
 
     /// The colours of an agent.

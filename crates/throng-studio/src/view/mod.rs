@@ -6,6 +6,7 @@ mod eye;
 mod geometry;
 mod gl;
 mod scenery;
+mod thoughts;
 
 pub use colors::Coloring;
 pub use eye::{Eye, Followed, Mode, ground};
@@ -20,8 +21,8 @@ use geometry::{Disc, Geometry};
 use gl::{Canvas, Lighting};
 use glam::{DVec3, Vec2};
 use std::sync::{Arc, Mutex, PoisonError};
-use throng_draw::{Color, Projector, Theme};
-use throng_record::Body;
+use throng_draw::{Color, Projection, Projector, Style, Theme};
+use throng_record::{Body, Frame};
 
 /// How near to an agent one must point, points of the screen beyond its edge.
 const REACH: f32 = 12.0;
@@ -97,14 +98,11 @@ impl View {
     fn open(&mut self, shown: &Shown, size: Vec2) {
         self.fitted = Some(shown.name.clone());
         self.selected = None;
-        let wanted = shown.scene.view.projection == Some(throng_scene::Projection::Perspective);
-        let plan = shown.scene.view.projection == Some(throng_scene::Projection::Plan);
-        let space = wanted || (shown.setting.in_space && !plan);
-        match (space, self.eye.mode()) {
-            (true, Mode::Plan) => self.eye.set_mode(Mode::Orbit),
-            (false, Mode::Orbit) => self.eye.set_mode(Mode::Plan),
-            _ => {}
-        }
+        let usual = if shown.setting.in_space { Projection::Perspective } else { Projection::Plan };
+        self.eye.set_mode(match Style::said(&shown.scene).projection.unwrap_or(usual) {
+            Projection::Plan => Mode::Plan,
+            Projection::Perspective => Mode::Orbit,
+        });
         self.fit(shown, size);
     }
 
@@ -150,6 +148,12 @@ impl View {
             draw(&canvas, painter.gl(), &layers, &lighting);
         };
         painter.add(egui::PaintCallback { rect, callback: Arc::new(egui_glow::CallbackFn::new(draw)) });
+        if let Some(number) = self.selected.filter(|_| settings.annotations) {
+            let colors = Colors::new(shown, Coloring::Group, &theme);
+            let (origin, projector, colors, theme) = (shown.setting.origin, *projector, &colors, &theme);
+            let thinker = thoughts::Thinker { number, origin, projector, colors, theme };
+            thoughts::draw(&painter, rect, &interpolated(shown, share), thinker);
+        }
         if let Some(Err(says)) = self.canvas.lock().unwrap_or_else(PoisonError::into_inner).as_ref() {
             painter.text(rect.center(), egui::Align2::CENTER_CENTER, says, egui::FontId::default(), egui::Color32::RED);
         }
@@ -233,6 +237,12 @@ fn pair(shown: &Shown, number: u32) -> Option<(&Body, &Body)> {
     let find = |bodies: &[Body]| bodies.binary_search_by_key(&number, |body| body.number).ok();
     let now = &shown.frame.bodies[find(&shown.frame.bodies)?];
     Some((find(&shown.before.bodies).map_or(now, |k| &shown.before.bodies[k]), now))
+}
+
+/// Everybody where they are shown, and what they told in the state now.
+fn interpolated(shown: &Shown, share: f32) -> Frame {
+    let bodies = shown.frame.bodies.iter().filter_map(|body| between(shown, body.number, share));
+    Frame { bodies: bodies.collect(), accounts: shown.frame.accounts.clone(), ..Frame::default() }
 }
 
 /// An agent where it is shown, a share of the way from the state before to the state now.

@@ -1,0 +1,101 @@
+//! The panels, driven as people drive them.
+
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use std::sync::Arc;
+use std::time::Duration;
+use throng_scene::gallery;
+use throng_studio::document::Document;
+use throng_studio::panels::{self, Asked, Gallery};
+use throng_studio::play::{Command, Engine, Shown, Speed, Trouble};
+use throng_studio::settings::Settings;
+use throng_studio::view::{Mode, View};
+
+fn shown(step: u64) -> Arc<Shown> {
+    let mut engine = Engine::default();
+    engine.command(Command::Load {
+        name: "circle".into(),
+        scene: Arc::new(gallery::scene("circle").unwrap()),
+        run: false,
+    });
+    engine.command(Command::Seek(step));
+    while engine.idle().is_some() {
+        engine.work(Duration::from_millis(20));
+    }
+    engine.shown().unwrap()
+}
+
+#[test]
+fn the_gallery_finds_and_opens() {
+    let mut gallery = Gallery { search: "ring 36".into(), ..Gallery::default() };
+    let mut asked = None;
+    let mut harness = Harness::new_ui(|ui| asked = asked.or(gallery.ui(ui, "box")));
+    assert!(harness.query_by_label("boids").is_none(), "it is not searched for");
+    harness.get_by_label("circle").click();
+    harness.run();
+    drop(harness);
+    assert_eq!(asked, Some("circle"));
+}
+
+#[test]
+fn the_bar_plays() {
+    let shown = shown(7);
+    let (mut settings, mut view, mut asked) = (Settings::default(), View::default(), Vec::new());
+    let mut harness = Harness::builder().with_size([1100.0, 60.0]).build_ui(|ui| {
+        asked.extend(panels::bar(ui, &shown, &mut settings, &mut view));
+    });
+    for says in ["run (Space)", "a step on (→)", "a step back (←)", "restart (R)"] {
+        harness.get_by_label(says).click();
+        harness.run();
+    }
+    drop(harness);
+    let asked: Vec<String> = asked.iter().map(|command| format!("{command:?}")).collect();
+    assert_eq!(asked, ["Run", "Step", "Back", "Restart"]);
+    assert_eq!((settings.speed, view.eye.mode()), (Speed::Times(1.0), Mode::Plan));
+}
+
+#[test]
+fn the_text_says_what_is_wrong_and_where() {
+    let mut document = Document::gallery("circle").unwrap();
+    document.edit(document.text().replace("count", "cuont"));
+    let mut asked = None;
+    let mut harness = Harness::builder().with_size([600.0, 700.0]).build_ui(|ui| {
+        asked = asked.or(panels::text(ui, &mut document, None));
+    });
+    let wrong = "circle.toml:";
+    assert!(harness.query_by_label_contains(wrong).is_some());
+    harness.get_by_label("Apply").click();
+    harness.run();
+    harness.get_by_label("Undo").click();
+    harness.run();
+    assert!(harness.query_by_label_contains(wrong).is_none(), "the edit is undone");
+    harness.get_by_label("Apply").click();
+    harness.run();
+    drop(harness);
+    assert_eq!(asked, Some(Asked::Apply), "and what is wrong was not applied");
+}
+
+#[test]
+fn what_the_player_found_wrong_is_said() {
+    let mut document = Document::gallery("circle").unwrap();
+    let trouble = Trouble::Panic("a metre is enough".into());
+    let harness = Harness::new_ui(|ui| _ = panels::text(ui, &mut document, Some(&trouble)));
+    assert!(harness.query_by_label_contains("a metre is enough").is_some());
+}
+
+#[test]
+fn the_summary_has_the_figures() {
+    let shown = shown(120);
+    let harness = Harness::new_ui(|ui| panels::summary(ui, &shown));
+    assert!(harness.query_by_label("Ring of 36").is_some());
+    assert!(harness.query_by_label(&format!("{:016x}", shown.hash)).is_some());
+}
+
+#[test]
+fn the_help_has_every_key() {
+    let mut open = true;
+    let harness = Harness::new_ui(|ui| panels::help(ui.ctx(), &mut open));
+    for says in ["Tab", "next camera", "double click"] {
+        assert!(harness.query_by_label(says).is_some(), "{says}");
+    }
+}
