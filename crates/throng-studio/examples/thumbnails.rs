@@ -2,7 +2,7 @@
 //!
 //! usage: cargo run -p throng-studio --example thumbnails [SCENE ...]
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
@@ -39,22 +39,29 @@ fn thumbnail(name: &str, path: PathBuf) -> Result<(), Failure> {
     write(&path, painter.paint(&frame).data())
 }
 
-/// Writes red, green, blue and opacity as a picture with a palette: colours lose as few bits as leave 256 of them.
+/// Writes red, green, blue and opacity as a picture with a palette: colours that differ by few bits become the commonest of
+/// them, by as few as leave 256.
 fn write(path: &Path, pixels: &[u8]) -> Result<(), Failure> {
-    let rounded = |bits: u32| {
-        let round = move |c: u8| ((u32::from(c) + ((1 << bits) >> 1)) >> bits << bits).min(255) as u8;
-        let colors = pixels.chunks_exact(4).map(move |p| [round(p[0]), round(p[1]), round(p[2])]);
-        colors.collect::<Vec<[u8; 3]>>()
+    let cells = |bits: u32| {
+        let mut counts: BTreeMap<[u8; 3], BTreeMap<[u8; 3], u32>> = BTreeMap::new();
+        for pixel in pixels.chunks_exact(4) {
+            let color = [pixel[0], pixel[1], pixel[2]];
+            *counts.entry(color.map(|c| c >> bits)).or_default().entry(color).or_default() += 1;
+        }
+        counts
     };
-    let palette = |colors: &[[u8; 3]]| colors.iter().copied().collect::<BTreeSet<_>>();
-    let colors = (0..8).map(rounded).find(|colors| palette(colors).len() <= 256).ok_or("too many colours")?;
-    let palette: Vec<[u8; 3]> = palette(&colors).into_iter().collect();
-    let index = |color: &[u8; 3]| palette.binary_search(color).map_or(0, |at| at as u8);
+    let (bits, cells) =
+        (0..8).map(|bits| (bits, cells(bits))).find(|(_, cells)| cells.len() <= 256).ok_or("no palette")?;
+    let commonest =
+        |counts: &BTreeMap<[u8; 3], u32>| counts.iter().max_by_key(|(_, count)| **count).map(|(color, _)| *color);
+    let palette: Vec<u8> = cells.values().filter_map(commonest).flatten().collect();
+    let keys: Vec<[u8; 3]> = cells.into_keys().collect();
+    let index = |pixel: &[u8]| keys.binary_search(&[pixel[0] >> bits, pixel[1] >> bits, pixel[2] >> bits]).unwrap_or(0);
     let mut encoder = png::Encoder::new(BufWriter::new(File::create(path)?), SIZE.0, SIZE.1);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_compression(png::Compression::High);
-    encoder.set_palette(palette.concat());
-    let indices: Vec<u8> = colors.iter().map(index).collect();
+    encoder.set_palette(palette);
+    let indices: Vec<u8> = pixels.chunks_exact(4).map(|pixel| index(pixel) as u8).collect();
     encoder.write_header()?.write_image_data(&indices)?;
     Ok(())
 }

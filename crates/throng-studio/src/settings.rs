@@ -1,7 +1,7 @@
 //! What the studio remembers from one time to the next.
 
 use crate::play::Speed;
-use crate::view::Coloring;
+use crate::view::{Coloring, Marks};
 use serde::{Deserialize, Serialize};
 use throng_draw::Theme;
 
@@ -17,6 +17,8 @@ pub struct Settings {
     pub trails: f32,
     /// What the colour of an agent says.
     pub coloring: Coloring,
+    /// What agents are drawn as.
+    pub marks: Marks,
     /// How fast scenes play.
     pub speed: Speed,
     /// Whether what the selected agent has in mind is drawn.
@@ -54,6 +56,7 @@ impl Default for Settings {
             grid: true,
             trails: 1.5,
             coloring: Coloring::Group,
+            marks: Marks::Fitting,
             speed: Speed::Times(1.0),
             annotations: true,
             panels: Panels::default(),

@@ -3,7 +3,7 @@
 use super::icon::Icon;
 use crate::play::{Command, Shown, Speed};
 use crate::settings::Settings;
-use crate::view::{Coloring, Mode, View};
+use crate::view::{Coloring, Marks, Mode, View};
 use eframe::egui::{Align, ComboBox, DragValue, Layout, RichText, Slider, Ui};
 
 /// Shows the bar; what it asks the player to do.
@@ -52,7 +52,7 @@ fn timeline(ui: &mut Ui, shown: &Shown, asked: &mut Vec<Command>) {
     let last = (time.limit / time.step).round().max(1.0) as u64;
     let mut step = shown.step;
     let last = last.max(step);
-    ui.spacing_mut().slider_width = (ui.available_width() - 560.0).clamp(60.0, 420.0);
+    ui.spacing_mut().slider_width = (ui.available_width() - 660.0).clamp(60.0, 420.0);
     let slider = ui.add(Slider::new(&mut step, 0..=last).show_value(false));
     if slider.on_hover_text(format!("step {} of at most {last}", shown.step)).changed() {
         asked.push(Command::Seek(step));
@@ -87,4 +87,9 @@ fn looks(ui: &mut Ui, settings: &mut Settings, view: &mut View) {
         }
     });
     ui.label("by");
+    ComboBox::from_id_salt("marks").width(84.0).selected_text(settings.marks.label()).show_ui(ui, |ui| {
+        for other in Marks::ALL {
+            ui.selectable_value(&mut settings.marks, other, other.label());
+        }
+    });
 }

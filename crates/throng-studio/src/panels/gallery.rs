@@ -8,7 +8,7 @@ use eframe::egui::{
 use throng_scene::gallery;
 
 /// Width of a tile, points of the screen, and width over height of its picture.
-const TILE: f32 = 104.0;
+const TILE: f32 = 99.0;
 const ASPECT: f32 = 1.5;
 
 /// The gallery's panel.

@@ -1,9 +1,10 @@
 //! Agents and their trails as geometry, made anew when the state is.
 
 use super::colors::Colors;
-use super::geometry::{Disc, Geometry};
+use super::geometry::{Disc, Figure, Geometry};
 use crate::play::Shown;
 use crate::settings::Settings;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use throng_draw::Trails;
 use throng_record::Frame;
@@ -17,23 +18,33 @@ const MOST_TRAILS: usize = 5000;
 #[derive(Default)]
 pub struct Crowd {
     trails: Trails,
-    of: Option<(Arc<Frame>, Settings, u64)>,
+    of: Option<(Arc<Frame>, Settings, u64, bool)>,
+    /// How far everybody has gone, metres, by number, and when.
+    ways: BTreeMap<u32, f32>,
     layers: [Arc<Geometry>; 2],
 }
 
 impl Crowd {
-    /// Trails, and agents.
-    pub fn layers(&mut self, shown: &Shown, settings: &Settings, colors: &dyn Fn() -> Colors) -> [Arc<Geometry>; 2] {
-        let same = |(frame, with, run): &(Arc<Frame>, Settings, u64)| {
-            Arc::ptr_eq(frame, &shown.frame) && with == settings && *run == shown.run
+    /// Trails, and agents; as for a plan, or for space.
+    pub fn layers(
+        &mut self,
+        shown: &Shown,
+        settings: &Settings,
+        plan: bool,
+        colors: &dyn Fn() -> Colors,
+    ) -> [Arc<Geometry>; 2] {
+        let same = |(frame, with, run, flat): &(Arc<Frame>, Settings, u64, bool)| {
+            Arc::ptr_eq(frame, &shown.frame) && with == settings && *run == shown.run && *flat == plan
         };
         if !self.of.as_ref().is_some_and(same) {
-            if self.of.as_ref().is_some_and(|(_, _, run)| *run != shown.run) {
-                self.trails = Trails::default();
+            if self.of.as_ref().is_some_and(|(_, _, run, _)| *run != shown.run) {
+                (self.trails, self.ways) = (Trails::default(), BTreeMap::new());
             }
             let colors = colors();
-            self.layers = [Arc::new(self.trails(shown, settings, &colors)), Arc::new(agents(shown, &colors))];
-            self.of = Some((shown.frame.clone(), settings.clone(), shown.run));
+            let trails = self.trails(shown, settings, &colors);
+            self.layers =
+                [Arc::new(Geometry { deep: !plan, ..trails }), Arc::new(self.agents(shown, settings, plan, &colors))];
+            self.of = Some((shown.frame.clone(), settings.clone(), shown.run, plan));
         }
         self.layers.clone()
     }
@@ -56,25 +67,42 @@ impl Crowd {
         }
         ribbons
     }
-}
 
-fn agents(shown: &Shown, colors: &Colors) -> Geometry {
-    let (before, now) = (&shown.before.bodies, &shown.frame.bodies);
-    let origin = shown.setting.origin;
-    let mut agents = Geometry::default();
-    agents.discs.reserve(now.len());
-    let mut k = 0;
-    for body in now {
-        // both are by number
-        while before.get(k).is_some_and(|other| other.number < body.number) {
-            k += 1;
+    fn agents(&mut self, shown: &Shown, settings: &Settings, plan: bool, colors: &Colors) -> Geometry {
+        let (before, now) = (&shown.before.bodies, &shown.frame.bodies);
+        let new = self.of.as_ref().is_none_or(|(frame, ..)| !Arc::ptr_eq(frame, &shown.frame));
+        let origin = shown.setting.origin;
+        let mut agents = Geometry { deep: !plan, ..Geometry::default() };
+        let mut k = 0;
+        for body in now {
+            // both are by number
+            while before.get(k).is_some_and(|other| other.number < body.number) {
+                k += 1;
+            }
+            let from = before.get(k).filter(|other| other.number == body.number).unwrap_or(body);
+            let coat = colors.coat(body);
+            let Some(shape) = settings.marks.shape(body, colors.look().form(body), plan) else {
+                agents.discs.push(Disc::agent(from, body, coat, origin));
+                continue;
+            };
+            if body.altitude > 0.0 {
+                agents.discs.push(Disc::shadow(from, body, coat, origin));
+            }
+            let gone = from.position.distance(body.position) as f32;
+            let way = self.ways.entry(body.number).or_default();
+            if new {
+                *way += gone;
+            }
+            // not all at once
+            let own = 2.4 * body.number as f32;
+            let phase = |time: f64, way: f32| own + shape.phase(time as f32, way, body.radius);
+            let phases = [phase(shown.before.time, *way - gone), phase(shown.frame.time, *way)];
+            agents.figures[shape as usize].push(Figure::new(from, body, phases, coat.fill, origin));
         }
-        let from = before.get(k).filter(|other| other.number == body.number).unwrap_or(body);
-        agents.discs.push(Disc::agent(from, body, colors.coat(body), origin));
+        if shown.setting.in_space {
+            // from above, who is higher hides who is lower
+            agents.discs.sort_by(|a, b| a.altitude().total_cmp(&b.altitude()));
+        }
+        agents
     }
-    if shown.setting.in_space {
-        // from above, who is higher hides who is lower
-        agents.discs.sort_by(|a, b| a.altitude().total_cmp(&b.altitude()));
-    }
-    agents
 }

@@ -1,5 +1,6 @@
 //! What is drawn: areas, discs and lines, relative to the world's origin, as they are handed to the graphics processor.
 
+use super::shape::Shape;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, Vec2, Vec3};
 use throng_draw::{Coat, Color};
@@ -35,12 +36,48 @@ pub struct Disc {
     now: [f32; 4],
     /// Radius, half extents of the core, and 0.
     body: [f32; 4],
-    /// Width of the rim, points of the screen (negative: part of the radius); least radius, points; opacity of the notch; 0.
+    /// Width of the rim, points of the screen (negative: part of the radius); least radius, points; opacity of the notch;
+    /// 1: only its shadow is seen.
     look: [f32; 4],
     fill: Paint,
     rim: Paint,
 }
 
+/// An agent as a shape, on its way from one state to the next.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+pub struct Figure {
+    /// Where, and how far its movement has come.
+    before: [f32; 4],
+    now: [f32; 4],
+    /// Where it faces now, and its radius.
+    body: [f32; 4],
+    /// Where its head is; its least radius, points of the screen.
+    look: [f32; 4],
+    fill: Paint,
+    /// Where it faced before.
+    turn: [f32; 4],
+}
+
+impl Figure {
+    /// An agent on its way from `before` to `now`; `phases` are how far its movement had and has come.
+    pub fn new(before: &Body, now: &Body, phases: [f32; 2], fill: Color, origin: DVec2) -> Self {
+        let ahead =
+            |body: &Body| body.basis.map_or_else(|| Vec2::from_angle(body.heading).extend(0.0), |basis| basis.forward);
+        let at = |body: &Body, phase: f32| [pose(body, origin)[0], pose(body, origin)[1], body.altitude, phase];
+        Self {
+            before: at(before, phases[0]),
+            now: at(now, phases[1]),
+            body: ahead(now).extend(now.radius).to_array(),
+            look: now.basis.map_or(Vec3::Z, |basis| basis.up).extend(LEAST_FIGURE).to_array(),
+            fill: paint(fill),
+            turn: ahead(before).extend(0.0).to_array(),
+        }
+    }
+}
+
+/// The least radius a shape is drawn with, points of the screen.
+const LEAST_FIGURE: f32 = 2.2;
 /// The least radius an agent is drawn with, points of the screen.
 const LEAST_RADIUS: f32 = 1.5;
 
@@ -56,6 +93,13 @@ impl Disc {
             fill: paint(coat.fill),
             rim: paint(coat.rim),
         }
+    }
+
+    /// The shadow of an agent.
+    pub fn shadow(before: &Body, now: &Body, coat: Coat, origin: DVec2) -> Self {
+        let disc = Self::agent(before, now, coat, origin);
+        let [rim, least, notch, _] = disc.look;
+        Self { look: [rim, least, notch, 1.0], ..disc }
     }
 
     /// A ring round an agent.
@@ -96,11 +140,20 @@ pub struct Geometry {
     pub discs: Vec<Disc>,
     /// Lines.
     pub lines: Vec<Line>,
+    /// Agents that are no discs, by [`Shape`].
+    pub figures: [Vec<Figure>; Shape::ALL.len()],
+    /// Whether things hide what is behind them; else what is drawn later lies over what was drawn before.
+    pub deep: bool,
 }
 
 impl Geometry {
-    /// Adds a polygon with holes: rings of corners, the outer one first.
+    /// Adds a polygon with holes on the ground: rings of corners, the outer one first.
     pub fn area(&mut self, rings: &[Vec<DVec2>], origin: DVec2, color: Color) {
+        self.area_at(rings, origin, 0.0, color);
+    }
+
+    /// Adds a polygon with holes at a height, metres.
+    pub fn area_at(&mut self, rings: &[Vec<DVec2>], origin: DVec2, height: f32, color: Color) {
         let corners: Vec<[f64; 2]> = rings.iter().flatten().map(|&corner| (corner - origin).to_array()).collect();
         if corners.len() < 3 || corners.iter().flatten().any(|x| !x.is_finite()) {
             return;
@@ -114,7 +167,7 @@ impl Geometry {
         earcut::Earcut::new().earcut(corners.iter().copied(), &holes, &mut triangles);
         let corner = |k: u32| {
             let [x, y] = corners[k as usize];
-            Corner { at: Vec3::new(x as f32, y as f32, 0.0), color: paint(color) }
+            Corner { at: Vec3::new(x as f32, y as f32, height), color: paint(color) }
         };
         self.areas.extend(triangles.into_iter().map(corner));
     }

@@ -6,10 +6,12 @@ mod eye;
 mod geometry;
 mod gl;
 mod scenery;
+mod shape;
 mod thoughts;
 
 pub use colors::Coloring;
 pub use eye::{Eye, Followed, Mode, ground};
+pub use shape::{Marks, Shape};
 
 use crate::play::Shown;
 use crate::settings::Settings;
@@ -53,6 +55,7 @@ struct Scenery {
     dark: bool,
     floor: Arc<Geometry>,
     place: Arc<Geometry>,
+    solids: Arc<Geometry>,
 }
 
 impl View {
@@ -135,12 +138,14 @@ impl View {
         let painter = ui.painter_at(rect);
         painter.rect_filled(rect, 0.0, crate::style::color(base));
         let scenery = self.scenery(shown, settings, &theme);
-        let (floor, place) = (scenery.floor.clone(), scenery.place.clone());
+        let (floor, place, solids) = (scenery.floor.clone(), scenery.place.clone(), scenery.solids.clone());
+        let solids = if matches!(projector, Projector::Plan(_)) { Arc::default() } else { solids };
         let size = Vec2::new(rect.width(), rect.height());
         let grid = if settings.grid { grid(projector, size, shown, &theme) } else { Geometry::default() };
+        let plan = matches!(projector, Projector::Plan(_));
         let colors = || Colors::new(shown, settings.coloring, &theme);
-        let [trails, agents] = self.crowd.layers(shown, settings, &colors);
-        let layers = vec![floor, Arc::new(grid), place, trails, agents, Arc::new(self.marked(shown, &theme))];
+        let [trails, agents] = self.crowd.layers(shown, settings, plan, &colors);
+        let layers = vec![floor, Arc::new(grid), place, solids, trails, agents, Arc::new(self.marked(shown, &theme))];
         let unit = ui.ctx().pixels_per_point();
         let lighting = Lighting { share, notch: theme.notch.alpha(0.92), ..lighting(projector, size, unit, shown) };
         let canvas = self.canvas.clone();
@@ -168,6 +173,7 @@ impl View {
             run,
             dark,
             floor: Arc::new(scenery::floor(&shown.setting, theme)),
+            solids: Arc::new(scenery::solids(&shown.setting, theme)),
             place: Arc::new(scenery::place(&shown.setting, &shown.scene, theme, &shown.first)),
         })
     }

@@ -9,6 +9,9 @@ use throng_scene::Scene;
 
 /// More goals than this step back.
 const MANY_GOALS: usize = 40;
+/// How high obstacles are for an eye in space, metres, and corners of round ones.
+const HEIGHT: f32 = 1.2;
+const ROUND: usize = 40;
 /// Points of the screen between the lines of the grid, at least.
 const CELL: f64 = 36.0;
 
@@ -68,6 +71,42 @@ pub fn place(setting: &Setting, scene: &Scene, theme: &Theme, first: &Frame) -> 
         goals(setting, theme, first, &mut place);
     }
     place
+}
+
+/// Obstacles as high as people look over: prisms, walls and holes of the ground, for an eye in space.
+pub fn solids(setting: &Setting, theme: &Theme) -> Geometry {
+    let mut solids = Geometry { deep: true, ..Geometry::default() };
+    let holes = setting.walkable.iter().flat_map(|area| &area.holes);
+    holes.for_each(|hole| prism(hole, true, setting.origin, theme, &mut solids));
+    for obstacle in &setting.obstacles {
+        match obstacle {
+            Obstacle::Circle { center, radius } => {
+                let out = |k: usize| DVec2::from_angle(k as f64 * std::f64::consts::TAU / ROUND as f64) * *radius;
+                let corners: Vec<DVec2> = (0..ROUND).map(|k| *center + out(k)).collect();
+                prism(&corners, true, setting.origin, theme, &mut solids);
+            }
+            Obstacle::Polygon { corners } => prism(corners, true, setting.origin, theme, &mut solids),
+            Obstacle::Wall { points } => prism(points, false, setting.origin, theme, &mut solids),
+        }
+    }
+    solids
+}
+
+/// What stands over a ring of corners, or, not closed, over a line.
+fn prism(corners: &[DVec2], closed: bool, origin: DVec2, theme: &Theme, solids: &mut Geometry) {
+    let local = |point: DVec2, z: f32| (point - origin).as_vec2().extend(z);
+    let sides = if closed { corners.len() } else { corners.len().saturating_sub(1) };
+    for k in 0..sides {
+        let (a, b) = (corners[k], corners[(k + 1) % corners.len()]);
+        // lighter on one side than on the other, whichever way round the corners are
+        let light = (b - a).perp().normalize_or_zero().dot(DVec2::new(0.6, 0.8)).abs() as f32;
+        let color = theme.obstacle.mix(theme.edge, 0.25 + 0.45 * light);
+        solids.facet(&[local(a, 0.0), local(b, 0.0), local(b, HEIGHT), local(a, HEIGHT)], color);
+        solids.line(&[local(a, HEIGHT), local(b, HEIGHT)], false, Stroke::plain(1.0, theme.edge));
+    }
+    if closed {
+        solids.area_at(&[corners.to_vec()], origin, HEIGHT, theme.obstacle);
+    }
 }
 
 fn goals(setting: &Setting, theme: &Theme, first: &Frame, place: &mut Geometry) {

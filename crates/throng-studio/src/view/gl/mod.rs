@@ -7,7 +7,8 @@
 
 mod program;
 
-use super::geometry::{Corner, Disc, Geometry, Line};
+use super::geometry::{Corner, Disc, Figure, Geometry, Line};
+use super::shape::{Shape, Vertex};
 use bytemuck::Pod;
 use eframe::glow::{self, HasContext};
 use glam::{Mat4, Vec2};
@@ -42,6 +43,9 @@ pub struct Canvas {
     areas: Program,
     discs: Program,
     lines: Program,
+    figures: Program,
+    /// The corners of each shape, and how many.
+    meshes: Vec<(glow::Buffer, i32)>,
     layers: Vec<Layer>,
 }
 
@@ -51,6 +55,8 @@ struct Layer {
     areas: Buffer,
     discs: Buffer,
     lines: Buffer,
+    /// By shape.
+    figures: Vec<Buffer>,
 }
 
 impl Canvas {
@@ -61,8 +67,14 @@ impl Canvas {
             areas: Program::new(gl, include_str!("shaders/area.vert"), include_str!("shaders/area.frag"))?,
             discs: Program::new(gl, include_str!("shaders/disc.vert"), include_str!("shaders/disc.frag"))?,
             lines: Program::new(gl, include_str!("shaders/line.vert"), include_str!("shaders/line.frag"))?,
+            figures: Program::new(gl, include_str!("shaders/figure.vert"), include_str!("shaders/figure.frag"))?,
+            meshes: Shape::ALL.iter().map(|shape| mesh(gl, &shape.mesh())).collect::<Result<_, _>>()?,
             layers: Vec::new(),
         })
+    }
+
+    fn programs(&self) -> [&Program; 4] {
+        [&self.areas, &self.discs, &self.lines, &self.figures]
     }
 
     /// Draws layers, the first below the others, into the current viewport. A layer that is the same as the last time is not
@@ -72,34 +84,45 @@ impl Canvas {
     /// The graphics processor has no memory left.
     pub fn paint(&mut self, gl: &glow::Context, layers: &[Arc<Geometry>], lighting: &Lighting) -> Result<(), String> {
         while self.layers.len() < layers.len() {
-            self.layers.push(Layer::new(gl)?);
+            self.layers.push(Layer::new(gl, &self.meshes)?);
         }
         // SAFETY: calls without arguments that point anywhere.
         unsafe {
             gl.enable(glow::BLEND);
             gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
+            gl.depth_func(glow::LEQUAL);
+            gl.depth_mask(true);
+            gl.clear_depth_f32(1.0);
+            gl.clear(glow::DEPTH_BUFFER_BIT);
         }
-        for program in [&self.areas, &self.discs, &self.lines] {
-            program.light(gl, lighting);
-        }
+        self.programs().into_iter().for_each(|program| program.light(gl, lighting));
         for (layer, geometry) in self.layers.iter_mut().zip(layers) {
             layer.hold(gl, geometry);
+            depth(gl, geometry.deep, geometry.deep);
             self.areas.draw(gl, &layer.areas, glow::TRIANGLES);
+            // what is smooth at its edges hides nothing
+            depth(gl, geometry.deep, false);
             self.discs.shadows(gl, Some(SHADE));
             self.discs.draw(gl, &layer.discs, glow::TRIANGLE_STRIP);
             self.discs.shadows(gl, None);
             self.discs.draw(gl, &layer.discs, glow::TRIANGLE_STRIP);
             self.lines.draw(gl, &layer.lines, glow::TRIANGLE_STRIP);
+            depth(gl, geometry.deep, geometry.deep);
+            layer.figures.iter().for_each(|figures| self.figures.draw(gl, figures, glow::TRIANGLES));
         }
+        depth(gl, false, true);
         Ok(())
     }
 
     /// Gives everything back.
     pub fn destroy(&self, gl: &glow::Context) {
-        for program in [&self.areas, &self.discs, &self.lines] {
-            program.destroy(gl);
+        self.programs().into_iter().for_each(|program| program.destroy(gl));
+        for &(mesh, _) in &self.meshes {
+            // SAFETY: it is of this context and not used again.
+            unsafe { gl.delete_buffer(mesh) }
         }
-        for buffer in self.layers.iter().flat_map(|layer| [&layer.areas, &layer.discs, &layer.lines]) {
+        let plain = self.layers.iter().flat_map(|layer| [&layer.areas, &layer.discs, &layer.lines]);
+        for buffer in plain.chain(self.layers.iter().flat_map(|layer| &layer.figures)) {
             // SAFETY: both are of this context and not used again.
             unsafe {
                 gl.delete_vertex_array(buffer.array);
@@ -109,12 +132,54 @@ impl Canvas {
     }
 }
 
+/// Whether what is drawn next is hidden by what is nearer, and whether it hides what is farther.
+fn depth(gl: &glow::Context, hidden: bool, hides: bool) {
+    // SAFETY: calls without arguments that point anywhere.
+    unsafe {
+        if hidden {
+            gl.enable(glow::DEPTH_TEST);
+        } else {
+            gl.disable(glow::DEPTH_TEST);
+        }
+        gl.depth_mask(hides);
+    }
+}
+
+/// Hands over the corners of a shape.
+fn mesh(gl: &glow::Context, corners: &[Vertex]) -> Result<(glow::Buffer, i32), String> {
+    // SAFETY: the bytes are copied during the call.
+    unsafe {
+        let buffer = gl.create_buffer()?;
+        gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffer));
+        gl.buffer_data_u8_slice(glow::ARRAY_BUFFER, bytemuck::cast_slice(corners), glow::STATIC_DRAW);
+        Ok((buffer, corners.len() as i32))
+    }
+}
+
+/// The fields of a shape's corners.
+const VERTEX: [(&str, Attribute); 3] =
+    [("corner_at", Attribute::Floats(3)), ("normal", Attribute::Floats(3)), ("joint", Attribute::Floats(3))];
+
 impl Layer {
-    fn new(gl: &glow::Context) -> Result<Self, String> {
+    fn new(gl: &glow::Context, meshes: &[(glow::Buffer, i32)]) -> Result<Self, String> {
         use Attribute::{Colour, Floats};
+        let figure = [
+            ("before", Floats(4)),
+            ("now", Floats(4)),
+            ("body", Floats(4)),
+            ("look", Floats(4)),
+            ("fill", Colour),
+            ("turn", Floats(4)),
+        ];
+        let figures = meshes.iter().map(|&(mesh, corners)| {
+            let buffer = Buffer::new(gl, &figure, Some(corners))?;
+            buffer.read(gl, mesh, &VERTEX, 0);
+            Ok(buffer)
+        });
         Ok(Self {
             of: None,
-            areas: Buffer::new(gl, &[("at", Floats(3)), ("color", Colour)], false)?,
+            figures: figures.collect::<Result<_, String>>()?,
+            areas: Buffer::new(gl, &[("at", Floats(3)), ("color", Colour)], None)?,
             discs: Buffer::new(
                 gl,
                 &[
@@ -125,12 +190,12 @@ impl Layer {
                     ("fill", Colour),
                     ("rim", Colour),
                 ],
-                true,
+                Some(4),
             )?,
             lines: Buffer::new(
                 gl,
                 &[("from", Floats(3)), ("to", Floats(3)), ("color", Colour), ("stroke", Floats(2))],
-                true,
+                Some(4),
             )?,
         })
     }
@@ -142,6 +207,9 @@ impl Layer {
         self.areas.upload::<Corner>(gl, &geometry.areas);
         self.discs.upload::<Disc>(gl, &geometry.discs);
         self.lines.upload::<Line>(gl, &geometry.lines);
+        for (buffer, figures) in self.figures.iter_mut().zip(&geometry.figures) {
+            buffer.upload::<Figure>(gl, figures);
+        }
         self.of = Some(geometry.clone());
     }
 }
@@ -152,31 +220,39 @@ struct Buffer {
     buffer: glow::Buffer,
     /// Bytes of an item.
     stride: usize,
-    /// Whether an item is a quad; else a corner.
-    instanced: bool,
+    /// How many corners an item has that is drawn once for all of them; `None`: each item is a corner.
+    corners: Option<i32>,
     count: i32,
 }
 
 impl Buffer {
-    /// A buffer for items with these fields, in the order of [`program::ATTRIBUTES`].
-    fn new(gl: &glow::Context, fields: &[(&str, Attribute)], instanced: bool) -> Result<Self, String> {
+    /// A buffer for items with these fields.
+    fn new(gl: &glow::Context, fields: &[(&str, Attribute)], corners: Option<i32>) -> Result<Self, String> {
+        let stride = fields.iter().map(|(_, field)| field.bytes()).sum();
+        // SAFETY: calls without arguments that point anywhere.
+        let (array, buffer) = unsafe { (gl.create_vertex_array()?, gl.create_buffer()?) };
+        let new = Self { array, buffer, stride, corners, count: 0 };
+        new.read(gl, buffer, fields, u32::from(corners.is_some()));
+        Ok(new)
+    }
+
+    /// Lets shaders read fields, one after the other, from a buffer; `each` 1: once an item, 0: once a corner.
+    fn read(&self, gl: &glow::Context, buffer: glow::Buffer, fields: &[(&str, Attribute)], each: u32) {
         let stride: usize = fields.iter().map(|(_, field)| field.bytes()).sum();
-        // SAFETY: what is described are the fields of the items that `upload` will write, one after the other.
+        // SAFETY: what is described are the fields of the items that are written to the buffer.
         unsafe {
-            let (array, buffer) = (gl.create_vertex_array()?, gl.create_buffer()?);
-            gl.bind_vertex_array(Some(array));
+            gl.bind_vertex_array(Some(self.array));
             gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffer));
             let mut offset = 0;
             for (name, field) in fields {
                 let place = program::place(name);
-                gl.enable_vertex_attrib_array(place);
                 let (count, kind, normalized) = field.layout();
+                gl.enable_vertex_attrib_array(place);
                 gl.vertex_attrib_pointer_f32(place, count, kind, normalized, stride as i32, offset as i32);
-                gl.vertex_attrib_divisor(place, u32::from(instanced));
+                gl.vertex_attrib_divisor(place, each);
                 offset += field.bytes();
             }
             gl.bind_vertex_array(None);
-            Ok(Self { array, buffer, stride, instanced, count: 0 })
         }
     }
 

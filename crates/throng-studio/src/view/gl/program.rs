@@ -4,7 +4,7 @@ use super::{Buffer, Lighting};
 use eframe::glow::{self, HasContext};
 
 /// The names of the fields that shaders read, by place; no shader has two at one.
-const ATTRIBUTES: [(u32, &str); 12] = [
+const ATTRIBUTES: [(u32, &str); 15] = [
     (0, "at"),
     (0, "before"),
     (0, "from"),
@@ -17,6 +17,9 @@ const ATTRIBUTES: [(u32, &str); 12] = [
     (4, "fill"),
     (5, "rim"),
     (6, "turn"),
+    (7, "corner_at"),
+    (8, "normal"),
+    (9, "joint"),
 ];
 
 /// The place of a field.
@@ -128,10 +131,9 @@ impl Program {
         unsafe {
             gl.use_program(Some(self.program));
             gl.bind_vertex_array(Some(buffer.array));
-            if buffer.instanced {
-                gl.draw_arrays_instanced(mode, 0, 4, buffer.count);
-            } else {
-                gl.draw_arrays(mode, 0, buffer.count);
+            match buffer.corners {
+                Some(corners) => gl.draw_arrays_instanced(mode, 0, corners, buffer.count),
+                None => gl.draw_arrays(mode, 0, buffer.count),
             }
             gl.bind_vertex_array(None);
         }

@@ -31,6 +31,11 @@ void main() {
         // the edge of a small disc would take its colour away
         outer = mix(fill, rim, clamp(0.4 * (girth * scale / unit - 1.2), 0.0, 1.0));
     }
+    // some are there for their shadows only
+    if (!shadows && look.w > 0.5) {
+        gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+        return;
+    }
     if (shadows) {
         if (at.z <= 0.0) {
             gl_Position = vec4(2.0, 2.0, 2.0, 1.0);

@@ -1,0 +1,220 @@
+//! What agents look like in space: small bodies of flat faces, some with wings that beat or legs that walk. Lengths are radii of the
+//! agent's body; +x is ahead, +y to the left, z up.
+
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+use throng_draw::Form;
+use throng_record::Body;
+
+/// What agents are drawn as.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub enum Marks {
+    /// As the scene says; else discs on a plan, and in space walkers as figures, who flies as a dart.
+    #[default]
+    Fitting,
+    /// All as discs.
+    Discs,
+    /// All as one shape.
+    All(Shape),
+}
+
+impl Marks {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Fitting,
+        Self::Discs,
+        Self::All(Shape::Arrow),
+        Self::All(Shape::Vehicle),
+        Self::All(Shape::Bird),
+        Self::All(Shape::Insect),
+        Self::All(Shape::Walker),
+    ];
+
+    /// What it is called.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Fitting => "fitting",
+            Self::Discs => "discs",
+            Self::All(shape) => shape.label(),
+        }
+    }
+
+    /// The shape of an agent; `None` for a disc.
+    pub fn shape(self, body: &Body, form: Form, plan: bool) -> Option<Shape> {
+        match self {
+            Self::Discs => None,
+            Self::All(shape) => Some(shape),
+            Self::Fitting if form == Form::Insect => Some(Shape::Insect),
+            Self::Fitting if body.basis.is_some() => Some(Shape::Vehicle),
+            Self::Fitting if plan || body.radius > TALL || body.core != glam::Vec2::ZERO => None,
+            Self::Fitting => Some(Shape::Walker),
+        }
+    }
+}
+
+/// People are no wider than this, metres.
+const TALL: f32 = 0.6;
+
+/// A shape of agents.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub enum Shape {
+    /// A flat arrow.
+    Arrow,
+    /// A dart.
+    Vehicle,
+    /// A bird with wings that beat.
+    Bird,
+    /// An insect: a thin body with two wings that beat fast.
+    Insect,
+    /// A figure that walks: its steps are as long as its legs allow, however fast it is.
+    Walker,
+}
+
+/// A corner of a shape.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+pub struct Vertex {
+    corner: Vec3,
+    normal: Vec3,
+    /// How far it turns round the body's length, and round its side, radians; and the height of that joint.
+    joint: Vec3,
+}
+
+impl Shape {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Arrow, Self::Vehicle, Self::Bird, Self::Insect, Self::Walker];
+
+    /// What it is called.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Arrow => "arrows",
+            Self::Vehicle => "vehicles",
+            Self::Bird => "birds",
+            Self::Insect => "insects",
+            Self::Walker => "figures",
+        }
+    }
+
+    /// How far its movement has come after so many seconds, and metres on its way, radians.
+    pub fn phase(self, seconds: f32, way: f32, radius: f32) -> f32 {
+        match self {
+            Self::Arrow | Self::Vehicle => 0.0,
+            Self::Bird => 16.0 * seconds,
+            Self::Insect => 70.0 * seconds,
+            // two steps are a turn
+            Self::Walker => std::f32::consts::TAU * way / (6.0 * radius),
+        }
+    }
+
+    /// Its faces, three corners each.
+    pub fn mesh(self) -> Vec<Vertex> {
+        let mut mesh = Mesh::default();
+        match self {
+            Self::Arrow => {
+                let (nose, tip, tail) =
+                    (Vec3::new(1.3, 0.0, 0.05), Vec3::new(-1.0, 0.85, 0.05), Vec3::new(-0.5, 0.0, 0.05));
+                mesh.mirrored([nose, tip, tail], Vec3::ZERO);
+            }
+            Self::Vehicle => {
+                let (nose, tip, tail) =
+                    (Vec3::new(1.9, 0.0, 0.0), Vec3::new(-1.3, 1.35, 0.35), Vec3::new(-0.75, 0.0, -0.1));
+                mesh.mirrored([nose, tip, tail], Vec3::ZERO);
+            }
+            Self::Bird => {
+                mesh.spindle(Vec3::new(1.6, 0.28, 0.24), -0.4);
+                let wing = Vec3::X * 0.75;
+                mesh.mirrored([Vec3::new(0.7, 0.15, 0.1), Vec3::new(-0.1, 2.4, 0.1), Vec3::new(-0.5, 0.15, 0.1)], wing);
+                mesh.mirrored(
+                    [Vec3::new(-1.3, 0.0, 0.0), Vec3::new(-2.2, 0.5, 0.05), Vec3::new(-2.0, 0.0, 0.0)],
+                    Vec3::ZERO,
+                );
+            }
+            Self::Insect => {
+                mesh.spindle(Vec3::new(1.1, 0.22, 0.22), 0.0);
+                let wing = Vec3::X * 0.9;
+                mesh.mirrored([Vec3::new(0.5, 0.1, 0.2), Vec3::new(-0.2, 1.5, 0.3), Vec3::new(-0.9, 0.8, 0.2)], wing);
+            }
+            Self::Walker => {
+                let leg = Vec3::new(0.0, 0.55, 3.2);
+                let arm = Vec3::new(0.0, -0.45, 5.3);
+                for side in [1.0, -1.0] {
+                    let swing = |joint: Vec3| joint * Vec3::new(1.0, side, 1.0);
+                    mesh.block(Vec3::new(0.0, 0.34 * side, 1.6), Vec3::new(0.27, 0.24, 1.6), swing(leg));
+                    mesh.block(Vec3::new(0.0, 0.88 * side, 4.2), Vec3::new(0.18, 0.16, 1.15), swing(arm));
+                }
+                mesh.block(Vec3::new(0.0, 0.0, 4.3), Vec3::new(0.34, 0.66, 1.2), Vec3::ZERO);
+                mesh.block(Vec3::new(0.05, 0.0, 6.1), Vec3::new(0.4, 0.36, 0.48), Vec3::ZERO);
+            }
+        }
+        mesh.0
+    }
+}
+
+#[derive(Default)]
+struct Mesh(Vec<Vertex>);
+
+impl Mesh {
+    fn face(&mut self, corners: [Vec3; 3], joint: Vec3) {
+        let [a, b, c] = corners;
+        let normal = (b - a).cross(c - a).normalize_or(Vec3::Z);
+        self.0.extend(corners.map(|corner| Vertex { corner, normal, joint }));
+    }
+
+    /// A face and the same on the other side, both seen from above.
+    fn mirrored(&mut self, [a, b, c]: [Vec3; 3], joint: Vec3) {
+        let other = |p: Vec3| Vec3::new(p.x, -p.y, p.z);
+        self.face([a, b, c], joint);
+        self.face([other(a), other(c), other(b)], joint);
+    }
+
+    /// A body that is pointed before and behind: half its extents, and where it is thickest.
+    fn spindle(&mut self, half: Vec3, thickest: f32) {
+        let around = [Vec3::Y * half.y, Vec3::Z * half.z, Vec3::Y * -half.y, Vec3::Z * -half.z];
+        for k in 0..4 {
+            let middle = Vec3::X * thickest;
+            let (a, b) = (around[k] + middle, around[(k + 1) % 4] + middle);
+            self.face([Vec3::X * half.x, a, b], Vec3::ZERO);
+            self.face([Vec3::X * -half.x, b, a], Vec3::ZERO);
+        }
+    }
+
+    /// A block: its middle, and half its extents.
+    fn block(&mut self, middle: Vec3, half: Vec3, joint: Vec3) {
+        for (axis, u, v) in [(Vec3::X, Vec3::Y, Vec3::Z), (Vec3::Y, Vec3::Z, Vec3::X), (Vec3::Z, Vec3::X, Vec3::Y)] {
+            for side in [1.0, -1.0] {
+                let (out, u, v) = (axis * side * half, u * half, v * half * side);
+                let [a, b, c, d] = [-u - v, u - v, u + v, v - u].map(|corner| middle + out + corner);
+                self.face([a, b, c], joint);
+                self.face([a, c, d], joint);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn faces_of_a_block_look_outwards() {
+        let mut mesh = Mesh::default();
+        mesh.block(Vec3::ZERO, Vec3::ONE, Vec3::ZERO);
+        assert_eq!(mesh.0.len(), 36);
+        assert!(mesh.0.iter().all(|vertex| vertex.normal.dot(vertex.corner) > 0.5));
+    }
+
+    #[test]
+    fn every_shape_has_whole_faces() {
+        for shape in Shape::ALL {
+            let mesh = shape.mesh();
+            assert!(!mesh.is_empty() && mesh.len() % 3 == 0, "{shape:?}");
+            assert!(mesh.iter().all(|vertex| (vertex.normal.length() - 1.0).abs() < 1e-5), "{shape:?}");
+        }
+    }
+
+    #[test]
+    fn a_figure_walks_as_far_as_it_goes() {
+        assert_eq!(Shape::Walker.phase(9.0, 1.2, 0.2), std::f32::consts::TAU);
+        assert_eq!(Shape::Vehicle.phase(9.0, 1.2, 0.2), 0.0);
+    }
+}
