@@ -21,8 +21,8 @@ pub struct Options {
     pub state: Option<PathBuf>,
     /// Where a picture of the window is written to; then the studio closes.
     pub screenshot: Option<PathBuf>,
-    /// The step it is taken at.
-    pub at_step: u64,
+    /// The step at which the scene is shown, paused; without it, it runs.
+    pub at_step: Option<u64>,
 }
 
 /// The studio.
@@ -75,11 +75,11 @@ impl App {
             told: String::new(),
             options,
         };
-        let still = app.options.screenshot.is_some();
+        let still = app.options.at_step;
         app.player.command(Command::Speed(app.settings.speed));
-        app.play(!still);
-        if still {
-            app.player.command(Command::Seek(app.options.at_step));
+        app.play(still.is_none());
+        if let Some(step) = still {
+            app.player.command(Command::Seek(step));
         }
         Ok(app)
     }

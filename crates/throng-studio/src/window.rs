@@ -20,14 +20,15 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     pub screenshot: Option<PathBuf>,
 
-    /// The step at which the picture is taken
-    #[arg(long, value_name = "N", default_value_t = 0, requires = "screenshot")]
-    pub at_step: u64,
+    /// Shows the scene at a step, paused [with --screenshot: 0]
+    #[arg(long, value_name = "N")]
+    pub at_step: Option<u64>,
 }
 
 impl From<Arguments> for Options {
     fn from(arguments: Arguments) -> Self {
         let Arguments { scene, state, screenshot, at_step } = arguments;
+        let at_step = at_step.or(screenshot.as_ref().map(|_| 0));
         Self { scene, state, screenshot, at_step }
     }
 }

@@ -27,7 +27,8 @@ fn shown(step: u64) -> Arc<Shown> {
 
 #[test]
 fn the_gallery_finds_and_opens() {
-    let mut gallery = Gallery { search: "ring 36".into(), ..Gallery::default() };
+    let mut gallery = Gallery::default();
+    gallery.search.push_str("ring 36");
     let mut asked = None;
     let mut harness = Harness::new_ui(|ui| asked = asked.or(gallery.ui(ui, "box")));
     assert!(harness.query_by_label("boids").is_none(), "it is not searched for");

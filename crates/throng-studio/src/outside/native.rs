@@ -81,7 +81,7 @@ impl Outside {
         let Some(path) = options.screenshot.clone().filter(|_| !self.pictured) else { return };
         ctx.request_repaint();
         // panels need some frames to find their sizes
-        if shown.step == options.at_step && !shown.playing && ctx.cumulative_frame_nr() > 20 {
+        if Some(shown.step) == options.at_step && !shown.playing && ctx.cumulative_frame_nr() > 20 {
             self.pictured = true;
             let window = ctx.clone();
             ctx.request_screenshot(move |image| {

@@ -219,8 +219,8 @@ impl Eye {
             }
             Mode::Offset => Sight { eye: center + (level * -0.6 + left * 0.6 + DVec3::Z * 0.5) * away, target: center },
             Mode::PointOfView => {
-                let eye = center + DVec3::Z * 1.5 * radius - forward * 2.0 * radius;
-                Sight { eye, target: eye + forward * 20.0 * radius - DVec3::Z * radius }
+                let eye = center + DVec3::Z * 4.0 * radius;
+                Sight { eye, target: eye + forward * 20.0 * radius - DVec3::Z * 2.0 * radius }
             }
             _ => Sight { eye: center + DVec3::Z * away * 1.5, target: center },
         }
@@ -311,7 +311,9 @@ mod tests {
             let mut eye = eye(mode);
             (0..300).for_each(|_| eye.settle(Some(followed), 0.02));
             assert!(!eye.moves(), "{mode:?}");
-            let seen = eye.projector(SIZE).pixel(followed.center).unwrap();
+            // with its own eyes it sees not itself, but what is ahead
+            let ahead = if mode == Mode::PointOfView { followed.forward * 20.0 * followed.radius } else { DVec3::ZERO };
+            let seen = eye.projector(SIZE).pixel(followed.center + ahead).unwrap();
             assert!(seen.distance(SIZE * 0.5) < 220.0, "{mode:?}: {seen}");
         }
         assert_eq!(Mode::ALL.iter().fold(Mode::Plan, |mode, _| mode.next()), Mode::Plan);
