@@ -54,8 +54,8 @@ pub enum Action {
 /// Every key, what it does, and how the help says it. `true`: with the command key.
 pub const KEYS: [(bool, Key, Action, &str, &str); 22] = [
     (false, Key::Space, Action::Play, "Space", "run or pause"),
-    (false, Key::ArrowRight, Action::Step, "→", "a step on"),
-    (false, Key::ArrowLeft, Action::Back, "←", "a step back"),
+    (false, Key::ArrowRight, Action::Step, "Right", "a step on"),
+    (false, Key::ArrowLeft, Action::Back, "Left", "a step back"),
     (false, Key::R, Action::Restart, "R", "restart"),
     (false, Key::Tab, Action::NextScene, "Tab", "next scene (with Shift: the one before)"),
     (false, Key::S, Action::NextAgent, "S", "select the next agent"),

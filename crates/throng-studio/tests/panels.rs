@@ -45,7 +45,7 @@ fn the_bar_plays() {
     let mut harness = Harness::builder().with_size([1100.0, 60.0]).build_ui(|ui| {
         asked.extend(panels::bar(ui, &shown, &mut settings, &mut view));
     });
-    for says in ["run (Space)", "a step on (→)", "a step back (←)", "restart (R)"] {
+    for says in ["run (Space)", "a step on (Right)", "a step back (Left)", "restart (R)"] {
         harness.get_by_label(says).click();
         harness.run();
     }

@@ -4,7 +4,7 @@ use super::icon::Icon;
 use crate::play::{Command, Shown, Speed};
 use crate::settings::Settings;
 use crate::view::{Coloring, Marks, Mode, View};
-use eframe::egui::{Align, ComboBox, DragValue, Layout, RichText, Slider, Ui};
+use eframe::egui::{Align, ComboBox, DragValue, Layout, Response, RichText, Role, Slider, Ui, WidgetInfo};
 
 /// Shows the bar; what it asks the player to do.
 pub fn bar(ui: &mut Ui, shown: &Shown, settings: &mut Settings, view: &mut View) -> Vec<Command> {
@@ -13,7 +13,7 @@ pub fn bar(ui: &mut Ui, shown: &Shown, settings: &mut Settings, view: &mut View)
         if Icon::Restart.button(ui, "restart (R)").clicked() {
             asked.push(Command::Restart);
         }
-        if Icon::Back.button(ui, "a step back (←)").clicked() {
+        if Icon::Back.button(ui, "a step back (Left)").clicked() {
             asked.push(Command::Back);
         }
         let (play, icon, says) = match shown.playing {
@@ -23,7 +23,7 @@ pub fn bar(ui: &mut Ui, shown: &Shown, settings: &mut Settings, view: &mut View)
         if icon.button(ui, says).clicked() {
             asked.push(play);
         }
-        if Icon::Step.button(ui, "a step on (→)").clicked() {
+        if Icon::Step.button(ui, "a step on (Right)").clicked() {
             asked.push(Command::Step);
         }
         ui.separator();
@@ -31,13 +31,9 @@ pub fn bar(ui: &mut Ui, shown: &Shown, settings: &mut Settings, view: &mut View)
         ui.separator();
         speeds(ui, settings, &mut asked);
         let mut seed = shown.seed;
-        ui.label("seed");
-        let most = i64::MAX as u64;
-        if ui
-            .add(DragValue::new(&mut seed).range(0..=most).update_while_editing(false))
-            .on_hover_text("of everything random")
-            .changed()
-        {
+        let label = ui.label("seed");
+        let field = DragValue::new(&mut seed).range(0..=i64::MAX as u64).update_while_editing(false);
+        if ui.add(field).labelled_by(label.id).on_hover_text("of everything random").changed() {
             asked.push(Command::Seed(seed));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| looks(ui, settings, view));
@@ -54,6 +50,7 @@ fn timeline(ui: &mut Ui, shown: &Shown, asked: &mut Vec<Command>) {
     let last = last.max(step);
     ui.spacing_mut().slider_width = (ui.available_width() - 660.0).clamp(60.0, 420.0);
     let slider = ui.add(Slider::new(&mut step, 0..=last).show_value(false));
+    named(&slider, Role::Slider, "step");
     if slider.on_hover_text(format!("step {} of at most {last}", shown.step)).changed() {
         asked.push(Command::Seek(step));
     }
@@ -61,11 +58,12 @@ fn timeline(ui: &mut Ui, shown: &Shown, asked: &mut Vec<Command>) {
 
 fn speeds(ui: &mut Ui, settings: &mut Settings, asked: &mut Vec<Command>) {
     let before = settings.speed;
-    ComboBox::from_id_salt("speed").width(78.0).selected_text(before.label()).show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("speed").width(78.0).selected_text(before.label()).show_ui(ui, |ui| {
         for speed in Speed::ALL {
             ui.selectable_value(&mut settings.speed, speed, speed.label());
         }
     });
+    named(&combo.response, Role::ComboBox, "speed");
     if settings.speed != before {
         asked.push(Command::Speed(settings.speed));
     }
@@ -73,23 +71,32 @@ fn speeds(ui: &mut Ui, settings: &mut Settings, asked: &mut Vec<Command>) {
 
 fn looks(ui: &mut Ui, settings: &mut Settings, view: &mut View) {
     let mut mode = view.eye.mode();
-    ComboBox::from_id_salt("camera").width(108.0).selected_text(mode.label()).show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("camera").width(108.0).selected_text(mode.label()).show_ui(ui, |ui| {
         for other in Mode::ALL {
             ui.selectable_value(&mut mode, other, other.label());
         }
     });
+    named(&combo.response, Role::ComboBox, "camera");
     if mode != view.eye.mode() {
         view.eye.set_mode(mode);
     }
-    ComboBox::from_id_salt("colour").width(98.0).selected_text(settings.coloring.label()).show_ui(ui, |ui| {
-        for other in Coloring::ALL {
-            ui.selectable_value(&mut settings.coloring, other, other.label());
-        }
-    });
+    let combo =
+        ComboBox::from_id_salt("colour").width(98.0).selected_text(settings.coloring.label()).show_ui(ui, |ui| {
+            for other in Coloring::ALL {
+                ui.selectable_value(&mut settings.coloring, other, other.label());
+            }
+        });
+    named(&combo.response, Role::ComboBox, "colour");
     ui.label("by");
-    ComboBox::from_id_salt("marks").width(84.0).selected_text(settings.marks.label()).show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("marks").width(84.0).selected_text(settings.marks.label()).show_ui(ui, |ui| {
         for other in Marks::ALL {
             ui.selectable_value(&mut settings.marks, other, other.label());
         }
     });
+    named(&combo.response, Role::ComboBox, "marks");
+}
+
+/// Gives a control the name that screen readers say.
+fn named(response: &Response, role: Role, name: &str) {
+    response.widget_info(|| WidgetInfo::labeled(role, true, name));
 }

@@ -24,6 +24,7 @@ impl Gallery {
     pub fn ui(&mut self, ui: &mut Ui, open: &str) -> Option<&'static str> {
         let mut asked = None;
         let search = ui.add(TextEdit::singleline(&mut self.search).hint_text("search").desired_width(f32::INFINITY));
+        search.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "search"));
         let entered = search.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         ui.add_space(4.0);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {

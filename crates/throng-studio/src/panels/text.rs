@@ -2,7 +2,9 @@
 
 use crate::document::Document;
 use crate::play::Trouble;
-use eframe::egui::{Color32, Key, KeyboardShortcut, Modifiers, RichText, ScrollArea, TextEdit, Ui};
+use eframe::egui::{
+    Button, Color32, Key, KeyboardShortcut, Modifiers, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
+};
 
 /// What the text's panel asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,17 +27,14 @@ pub fn text(ui: &mut Ui, document: &mut Document, trouble: Option<&Trouble>) -> 
     ui.horizontal(|ui| {
         let sound = document.scene().is_ok();
         let shortcut = ui.input_mut(|input| input.consume_shortcut(&APPLY));
-        if ui
-            .add_enabled(sound, eframe::egui::Button::new("Apply"))
-            .on_hover_text("play what it says (Ctrl Enter)")
-            .clicked()
+        if ui.add_enabled(sound, Button::new("Apply")).on_hover_text("play what it says (Ctrl Enter)").clicked()
             || (shortcut && sound)
         {
             asked = Some(Asked::Apply);
         }
         let file = document.path.is_some();
         if ui
-            .add_enabled(file && document.changed(), eframe::egui::Button::new("Save"))
+            .add_enabled(file && document.changed(), Button::new("Save"))
             .on_hover_text("write it to its file (Ctrl S)")
             .clicked()
         {
@@ -59,7 +58,9 @@ pub fn text(ui: &mut Ui, document: &mut Document, trouble: Option<&Trouble>) -> 
     let mut text = document.text().to_owned();
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
         let edit = TextEdit::multiline(&mut text).code_editor().desired_width(f32::INFINITY).desired_rows(30);
-        if ui.add(edit).changed() {
+        let edit = ui.add(edit);
+        edit.widget_info(|| WidgetInfo::labeled(Role::MultilineTextInput, true, "text of the scene"));
+        if edit.changed() {
             document.edit(text);
         }
     });
