@@ -1,12 +1,11 @@
 //! The swarms of a run, measured for its summary.
 
 use crate::measure::{Measured, mean, short};
-use crate::moment;
 use crate::report::number;
 use serde_json::{Value, json};
 use throng::World;
-use throng_record::Frame;
 use throng_record::swarm::Swarm;
+use throng_record::{Frame, moment};
 use throng_scene::{Scene, Steer};
 
 /// How often they are measured, at most, seconds: as their pictures show them.

@@ -19,8 +19,8 @@ fn main() -> Result<(), Failure> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("thumbnails");
     std::fs::create_dir_all(&folder)?;
     let asked: Vec<String> = std::env::args().skip(1).collect();
-    let names = gallery::names().filter(|name| asked.is_empty() || asked.iter().any(|other| other == name));
-    names.map(|name| thumbnail(name, folder.join(format!("{name}.png")))).collect()
+    let mut names = gallery::names().filter(|name| asked.is_empty() || asked.iter().any(|other| other == name));
+    names.try_for_each(|name| thumbnail(name, folder.join(format!("{name}.png"))))
 }
 
 fn thumbnail(name: &str, path: PathBuf) -> Result<(), Failure> {

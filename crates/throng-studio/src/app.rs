@@ -212,7 +212,7 @@ impl App {
             if let Some(shown) = shown {
                 ui.label(egui::RichText::new(&shown.setting.title).strong());
             }
-            let wrong = trouble.map(ToString::to_string).or_else(|| self.notice.clone());
+            let wrong = self.wrong(trouble).or_else(|| self.notice.clone());
             if let Some(line) = wrong.as_deref().and_then(|says| says.lines().next()) {
                 ui.colored_label(ui.visuals().error_fg_color, line).on_hover_text(wrong.as_deref().unwrap_or_default());
             }
@@ -228,8 +228,13 @@ impl App {
         }
     }
 
+    /// What is wrong with the text, or else with what it says.
+    fn wrong(&self, trouble: Option<&Trouble>) -> Option<String> {
+        self.document.scene().err().map(ToString::to_string).or_else(|| trouble.map(ToString::to_string))
+    }
+
     fn tell(&mut self, shown: &Shown, trouble: Option<&Trouble>) {
-        let told = State::new(shown, self.view.selected, trouble).json();
+        let told = State::new(shown, self.view.selected, self.wrong(trouble)).json();
         if told != self.told {
             crate::outside::tell(&self.options, &told);
             self.told = told;

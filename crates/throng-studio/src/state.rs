@@ -1,6 +1,6 @@
 //! What the studio shows, as a little JSON for tests: written to a file, or, in a web page, to `globalThis.throng`.
 
-use crate::play::{Shown, Trouble};
+use crate::play::Shown;
 use serde::Serialize;
 
 /// What is shown.
@@ -29,8 +29,8 @@ pub struct State {
 }
 
 impl State {
-    /// Of a moment.
-    pub fn new(shown: &Shown, selected: Option<u32>, trouble: Option<&Trouble>) -> Self {
+    /// Of a moment, where `trouble` is what is wrong.
+    pub fn new(shown: &Shown, selected: Option<u32>, trouble: Option<String>) -> Self {
         Self {
             scene: shown.name.to_string(),
             step: shown.step,
@@ -41,7 +41,7 @@ impl State {
             playing: shown.playing,
             over: shown.over,
             selected,
-            trouble: trouble.map(ToString::to_string),
+            trouble,
         }
     }
 

@@ -28,13 +28,16 @@ impl Why {
         }
         let Some((_, _, texture)) = &self.drawn else { return };
         let window = Window::new(format!("Why agent {} goes where it goes", why.number));
-        window.id(eframe::egui::Id::unique("why")).open(open).default_size(vec2(620.0, 420.0)).resizable(true).show(
-            ctx,
-            |ui| {
+        window
+            .id(eframe::egui::Id::unique("why"))
+            .open(open)
+            .default_pos([270.0, 60.0])
+            .default_size(vec2(620.0, 420.0))
+            .resizable(true)
+            .show(ctx, |ui| {
                 let width = ui.available_width();
                 ui.image((texture.id(), vec2(width, width * SIZE.1 as f32 / SIZE.0 as f32)));
-            },
-        );
+            });
     }
 }
 

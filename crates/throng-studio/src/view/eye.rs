@@ -1,53 +1,8 @@
 //! Cameras: where the eye is, what moves it, and how it gets there.
 
+use super::mode::Mode;
 use glam::{DVec2, DVec3, Vec2};
 use throng_draw::{Camera, Lens, Projector, WorldBox};
-
-/// How the world is looked at.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-pub enum Mode {
-    /// From straight above, true to scale.
-    #[default]
-    Plan,
-    /// From a point that goes round what it looks at.
-    Orbit,
-    /// Behind the selected agent, drawn along at a fixed distance.
-    Distance,
-    /// At a fixed place beside the selected agent: it turns with it.
-    Offset,
-    /// With the eyes of the selected agent.
-    PointOfView,
-    /// From above the selected agent.
-    Down,
-}
-
-impl Mode {
-    /// All of them, in the order in which `c` goes through them.
-    pub const ALL: [Self; 6] = [Self::Plan, Self::Orbit, Self::Distance, Self::Offset, Self::PointOfView, Self::Down];
-
-    /// What it is called.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Plan => "plan",
-            Self::Orbit => "orbit",
-            Self::Distance => "fixed distance",
-            Self::Offset => "local offset",
-            Self::PointOfView => "point of view",
-            Self::Down => "straight down",
-        }
-    }
-
-    /// Whether it looks at an agent.
-    pub fn follows(self) -> bool {
-        !matches!(self, Self::Plan | Self::Orbit)
-    }
-
-    /// The next one.
-    pub fn next(self) -> Self {
-        let now = Self::ALL.iter().position(|&mode| mode == self).unwrap_or_default();
-        Self::ALL[(now + 1) % Self::ALL.len()]
-    }
-}
 
 /// Whom an eye follows.
 #[derive(Clone, Copy, Debug)]

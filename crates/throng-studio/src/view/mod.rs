@@ -5,12 +5,14 @@ mod crowd;
 mod eye;
 mod geometry;
 mod gl;
+mod mode;
 mod scenery;
 mod shape;
 mod thoughts;
 
 pub use colors::Coloring;
-pub use eye::{Eye, Followed, Mode, ground};
+pub use eye::{Eye, Followed, ground};
+pub use mode::Mode;
 pub use shape::{Marks, Shape};
 
 use crate::play::Shown;
