@@ -52,6 +52,8 @@ try {
   const png = await page.screenshot(picture ? { path: picture } : {});
   // an empty page is a few kilobytes
   expect(png.length > 30_000, `the picture has only ${png.length} bytes`);
+  // keys are for who has the focus
+  await page.mouse.click(640, 600);
   await page.keyboard.press('r');
   await page.waitForFunction(() => globalThis.throng.step < 100, null, { timeout: 20_000 });
   await page.close();

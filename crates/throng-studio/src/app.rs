@@ -265,6 +265,10 @@ impl eframe::App for App {
         if let Some(path) = dropped {
             self.open(&path.display().to_string());
         }
+        if !self.actions.is_empty() {
+            // what they do is to be seen, where no thread wakes the page
+            ctx.request_repaint();
+        }
         for action in std::mem::take(&mut self.actions) {
             self.act(action, shown.as_deref());
         }
