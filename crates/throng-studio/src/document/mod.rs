@@ -1,10 +1,14 @@
 //! The scene's text: the one document. Whatever edits a scene edits this text, so that nothing a person has written is lost.
 
+mod edit;
 mod history;
+mod layout;
 #[cfg(not(target_arch = "wasm32"))]
 mod watched;
 
+pub use edit::Edit;
 pub use history::History;
+pub use layout::number;
 #[cfg(not(target_arch = "wasm32"))]
 pub use watched::Watched;
 
@@ -105,15 +109,19 @@ impl Document {
     }
 
     fn parse(&mut self) {
+        self.scene = self.read(&self.text);
+    }
+
+    /// The scene that a text of this document says.
+    fn read(&self, text: &str) -> Result<Arc<Scene>, Box<Error>> {
         let file = match &self.path {
             Some(path) => path.display().to_string(),
             None => format!("{}.toml", self.name),
         };
         let folder = self.path.as_deref().and_then(Path::parent).map(Path::to_owned).unwrap_or_default();
-        self.scene = Scene::parse(&file, self.text.as_str()).map_err(Box::new).map(|mut scene| {
-            scene.origin.folder = folder;
-            Arc::new(scene)
-        });
+        let mut scene = Scene::parse(&file, text)?;
+        scene.origin.folder = folder;
+        Ok(Arc::new(scene))
     }
 }
 

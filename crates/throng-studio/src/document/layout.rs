@@ -1,0 +1,116 @@
+//! How values stand in the text: what changes keeps the layout and the comments of what was there.
+
+use toml_edit::{Array, Decor, InlineTable, Table, Value};
+
+/// Lists that are new have their elements on lines of their own.
+const LINE: &str = "\n    ";
+
+/// Makes a value another one: where it stands, with the comments it has; lists of the same length element by element.
+pub(super) fn put(old: &mut Value, new: Value) {
+    match new {
+        Value::Array(new) if old.as_array().is_some_and(|old| old.len() == new.len()) => {
+            let old = old.as_array_mut().into_iter().flat_map(Array::iter_mut);
+            old.zip(new).for_each(|(old, new)| put(old, new));
+        }
+        new if !same(old, &new) => {
+            let decor = old.decor().clone();
+            *old = new;
+            *old.decor_mut() = decor;
+        }
+        _ => {}
+    }
+}
+
+/// Whether two simple values say the same, however they are written.
+fn same(a: &Value, b: &Value) -> bool {
+    match (number(a), number(b)) {
+        (Some(a), Some(b)) => a == b,
+        _ => a.as_str().is_some() && a.as_str() == b.as_str() || a.as_bool().is_some() && a.as_bool() == b.as_bool(),
+    }
+}
+
+/// The number that a value is, whole or not.
+pub fn number(value: &Value) -> Option<f64> {
+    value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
+}
+
+/// The table that an inline one is on the top level.
+pub(super) fn table_of(value: Value) -> Option<Table> {
+    let Value::InlineTable(mut table) = value else { return None };
+    tidy(&mut table);
+    Some(table.into_table())
+}
+
+/// Gives a table and those in its dotted keys the usual layout.
+fn tidy(table: &mut InlineTable) {
+    table.fmt();
+    let inner = table.iter_mut().filter_map(|(_, value)| value.as_inline_table_mut());
+    inner.filter(|inner| inner.is_dotted()).for_each(tidy);
+}
+
+/// The last value that is written in a table.
+fn last(table: &mut InlineTable) -> Option<&mut Value> {
+    let value = table.iter_mut().last()?.1;
+    let dotted = value.as_inline_table().is_some_and(InlineTable::is_dotted);
+    if dotted { value.as_inline_table_mut().and_then(last) } else { Some(value) }
+}
+
+/// The space and comments behind the last value stay behind the last value.
+pub(super) fn add_pair(table: &mut InlineTable, key: &str, value: Value) {
+    let behind = last(table).and_then(|last| {
+        let behind = last.decor().suffix().cloned();
+        last.decor_mut().set_suffix("");
+        behind
+    });
+    let dotted = table.is_dotted();
+    let value = table.entry(key).or_insert(value);
+    match behind {
+        Some(behind) if dotted => value.decor_mut().set_suffix(behind),
+        Some(behind) if behind.as_str() != Some("") => table.set_trailing(behind),
+        _ => {}
+    }
+}
+
+/// Takes out a pair; what is behind the last one stays behind the last.
+pub(super) fn drop_pair(table: &mut InlineTable, key: &str) {
+    let behind = last(table).and_then(|last| last.decor().suffix().cloned()).unwrap_or_default();
+    table.remove(key);
+    if let Some(last) = last(table) {
+        last.decor_mut().set_suffix(behind);
+    }
+}
+
+/// Elements stand as the one before them does; those of a new list on lines of their own, unless they are numbers.
+pub(super) fn add_element(array: &mut Array, mut value: Value) {
+    let plain = number(&value).is_some();
+    match array.iter_mut().last() {
+        Some(last) => {
+            // a comment behind the last element stays where it is
+            let prefix = last.decor().prefix().and_then(|prefix| prefix.as_str()).unwrap_or("");
+            let space = if prefix.contains('\n') { LINE } else { " " };
+            let behind = last.decor().suffix().cloned().filter(|_| !array.trailing_comma()).unwrap_or_default();
+            if let (false, Some(last)) = (array.trailing_comma(), array.iter_mut().last()) {
+                last.decor_mut().set_suffix("");
+            }
+            *value.decor_mut() = Decor::new(space, behind);
+        }
+        None if plain => value.decor_mut().clear(),
+        None => {
+            *value.decor_mut() = Decor::new(LINE, "");
+            array.set_trailing_comma(true);
+            array.set_trailing("\n");
+        }
+    }
+    array.push_formatted(value);
+}
+
+/// Takes out an element; the next one stands as it did.
+pub(super) fn drop_element(array: &mut Array, position: usize) {
+    let taken = array.remove(position);
+    if let (0, Some(first)) = (position, array.get_mut(0)) {
+        first.decor_mut().set_prefix(taken.decor().prefix().cloned().unwrap_or_default());
+    }
+    if array.is_empty() {
+        array.set_trailing_comma(false);
+    }
+}
