@@ -2,7 +2,7 @@
 
 use crate::document::Document;
 use crate::keys::{self, Action};
-use crate::panels::{self, Asked, Gallery, Why};
+use crate::panels::{self, Asked, Gallery, Tuned, Tuning, Why};
 use crate::play::{Command, Player, Shown, Speed, Trouble};
 use crate::settings::Settings;
 use crate::state::State;
@@ -34,6 +34,7 @@ pub struct App {
     view: View,
     gallery: Gallery,
     why: Why,
+    tuning: Tuning,
     /// Who explains itself.
     explained: Option<u32>,
     help: bool,
@@ -67,6 +68,7 @@ impl App {
             view: View::default(),
             gallery: Gallery::default(),
             why: Why::default(),
+            tuning: Tuning::default(),
             explained: None,
             help: false,
             actions: Vec::new(),
@@ -89,6 +91,14 @@ impl App {
         if let Ok(scene) = self.document.scene() {
             let (name, scene) = (self.document.name.clone(), scene.clone());
             self.player.command(Command::Load { name, scene, run });
+        }
+    }
+
+    /// Lets what plays be as the text says now: on from where it is, if it is only its groups that are others.
+    fn change(&mut self) {
+        if let Ok(scene) = self.document.scene() {
+            let (name, scene) = (self.document.name.clone(), scene.clone());
+            self.player.command(Command::Change { name, scene });
         }
     }
 
@@ -127,6 +137,7 @@ impl App {
             Action::Dark => self.settings.dark = !self.settings.dark,
             Action::Gallery => panels.gallery = !panels.gallery,
             Action::Text => panels.text = !panels.text,
+            Action::Tuning => panels.tuning = !panels.tuning,
             Action::Summary => panels.summary = !panels.summary,
             Action::Why => panels.why = !panels.why,
             Action::Help => self.help = !self.help,
@@ -135,7 +146,7 @@ impl App {
             Action::Undo | Action::Redo => {
                 let changed = if action == Action::Undo { self.document.undo() } else { self.document.redo() };
                 if changed {
-                    self.play(true);
+                    self.change();
                 }
             }
         }
@@ -148,7 +159,7 @@ impl App {
 
     fn save(&mut self) {
         match self.outside.save(&mut self.document) {
-            Ok(()) => self.play(true),
+            Ok(()) => self.change(),
             Err(says) => self.notice = Some(says),
         }
     }
@@ -176,11 +187,23 @@ impl App {
         if self.settings.panels.text {
             Panel::right("text").frame(frame).show_separator_line(false).default_size(440.0).show(ui, |ui| {
                 match panels::text(ui, &mut self.document, trouble) {
-                    Some(Asked::Apply) => self.play(true),
+                    Some(Asked::Apply) => self.change(),
                     Some(Asked::Save) => self.save(),
                     None => {}
                 }
             });
+        }
+        if self.settings.panels.tuning {
+            Panel::right("tuning").frame(frame).show_separator_line(false).default_size(330.0).show(
+                ui,
+                |ui| match self.tuning.ui(ui, &mut self.document) {
+                    Some(Tuned::Changed) => self.change(),
+                    Some(Tuned::Dragged(scene)) => {
+                        self.player.command(Command::Change { name: self.document.name.clone(), scene });
+                    }
+                    None => {}
+                },
+            );
         }
         if let Some(shown) = shown.filter(|_| self.settings.panels.summary) {
             Panel::right("summary")
@@ -198,6 +221,7 @@ impl App {
             let panels = &mut self.settings.panels;
             ui.toggle_value(&mut panels.gallery, "Gallery");
             ui.toggle_value(&mut panels.text, "Text");
+            ui.toggle_value(&mut panels.tuning, "Tune").on_hover_text("sliders for what groups are (U)");
             ui.toggle_value(&mut panels.summary, "Summary");
             ui.toggle_value(&mut panels.why, "Why").on_hover_text("why the selected agent goes where it goes (W)");
             ui.separator();
@@ -258,7 +282,7 @@ impl eframe::App for App {
         if let Some(text) = self.outside.changed(&ctx) {
             self.document.edit(text);
             self.document.mark_saved();
-            self.play(true);
+            self.change();
         }
         let (shown, trouble): (Option<Arc<Shown>>, _) = (self.player.shown(), self.player.trouble());
         let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));

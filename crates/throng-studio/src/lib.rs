@@ -5,6 +5,7 @@
 //! | [`document`] | the scene's text, the one thing that is edited |
 //! | [`play`] | what plays it: commands in, states out |
 //! | [`view`] | cameras, and what is drawn by the graphics processor |
+//! | [`tune`] | what can be tuned: the schema of scene files, and what the scene says |
 //! | [`panels`] | what stands round the view |
 //! | [`keys`], [`settings`], [`state`] | the keyboard; what is remembered; what tests read |
 //!
@@ -22,6 +23,7 @@ pub mod play;
 pub mod settings;
 pub mod state;
 mod style;
+pub mod tune;
 pub mod view;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use throng_scene::gallery;
 use throng_studio::document::Document;
-use throng_studio::panels::{self, Asked, Gallery};
+use throng_studio::panels::{self, Asked, Gallery, Tuned, Tuning};
 use throng_studio::play::{Command, Engine, Shown, Speed, Trouble};
 use throng_studio::settings::Settings;
 use throng_studio::view::{Mode, View};
@@ -99,4 +99,26 @@ fn the_help_has_every_key() {
     for says in ["Tab", "next camera", "double click"] {
         assert!(harness.query_by_label(says).is_some(), "{says}");
     }
+}
+
+#[test]
+fn sliders_change_the_text() {
+    let mut document = Document::gallery("circle").unwrap();
+    let (mut tuning, mut last) = (Tuning::default(), None);
+    {
+        let mut harness = Harness::builder().with_size([500.0, 1400.0]).build_ui(|ui| {
+            if let Some(tuned) = tuning.ui(ui, &mut document) {
+                last = Some(tuned);
+            }
+        });
+        assert!(harness.query_by_label("time horizon").is_some());
+        harness.get_by_role_and_label(eframe::egui::Role::ComboBox, "avoid").click();
+        harness.run();
+        harness.get_by_label("hrvo").click();
+        harness.run();
+    }
+    assert_eq!(last, Some(Tuned::Changed));
+    assert!(document.text().contains("avoid = { hrvo = {} }"), "{}", document.text());
+    assert!(matches!(document.scene().unwrap().groups[0].avoid, Some(throng_scene::Avoid::Hrvo(_))));
+    assert!(document.undo() && document.text() == gallery::text("circle").unwrap());
 }

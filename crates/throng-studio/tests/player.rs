@@ -150,3 +150,51 @@ fn a_thread_plays_while_the_window_waits_for_nothing() {
         std::thread::sleep(Duration::from_millis(5));
     }
 }
+
+/// Tuned on the way, a run goes on from where it is, as a world of the other scene that took over the state; another place begins anew.
+#[test]
+fn a_run_goes_on_as_another_scene_says() {
+    let scene = Arc::new(gallery::scene("circle").unwrap());
+    let change = |scene: &Scene| Command::Change { name: "circle".into(), scene: Arc::new(scene.clone()) };
+    let mut engine = Engine::default();
+    engine.command(load("circle", false));
+    at(&mut engine, 50);
+    let mut other = Scene::clone(&scene);
+    other.groups[0].avoid = Some(toml::from_str("hrvo = {}").unwrap());
+    engine.command(change(&other));
+    let (mut world, _) = scene.build().unwrap();
+    (0..50).for_each(|_| world.step());
+    let (mut expected, _) = other.build().unwrap();
+    expected.load(&world.save()).unwrap();
+    for step in 51..120 {
+        expected.step();
+        assert_eq!(at(&mut engine, step), expected.state_hash(), "at {step}");
+    }
+    assert_eq!(at(&mut engine, 16), {
+        let (mut world, _) = scene.build().unwrap();
+        (0..16).for_each(|_| world.step());
+        world.state_hash()
+    });
+    other.groups[0].count = Some(12);
+    engine.command(change(&other));
+    let shown = settle(&mut engine);
+    assert_eq!((shown.step, shown.frame.total), (0, 12));
+}
+
+/// States from before behaviours were others cannot be gone back to; what can be stays.
+#[test]
+fn going_back_beyond_other_behaviours_stays_where_it_is() {
+    let mut scene = gallery::scene("wander").unwrap();
+    let mut engine = Engine::default();
+    engine.command(load("wander", false));
+    at(&mut engine, 30);
+    scene.groups[0].steer = Some(toml::from_str("seek = { target = [0.0, 0.0] }").unwrap());
+    engine.command(Command::Change { name: "wander".into(), scene: Arc::new(scene) });
+    engine.command(Command::Step);
+    assert_eq!(settle(&mut engine).step, 31);
+    engine.command(Command::Seek(3));
+    let shown = settle(&mut engine);
+    assert!(shown.step >= 3 && engine.trouble().is_none(), "{}", shown.step);
+    engine.command(Command::Step);
+    settle(&mut engine);
+}

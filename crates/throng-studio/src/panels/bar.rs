@@ -97,6 +97,6 @@ fn looks(ui: &mut Ui, settings: &mut Settings, view: &mut View) {
 }
 
 /// Gives a control the name that screen readers say.
-fn named(response: &Response, role: Role, name: &str) {
+pub(super) fn named(response: &Response, role: Role, name: &str) {
     response.widget_info(|| WidgetInfo::labeled(role, true, name));
 }

@@ -7,6 +7,7 @@ mod icon;
 mod summary;
 mod text;
 mod thumbnails;
+mod tuning;
 mod why;
 
 pub use bar::bar;
@@ -14,4 +15,5 @@ pub use gallery::{Gallery, beside};
 pub use help::help;
 pub use summary::summary;
 pub use text::{Asked, text};
+pub use tuning::{Tuned, Tuning};
 pub use why::Why;

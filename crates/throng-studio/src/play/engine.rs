@@ -20,6 +20,13 @@ pub enum Command {
         /// Whether it begins to run.
         run: bool,
     },
+    /// Lets the run go on as another scene says, if only its groups are others; else plays that from its start.
+    Change {
+        /// What it is called.
+        name: Arc<str>,
+        /// The scene.
+        scene: Arc<Scene>,
+    },
     /// Goes on; after the end, from the start.
     Run,
     /// Stops.
@@ -72,6 +79,7 @@ impl Engine {
     pub fn command(&mut self, command: Command) {
         match command {
             Command::Load { name, scene, run } => self.load(name, scene, run),
+            Command::Change { name, scene } => self.change(name, scene),
             Command::Run if self.over() => {
                 self.restart(None);
                 self.playing = true;
@@ -101,6 +109,15 @@ impl Engine {
                 (self.run, self.trouble, self.goal, self.playing) = (Some(run), None, None, go);
             }
             Err(trouble) => self.trouble = Some(trouble),
+        }
+    }
+
+    fn change(&mut self, name: Arc<str>, scene: Arc<Scene>) {
+        let changed = self.run.as_mut().filter(|run| run.name == name).map(|run| run.change(scene.clone()));
+        match changed {
+            Some(Ok(true)) => self.trouble = None,
+            Some(Err(trouble)) => self.trouble = Some(trouble),
+            Some(Ok(false)) | None => self.load(name, scene, self.playing),
         }
     }
 

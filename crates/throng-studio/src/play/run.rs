@@ -8,7 +8,7 @@ use std::sync::Arc;
 use throng::{Asked, Explanation, Stage, Summary, World};
 use throng_draw::WorldBox;
 use throng_record::{Frame, Setting, moment};
-use throng_scene::Scene;
+use throng_scene::{Built, Scene};
 use web_time::Instant;
 
 /// Bytes of states that are kept to go back to.
@@ -28,6 +28,7 @@ pub(super) struct Run {
     pub frame: Arc<Frame>,
     pub cost: Cost,
     pub history: History,
+    built: Built,
     summary: (Instant, Arc<Summary>),
     /// Who is to explain itself, and what it said last, when.
     explained: Option<u32>,
@@ -53,6 +54,7 @@ impl Run {
             frame,
             cost: Cost::default(),
             history: History::new(MEMORY),
+            built,
             summary: (Instant::now(), Arc::new(world.summary())),
             explained: None,
             explanation: None,
@@ -88,12 +90,27 @@ impl Run {
         Ok(())
     }
 
+    /// Goes on as another scene says, if only its groups are others: whether it does.
+    pub fn change(&mut self, scene: Arc<Scene>) -> Result<bool, Trouble> {
+        let tuned = guarded(|| scene.tune(&self.scene, &mut self.world, &mut self.built))?;
+        let tuned = tuned.map_err(|error| Trouble::Scene(Box::new(error)))?;
+        if tuned {
+            let title = if scene.title.is_empty() { &self.name } else { scene.title.as_str() };
+            self.setting = Arc::new(moment::setting(&self.world, &self.built, title));
+            self.scene = scene;
+            moment::capture(&self.world, Arc::make_mut(&mut self.frame));
+        }
+        Ok(tuned)
+    }
+
     /// Goes to the last state that is kept of a step or of one before it.
     pub fn back_to(&mut self, step: u64) {
         if let Some(state) = self.history.nearest(step) {
-            // a state of this very world: it is whole
-            let loaded = self.world.load(state);
-            debug_assert!(loaded.is_ok(), "{loaded:?}");
+            // a state from before behaviours were changed cannot be gone back to
+            if self.world.load(state).is_err() {
+                self.history = History::new(MEMORY);
+                self.keep();
+            }
             self.see();
             self.before = self.frame.clone();
         }

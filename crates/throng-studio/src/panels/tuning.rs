@@ -1,0 +1,178 @@
+//! Sliders for whatever the groups of the scene say of themselves.
+
+use super::bar::named;
+use crate::document::{Document, Edit};
+use crate::tune::{Kind, Parameter, Section, Tunable};
+use eframe::egui::{CollapsingHeader, ComboBox, RichText, Role, ScrollArea, Slider, SliderClamping, Ui};
+use std::sync::Arc;
+use throng_scene::Scene;
+
+/// The panel of parameters.
+#[derive(Default)]
+pub struct Tuning {
+    tunable: Option<Tunable>,
+    /// What can be tuned of this scene.
+    sections: Option<(Arc<Scene>, Vec<Section>)>,
+    /// What is being dragged, and where it is by now.
+    dragged: Option<(String, f64)>,
+    /// Why the last change was not made.
+    refused: Option<String>,
+}
+
+/// What people tuned.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Tuned {
+    /// The text has changed.
+    Changed,
+    /// It will, when the slider is let go: meanwhile the scene is to be like this.
+    Dragged(Arc<Scene>),
+}
+
+/// A change that people ask for.
+enum Wish {
+    Number(f64, bool),
+    Switch(bool),
+    Choose(String, Option<String>),
+    /// As it is without the key.
+    Forget,
+}
+
+impl Tuning {
+    /// Shows the parameters of the document's groups, and changes its text as people ask for.
+    pub fn ui(&mut self, ui: &mut Ui, document: &mut Document) -> Option<Tuned> {
+        let Ok(scene) = document.scene().cloned() else {
+            ui.label("The text is to be mended first.");
+            return None;
+        };
+        let tunable = self.tunable.get_or_insert_default();
+        let known = self.sections.take().filter(|(of, _)| Arc::ptr_eq(of, &scene));
+        let (of, sections) = known.unwrap_or_else(|| (scene.clone(), tunable.groups(document)));
+        if let Some(says) = &self.refused {
+            ui.colored_label(ui.visuals().error_fg_color, says);
+        }
+        let mut wish = None;
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            for section in &sections {
+                let header = CollapsingHeader::new(RichText::new(&section.name).strong()).default_open(true);
+                header.show(ui, |ui| self.section(ui, section, &mut wish));
+            }
+        });
+        self.sections = Some((of, sections));
+        let (path, wish, last) = wish?;
+        let done = if last { self.make(document, &path, wish) } else { self.preview(document, &path, wish) };
+        self.refused = done.as_ref().err().cloned();
+        done.ok()
+    }
+
+    fn section(&mut self, ui: &mut Ui, section: &Section, wish: &mut Option<(String, Wish, bool)>) {
+        for parameter in &section.parameters {
+            if let Some((asked, last)) = self.parameter(ui, parameter) {
+                *wish = Some((parameter.path.clone(), asked, last));
+            }
+        }
+        for inner in &section.sections {
+            let header = CollapsingHeader::new(inner.name.replace('_', " ")).id_salt(&inner.name);
+            let open = ["avoid", "speed", "steer"].contains(&inner.name.as_str());
+            let shown = header.default_open(open).show(ui, |ui| self.section(ui, inner, wish));
+            shown.header_response.on_hover_text(&inner.about);
+        }
+    }
+
+    /// One parameter: what is asked for, and whether that is the last word.
+    fn parameter(&mut self, ui: &mut Ui, parameter: &Parameter) -> Option<(Wish, bool)> {
+        let Parameter { path, about, given, kind, .. } = parameter;
+        let name = RichText::new(parameter.name.replace('_', " "));
+        let name = if *given { name } else { name.weak() };
+        let mut asked = None;
+        ui.horizontal(|ui| {
+            match kind {
+                Kind::Number { value, low, high, whole } => {
+                    let pending = self.dragged.as_ref().filter(|(at, _)| at == path).map(|&(_, value)| value);
+                    let mut now = pending.unwrap_or(*value);
+                    ui.spacing_mut().slider_width = 110.0;
+                    let mut slider = Slider::new(&mut now, *low..=*high).clamping(SliderClamping::Never);
+                    if let Some(unit) = about.unit {
+                        slider = slider.suffix(format!(" {unit}"));
+                    }
+                    if *whole {
+                        slider = slider.integer();
+                    }
+                    let response = ui.add(slider).on_hover_text(&about.text);
+                    let dragging = response.dragged();
+                    if response.changed() {
+                        self.dragged = dragging.then(|| (path.clone(), now));
+                        asked = Some((Wish::Number(now, *whole), !dragging));
+                    } else if let Some(last) = pending.filter(|_| !dragging) {
+                        self.dragged = None;
+                        asked = Some((Wish::Number(last, *whole), true));
+                    }
+                }
+                Kind::Switch { value } => {
+                    let mut now = value.unwrap_or_default();
+                    let known = value.is_some();
+                    let mark = eframe::egui::Checkbox::without_text(&mut now).indeterminate(!known);
+                    if ui.add(mark).on_hover_text(&about.text).changed() {
+                        asked = Some((Wish::Switch(now), true));
+                    }
+                }
+                Kind::Choice { value, options } => {
+                    let mut now = value.clone();
+                    let combo = ComboBox::from_id_salt(path).selected_text(&now).width(110.0).show_ui(ui, |ui| {
+                        for (option, says) in options {
+                            ui.selectable_value(&mut now, option.clone(), option).on_hover_text(says);
+                        }
+                    });
+                    named(&combo.response, Role::ComboBox, &parameter.name);
+                    if now != *value {
+                        let table = self.is_table(path, value);
+                        asked = Some((Wish::Choose(now, table.then(|| value.clone())), true));
+                    }
+                }
+            }
+            let label = ui.label(name).on_hover_text(&about.text);
+            label.context_menu(|ui| {
+                if ui.add_enabled(*given, eframe::egui::Button::new("as without this key")).clicked() {
+                    asked = Some((Wish::Forget, true));
+                    ui.close();
+                }
+            });
+        });
+        asked
+    }
+
+    /// Whether a choice is between tables, of which the scene says this one.
+    fn is_table(&self, path: &str, value: &str) -> bool {
+        let inside = format!("{path}.{value}");
+        fn any(section: &Section, inside: &str) -> bool {
+            section.parameters.iter().any(|parameter| parameter.path.starts_with(inside))
+                || section.sections.iter().any(|section| any(section, inside))
+        }
+        path.ends_with(".avoid") || self.sections.iter().any(|(_, all)| all.iter().any(|section| any(section, &inside)))
+    }
+
+    fn make(&mut self, document: &mut Document, path: &str, wish: Wish) -> Result<Tuned, String> {
+        document.change(|edit| apply(edit, path, wish))?;
+        Ok(Tuned::Changed)
+    }
+
+    fn preview(&self, document: &Document, path: &str, wish: Wish) -> Result<Tuned, String> {
+        let mut preview = document.clone();
+        preview.change(|edit| apply(edit, path, wish))?;
+        preview.scene().map(|scene| Tuned::Dragged(scene.clone())).map_err(ToString::to_string)
+    }
+}
+
+fn apply(edit: &mut Edit, path: &str, wish: Wish) -> Result<(), String> {
+    match wish {
+        Wish::Number(value, true) => edit.set(path, value.round() as i64),
+        // what a slider says beyond six digits is its own doing
+        Wish::Number(value, false) => edit.set(path, format!("{value:.5}").parse().unwrap_or(value)),
+        Wish::Switch(value) => edit.set(path, value),
+        Wish::Choose(option, None) => edit.set(path, option),
+        Wish::Choose(option, Some(_)) => {
+            edit.remove(path)?;
+            edit.set(path, toml_edit::InlineTable::from_iter([(option.as_str(), toml_edit::InlineTable::new())]))
+        }
+        Wish::Forget => edit.remove(path).map(drop),
+    }
+}

@@ -1,0 +1,126 @@
+//! What can be tuned of a scene's groups: the numbers, switches and choices that the schema of scene files knows.
+//!
+//! The schema has the keys, their kinds, limits and doc lines; the scene has their values. So whatever a scene file can say of a
+//! group can be tuned, without a list of its own here.
+
+mod about;
+mod section;
+
+pub use about::About;
+pub use section::{Kind, Parameter, Section};
+
+use crate::document::{Document, Edit};
+use serde_json::Value;
+
+/// Keys of a group that say where and when its agents start and where they go: another scene, not another tuning; and what
+/// is a matter of pictures.
+const NOT_TUNED: [&str; 13] = [
+    "name",
+    "count",
+    "place",
+    "goal",
+    "source",
+    "wait",
+    "altitude",
+    "heading",
+    "start_speed",
+    "layers",
+    "avoids",
+    "colour",
+    "mark",
+];
+
+/// What can be tuned: the schema of scene files, read once.
+#[derive(Clone, Debug)]
+pub struct Tunable {
+    schema: Value,
+}
+
+impl Default for Tunable {
+    fn default() -> Self {
+        Self { schema: throng_scene::schema() }
+    }
+}
+
+impl Tunable {
+    /// A section for each group of a scene; none while its text is no scene.
+    pub fn groups(&self, document: &Document) -> Vec<Section> {
+        let (Ok(scene), Ok(text)) = (document.scene(), Edit::new(document.text())) else { return Vec::new() };
+        let of = |(k, group): (usize, &throng_scene::Group)| {
+            let mut said = serde_json::to_value(group).unwrap_or_default();
+            if let (Some(said), Ok(model)) = (said.as_object_mut(), serde_json::to_value(group.local_model())) {
+                said.insert("avoid".into(), model);
+            }
+            let name = if group.name.is_empty() { format!("group {}", k + 1) } else { group.name.clone() };
+            let mut section =
+                section::of(&self.schema, &self.schema["$defs"]["Group"], &said, &format!("group.{k}"), &name);
+            section.leave_out(&NOT_TUNED);
+            section.given(&|path| text.has(path));
+            section
+        };
+        scene.groups.iter().enumerate().map(of).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use throng_scene::gallery;
+
+    fn all<'a>(section: &'a Section, found: &mut Vec<&'a Parameter>) {
+        found.extend(&section.parameters);
+        section.sections.iter().for_each(|inner| all(inner, found));
+    }
+
+    fn parameters(sections: &[Section]) -> Vec<&Parameter> {
+        let mut found = Vec::new();
+        sections.iter().for_each(|section| all(section, &mut found));
+        found
+    }
+
+    #[test]
+    fn a_ring_of_people_has_its_parameters() {
+        let document = Document::gallery("circle").unwrap();
+        let sections = Tunable::default().groups(&document);
+        let found = parameters(&sections);
+        let of =
+            |path: &str| *found.iter().find(|parameter| parameter.path == path).unwrap_or_else(|| panic!("{path}"));
+        let horizon = of("group.0.avoid.orca.time_horizon");
+        assert_eq!(horizon.about.unit, Some("s"));
+        assert!(matches!(horizon.kind, Kind::Number { value: 2.0, whole: false, .. }), "{horizon:?}");
+        let keep_right = of("group.0.keep_right");
+        assert!(matches!(keep_right.kind, Kind::Number { low: -28.0, high: 28.0, .. }), "{keep_right:?}");
+        assert!(matches!(of("group.0.avoid.orca.neighbours").kind, Kind::Number { whole: true, .. }));
+        assert!(matches!(of("group.0.guard").kind, Kind::Switch { .. }));
+        assert!(found.iter().all(|parameter| !parameter.path.contains("place") && !parameter.path.contains("goal")));
+        let Kind::Choice { value, options } = &of("group.0.avoid").kind else { panic!("a choice of models") };
+        assert!(value == "orca" && options.len() == 9 && options.iter().all(|(_, about)| about.len() > 10));
+    }
+
+    /// Every number of every scene, given its own value again, is taken, and the scene says what it did.
+    #[test]
+    fn every_parameter_of_the_gallery_can_be_set() {
+        let tunable = Tunable::default();
+        for name in gallery::names() {
+            let mut document = Document::gallery(name).unwrap();
+            let scene = document.scene().unwrap().clone();
+            let sections = tunable.groups(&document);
+            let found = parameters(&sections);
+            assert!(found.len() >= 5 * scene.groups.len(), "{name}: {}", found.len());
+            for parameter in found {
+                assert!(!parameter.about.text.is_empty(), "{name}: {}", parameter.path);
+                let Kind::Number { value, low, high, whole } = parameter.kind else { continue };
+                assert!(low < high && value.is_finite(), "{name}: {parameter:?}");
+                if parameter.given {
+                    let set = if whole {
+                        document.set(&parameter.path, value as i64)
+                    } else {
+                        document.set(&parameter.path, value)
+                    };
+                    assert_eq!(set, Ok(()), "{name}: {}", parameter.path);
+                }
+            }
+            assert_eq!(document.scene().unwrap(), &scene, "{name}");
+        }
+    }
+}
