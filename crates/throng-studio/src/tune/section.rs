@@ -98,6 +98,7 @@ fn fill(
     for (key, property) in properties {
         let own = line(property);
         let about = About::new(if own.is_empty() { line_of_all } else { &own });
+        let about = About { without: about.without.or(property["default"].as_f64()), ..about };
         let path = format!("{path}.{key}");
         add(section, root, property, said.get(key), Place { path, name: key, about });
     }
@@ -224,11 +225,13 @@ fn line(schema: &Value) -> String {
     schema["description"].as_str().unwrap_or_default().to_owned()
 }
 
-/// What a slider shows: the limits, or, where they are far or there are none, what is about as large as the value.
+/// What a slider shows: the limits, or, where they are far or there are none, about five times what is usual.
 fn range(about: &About, value: f64) -> (f64, f64) {
-    let large = 10.0_f64.powf(value.abs().max(0.25).log10().ceil());
-    let usual = if 4.0 * value.abs() > large { 5.0 * large } else { 2.0 * large };
-    let low = about.low.filter(|low| *low >= -usual * 10.0).unwrap_or(if value < 0.0 { -usual } else { 0.0 });
-    let high = about.high.filter(|high| *high <= usual * 10.0).unwrap_or(usual);
+    let usual = about.without.filter(|usual| *usual != 0.0).unwrap_or(value).abs().max(0.2);
+    let unit = 10.0_f64.powf((5.0 * usual).log10().floor());
+    let wide = [1.0, 2.0, 5.0, 10.0].map(|times| times * unit).into_iter().find(|wide| *wide >= 4.0 * usual);
+    let wide = wide.unwrap_or(10.0 * unit);
+    let low = about.low.filter(|low| *low >= -wide * 10.0).unwrap_or(if value < 0.0 { -wide } else { 0.0 });
+    let high = about.high.filter(|high| *high <= wide * 10.0).unwrap_or(wide);
     (low.min(value), high.max(value).max(low + 1e-3))
 }
