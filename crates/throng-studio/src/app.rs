@@ -31,7 +31,8 @@ pub struct App {
     options: Options,
     document: Document,
     player: Player,
-    view: View,
+    /// The view, and that of the same scene with another model.
+    views: [View; 2],
     gallery: Gallery,
     why: Why,
     tuning: Tuning,
@@ -65,7 +66,7 @@ impl App {
             outside: crate::outside::Outside::new(&document),
             settings,
             document,
-            view: View::default(),
+            views: Default::default(),
             gallery: Gallery::default(),
             why: Why::default(),
             tuning: Tuning::default(),
@@ -79,6 +80,7 @@ impl App {
         };
         let still = app.options.at_step;
         app.player.command(Command::Speed(app.settings.speed));
+        app.put_beside();
         app.play(still.is_none());
         if let Some(step) = still {
             app.player.command(Command::Seek(step));
@@ -128,12 +130,12 @@ impl App {
                     self.open(name);
                 }
             }
-            Action::NextAgent => shown.into_iter().for_each(|shown| self.view.select_next(shown)),
-            Action::NextCamera => self.view.eye.set_mode(self.view.eye.mode().next()),
+            Action::NextAgent => shown.into_iter().for_each(|shown| self.views[0].select_next(shown)),
+            Action::NextCamera => self.views[0].eye.set_mode(self.views[0].eye.mode().next()),
             Action::NextSpeed => self.set_speed(self.settings.speed.next()),
             Action::Annotations => self.settings.annotations = !self.settings.annotations,
             Action::Trails => self.settings.trails = if self.settings.trails > 0.0 { 0.0 } else { 1.5 },
-            Action::Fit => self.view.refit(),
+            Action::Fit => self.views[0].refit(),
             Action::Dark => self.settings.dark = !self.settings.dark,
             Action::Gallery => panels.gallery = !panels.gallery,
             Action::Text => panels.text = !panels.text,
@@ -141,7 +143,7 @@ impl App {
             Action::Summary => panels.summary = !panels.summary,
             Action::Why => panels.why = !panels.why,
             Action::Help => self.help = !self.help,
-            Action::Leave => (self.help, self.view.selected) = (false, None),
+            Action::Leave => (self.help, self.views[0].selected) = (false, None),
             Action::Save => self.save(),
             Action::Undo | Action::Redo => {
                 let changed = if action == Action::Undo { self.document.undo() } else { self.document.redo() };
@@ -150,6 +152,33 @@ impl App {
                 }
             }
         }
+    }
+
+    /// Lets the scene be played with another model beside its own, or not.
+    fn put_beside(&mut self) {
+        self.player.command(Command::Beside(self.settings.beside.parse().ok()));
+    }
+
+    /// The view; or two of one scene with two models, seen through one eye.
+    fn views(&mut self, ui: &mut Ui, shown: &Shown) {
+        let Some(beside) = shown.beside.as_deref() else {
+            self.views[0].ui(ui, shown, &self.settings);
+            return;
+        };
+        let size = egui::vec2((ui.available_width() - ui.spacing().item_spacing.x) * 0.5, ui.available_height());
+        ui.horizontal(|ui| {
+            for (at, shown) in [shown, beside].into_iter().enumerate() {
+                let view = &mut self.views[at];
+                let (eye, selected) = (view.eye, view.selected);
+                let layout = egui::Layout::top_down(egui::Align::Min);
+                ui.allocate_ui_with_layout(size, layout, |ui| {
+                    let response = view.ui(ui, shown, &self.settings);
+                    panels::name_of_models(ui, response.rect, &shown.scene);
+                });
+                let (before, now) = ((eye, selected), (view.eye, view.selected));
+                self.views[1 - at].goes_with(before, now);
+            }
+        });
     }
 
     fn set_speed(&mut self, speed: Speed) {
@@ -170,7 +199,7 @@ impl App {
         Panel::top("top").frame(frame).show_separator_line(false).show(ui, |ui| self.top(ui, shown, trouble));
         if let Some(shown) = shown {
             Panel::bottom("bar").frame(frame).show_separator_line(false).show(ui, |ui| {
-                let asked = panels::bar(ui, shown, &mut self.settings, &mut self.view);
+                let asked = panels::bar(ui, shown, &mut self.settings, &mut self.views[0]);
                 asked.into_iter().for_each(|command| self.player.command(command));
             });
         }
@@ -231,6 +260,9 @@ impl App {
                 self.settings.trails = if trails { 1.5 } else { 0.0 };
             }
             ui.toggle_value(&mut self.settings.dark, "Dark");
+            if panels::beside_by(ui, &mut self.settings.beside) {
+                self.put_beside();
+            }
             ui.toggle_value(&mut self.help, "?");
             ui.separator();
             if let Some(shown) = shown {
@@ -245,7 +277,7 @@ impl App {
 
     /// Asks the selected agent for what is to be seen of it.
     fn explain(&mut self) {
-        let wanted = self.view.selected.filter(|_| self.settings.annotations || self.settings.panels.why);
+        let wanted = self.views[0].selected.filter(|_| self.settings.annotations || self.settings.panels.why);
         if wanted != self.explained {
             self.explained = wanted;
             self.player.command(Command::Explain(wanted));
@@ -258,7 +290,7 @@ impl App {
     }
 
     fn tell(&mut self, shown: &Shown, trouble: Option<&Trouble>) {
-        let told = State::new(shown, self.view.selected, self.wrong(trouble)).json();
+        let told = State::new(shown, self.views[0].selected, self.wrong(trouble)).json();
         if told != self.told {
             crate::outside::tell(&self.options, &told);
             self.told = told;
@@ -299,7 +331,7 @@ impl eframe::App for App {
         self.panels(ui, shown.as_deref(), trouble.as_ref());
         CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
             if let Some(shown) = &shown {
-                self.view.ui(ui, shown, &self.settings);
+                self.views(ui, shown);
             }
         });
         panels::help(&ctx, &mut self.help);
@@ -318,6 +350,6 @@ impl eframe::App for App {
     }
 
     fn on_exit(&mut self, gl: Option<&eframe::glow::Context>) {
-        gl.into_iter().for_each(|gl| self.view.destroy(gl));
+        gl.into_iter().for_each(|gl| self.views.iter_mut().for_each(|view| view.destroy(gl)));
     }
 }

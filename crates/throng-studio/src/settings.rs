@@ -25,6 +25,8 @@ pub struct Settings {
     pub annotations: bool,
     /// Which panels are open.
     pub panels: Panels,
+    /// The model that the scene is played with beside its own; empty: none.
+    pub beside: String,
     /// The scene that was open last: a name of the gallery or a file.
     pub scene: String,
 }
@@ -62,6 +64,7 @@ impl Default for Settings {
             speed: Speed::Times(1.0),
             annotations: true,
             panels: Panels::default(),
+            beside: String::new(),
             scene: "circle".into(),
         }
     }

@@ -198,3 +198,26 @@ fn going_back_beyond_other_behaviours_stays_where_it_is() {
     engine.command(Command::Step);
     settle(&mut engine);
 }
+
+/// Two models on one clock: each as if it was alone, whichever way one gets to a step.
+#[test]
+fn what_is_beside_is_at_the_same_step() {
+    let scene = gallery::scene("circle").unwrap().with_model(&"hrvo".parse().unwrap()).unwrap();
+    let mut engine = Engine::default();
+    engine.command(load("circle", false));
+    let own = at(&mut engine, 40);
+    engine.command(Command::Beside("hrvo".parse().ok()));
+    for step in [40, 90, 12, 55] {
+        at(&mut engine, step);
+        let shown = engine.shown().unwrap();
+        let beside = shown.beside.as_ref().unwrap();
+        let (mut alone, _) = scene.build().unwrap();
+        (0..step).for_each(|_| alone.step());
+        assert_eq!((beside.step, beside.hash), (step, alone.state_hash()));
+        assert_eq!(beside.frame.time, shown.frame.time);
+        assert_ne!(beside.hash, shown.hash);
+    }
+    assert_eq!(at(&mut engine, 40), own, "and changes nothing");
+    engine.command(Command::Beside(None));
+    assert!(settle(&mut engine).beside.is_none());
+}

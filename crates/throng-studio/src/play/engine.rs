@@ -5,7 +5,7 @@ use super::run::Run;
 use super::shown::{Shown, Trouble};
 use std::sync::Arc;
 use std::time::Duration;
-use throng_scene::Scene;
+use throng_scene::{Model, Scene};
 use web_time::Instant;
 
 /// What one can tell a player to do.
@@ -45,11 +45,16 @@ pub enum Command {
     Speed(Speed),
     /// Which agent tells why it goes where it goes, by number.
     Explain(Option<u32>),
+    /// Plays the scene with another model beside it, on the same clock; or nothing.
+    Beside(Option<Model>),
 }
 
 /// Plays scenes: [`command`](Self::command) it, let it [`work`](Self::work), and look at what is [`shown`](Self::shown).
 pub struct Engine {
     run: Option<Run>,
+    /// The same scene with another model, on the same clock.
+    beside: Option<Run>,
+    model: Option<Model>,
     /// How many runs have begun.
     runs: u64,
     pace: Pace,
@@ -64,6 +69,8 @@ impl Default for Engine {
     fn default() -> Self {
         Self {
             run: None,
+            beside: None,
+            model: None,
             runs: 0,
             pace: Pace::new(Speed::Times(1.0), Instant::now()),
             playing: false,
@@ -94,9 +101,11 @@ impl Engine {
             Command::Speed(speed) => self.pace = Pace::new(speed, Instant::now()),
             Command::Explain(number) => {
                 self.explained = number;
-                if let Some(run) = &mut self.run {
-                    run.explain(number);
-                }
+                self.run.iter_mut().chain(&mut self.beside).for_each(|run| run.explain(number));
+            }
+            Command::Beside(model) => {
+                self.model = model;
+                self.put_beside();
             }
         }
     }
@@ -107,6 +116,7 @@ impl Engine {
                 run.explain(self.explained);
                 self.runs += 1;
                 (self.run, self.trouble, self.goal, self.playing) = (Some(run), None, None, go);
+                self.put_beside();
             }
             Err(trouble) => self.trouble = Some(trouble),
         }
@@ -115,9 +125,26 @@ impl Engine {
     fn change(&mut self, name: Arc<str>, scene: Arc<Scene>) {
         let changed = self.run.as_mut().filter(|run| run.name == name).map(|run| run.change(scene.clone()));
         match changed {
-            Some(Ok(true)) => self.trouble = None,
+            Some(Ok(true)) => {
+                self.trouble = None;
+                self.put_beside();
+            }
             Some(Err(trouble)) => self.trouble = Some(trouble),
             Some(Ok(false)) | None => self.load(name, scene, self.playing),
+        }
+    }
+
+    /// Begins to play the scene with the other model; it catches up.
+    fn put_beside(&mut self) {
+        self.beside = None;
+        let (Some(run), Some(model)) = (&self.run, &self.model) else { return };
+        let scene = run.scene.with_model(model).map_err(|error| Trouble::Scene(Box::new(error)));
+        match scene.and_then(|scene| Run::new(run.name.clone(), Arc::new(scene))) {
+            Ok(mut beside) => {
+                beside.explain(self.explained);
+                self.beside = Some(beside);
+            }
+            Err(trouble) => self.trouble = Some(trouble),
         }
     }
 
@@ -133,7 +160,7 @@ impl Engine {
     fn seek(&mut self, step: u64) {
         self.playing = false;
         self.goal = Some(step);
-        if let Some(run) = self.run.as_mut().filter(|run| step < run.world.steps()) {
+        for run in self.run.iter_mut().chain(&mut self.beside).filter(|run| step < run.world.steps()) {
             run.back_to(step);
             self.trouble = None;
         }
@@ -144,7 +171,7 @@ impl Engine {
     }
 
     fn over(&self) -> bool {
-        self.run.as_ref().is_some_and(Run::over)
+        self.run.is_some() && self.run.iter().chain(&self.beside).all(Run::over)
     }
 
     /// Makes the steps that are due, for as long as `budget` at most, or until one more is made than fits; whether there is
@@ -153,8 +180,9 @@ impl Engine {
         let begin = Instant::now();
         self.pace.pass(begin, self.playing);
         let mut made = 0;
-        while begin.elapsed() < budget && self.due() {
-            let Some(run) = &mut self.run else { break };
+        while begin.elapsed() < budget && (self.lags() || self.due()) {
+            let next = if self.lags() { &mut self.beside } else { &mut self.run };
+            let Some(run) = next else { break };
             if let Err(trouble) = run.step() {
                 (self.trouble, self.playing, self.goal) = (Some(trouble), false, None);
                 return true;
@@ -166,35 +194,44 @@ impl Engine {
                 run.see();
             }
         }
-        let Some(run) = &mut self.run else { return false };
-        if run.frame.time != run.world.time() {
+        for run in self.run.iter_mut().chain(&mut self.beside).filter(|run| run.frame.time != run.world.time()) {
             run.see();
         }
+        let (over, lags) = (self.over(), self.lags());
+        let Some(run) = &mut self.run else { return false };
         if begin.elapsed() >= budget {
             self.pace.let_go(run.scene.time.step);
         }
         let usage = match self.pace.speed {
             Speed::Fastest => 1.0,
-            Speed::Times(times) => run.cost.step * times / run.scene.time.step,
+            Speed::Times(times) => {
+                (run.cost.step + self.beside.as_ref().map_or(0.0, |run| run.cost.step)) * times / run.scene.time.step
+            }
         };
         run.cost.usage = if self.playing { usage } else { 0.0 };
-        let arrived = self.goal.is_some_and(|goal| run.world.steps() >= goal);
+        let arrived = !lags && self.goal.is_some_and(|goal| run.world.steps() >= goal);
         if arrived {
             self.goal = None;
         }
-        let ended = self.playing && run.over();
+        let ended = self.playing && over;
         if ended {
             self.playing = false;
         }
         made > 0 || arrived || ended
     }
 
+    /// Whether what is beside is behind.
+    fn lags(&self) -> bool {
+        self.beside.as_ref().is_some_and(|beside| beside.world.steps() < self.step())
+    }
+
     /// Whether a step is to be made now.
     fn due(&mut self) -> bool {
+        let over = self.over();
         let Some(run) = &self.run else { return false };
         match self.goal {
             Some(goal) => run.world.steps() < goal,
-            None => self.playing && !run.over() && self.pace.take(run.scene.time.step),
+            None => self.playing && !over && self.pace.take(run.scene.time.step),
         }
     }
 
@@ -203,6 +240,7 @@ impl Engine {
         let run = self.run.as_ref()?;
         match (self.goal, self.playing) {
             (Some(_), _) => Some(Duration::ZERO),
+            _ if self.lags() => Some(Duration::ZERO),
             (None, true) => Some(self.pace.wait(run.scene.time.step)),
             (None, false) => None,
         }
@@ -210,27 +248,34 @@ impl Engine {
 
     /// What there is to see; `None` before the first scene.
     pub fn shown(&mut self) -> Option<Arc<Shown>> {
+        let beside =
+            self.beside.as_mut().map(|run| Arc::new(Self::show(run, (self.runs, self.playing, self.pace), None)));
         let run = self.run.as_mut()?;
-        Some(Arc::new(Shown {
+        Some(Arc::new(Self::show(run, (self.runs, self.playing, self.pace), beside)))
+    }
+
+    fn show(run: &mut Run, (runs, playing, pace): (u64, bool, Pace), beside: Option<Arc<Shown>>) -> Shown {
+        Shown {
             name: run.name.clone(),
             scene: run.scene.clone(),
             setting: run.setting.clone(),
             first: run.first.clone(),
             bounds: run.bounds,
-            run: self.runs,
+            run: runs,
             frame: run.frame.clone(),
             before: run.before.clone(),
             step: run.world.steps(),
             seed: run.scene.seed,
-            playing: self.playing,
+            playing,
             over: run.over(),
             cost: run.cost,
-            summary: run.summary(!self.playing),
-            explanation: run.explanation(!self.playing),
+            summary: run.summary(!playing),
+            explanation: run.explanation(!playing),
             hash: run.world.state_hash(),
             kept: run.history.bytes(),
-            pace: self.pace,
-        }))
+            pace,
+            beside,
+        }
     }
 
     /// What went wrong last.

@@ -45,6 +45,8 @@ pub struct Shown {
     pub hash: u64,
     /// Bytes of states that are kept to go back to.
     pub kept: usize,
+    /// The same scene with another model, at the same step.
+    pub beside: Option<Arc<Shown>>,
     pub(super) pace: Pace,
 }
 

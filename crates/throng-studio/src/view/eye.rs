@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3, Vec2};
 use throng_draw::{Camera, Lens, Projector, WorldBox};
 
 /// Whom an eye follows.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Followed {
     /// Its middle.
     pub center: DVec3,
@@ -37,7 +37,7 @@ struct Sight {
 }
 
 /// An eye: what it is told to look at, and where it is on its way there.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Eye {
     mode: Mode,
     center: DVec2,

@@ -111,6 +111,17 @@ impl View {
         self.fit(shown, size);
     }
 
+    /// Changes as another view has: its eye, and who is selected in it. Who is followed goes another way in each.
+    pub fn goes_with(&mut self, before: (Eye, Option<u32>), now: (Eye, Option<u32>)) {
+        if before.1 != now.1 {
+            self.selected = now.1;
+        }
+        let alone = now.0.mode().follows() && now.0.mode() == self.eye.mode();
+        if before.0 != now.0 && !alone {
+            self.eye = now.0;
+        }
+    }
+
     /// Selects the agent after the selected one.
     pub fn select_next(&mut self, shown: &Shown) {
         let bodies = &shown.frame.bodies;

@@ -1,0 +1,38 @@
+//! Two models side by side: which, and which is which.
+
+use super::bar::named;
+use eframe::egui::{Align2, ComboBox, FontId, Rect, Role, Ui};
+use throng_scene::{Model, Scene};
+
+/// Lets people choose the model that a scene is played with beside its own; whether they chose another.
+pub fn beside_by(ui: &mut Ui, model: &mut String) -> bool {
+    let before = model.clone();
+    let shown = if model.is_empty() { "one model" } else { model.as_str() };
+    let combo = ComboBox::from_id_salt("beside").width(96.0).selected_text(shown).show_ui(ui, |ui| {
+        ui.selectable_value(model, String::new(), "one model");
+        for name in Model::names() {
+            ui.selectable_value(model, name.clone(), name);
+        }
+    });
+    named(&combo.response, Role::ComboBox, "beside");
+    combo.response.on_hover_text("plays the scene with another model beside its own, on the same clock");
+    *model != before
+}
+
+/// Says in the corner of a view which models its groups have.
+pub fn name_of_models(ui: &Ui, rect: Rect, scene: &Scene) {
+    let mut names: Vec<String> = Vec::new();
+    for group in &scene.groups {
+        let said = serde_json::to_value(group.local_model()).ok();
+        let name = said.and_then(|said| said.as_object().and_then(|table| table.keys().next().cloned()));
+        names.extend(name.filter(|name| !names.contains(name)));
+    }
+    let at = rect.min + eframe::egui::vec2(12.0, 10.0);
+    ui.painter_at(rect).text(
+        at,
+        Align2::LEFT_TOP,
+        names.join(", "),
+        FontId::proportional(17.0),
+        ui.visuals().text_color(),
+    );
+}
