@@ -165,6 +165,7 @@ impl App {
             self.views[0].ui(ui, shown, &self.settings);
             return;
         };
+        ui.painter().rect_filled(ui.max_rect(), 0.0, ui.visuals().panel_fill);
         let size = egui::vec2((ui.available_width() - ui.spacing().item_spacing.x) * 0.5, ui.available_height());
         ui.horizontal(|ui| {
             for (at, shown) in [shown, beside].into_iter().enumerate() {
