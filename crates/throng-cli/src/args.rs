@@ -127,6 +127,7 @@ Keys of --json (one object on standard output):
   expect                    { passed, checks: [{ name, expected, found, passed }] }: the scene's [expect]
   figures                   what the rules of a game count, by name; empty without rules
   least_wall_separation     least distance of a centre to a wall or solid over the radius
+  state_hash                hash of the last state: the same for the same bits, here and in the studio
   swarms                    [{ name, speed, speed_sd, acceleration, nearest, size, polarisation, correlation_time }] of
                             the groups that steer as swarms: means, as `throng measure` says them
   wall_seconds              seconds the whole run took, files included

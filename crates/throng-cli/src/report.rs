@@ -24,6 +24,8 @@ pub struct Report {
     pub stranded: Vec<(u32, String)>,
     /// What came of `[expect]`.
     pub verdict: Verdict,
+    /// The hash of the last state.
+    pub state_hash: u64,
     /// What its swarms were like.
     pub swarms: Vec<Measured>,
     /// How long the whole run took.
@@ -54,6 +56,7 @@ impl Report {
             "expect": self.verdict,
             "sub_steps": s.sub_steps,
             "least_wall_separation": number(s.least_wall_separation),
+            "state_hash": format!("{:016x}", self.state_hash),
             "swarms": self.swarms.iter().map(swarms::json).collect::<Vec<_>>(),
             "wall_seconds": self.wall.as_secs_f64(),
             "step_seconds": self.stepping.as_secs_f64(),

@@ -104,6 +104,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         figures: world.figures().map(|(name, value)| (name.to_owned(), value)).collect(),
         refused: world.refused().map(ToString::to_string),
         stranded: world.stranded().iter().map(|(number, why)| (*number, why.to_string())).collect(),
+        state_hash: world.state_hash(),
         swarms: swarms.finish(),
         wall: begin.elapsed(),
         stepping,

@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::path::Path;
 
 /// The keys of `--json` in their order: they are documented and stay.
-const KEYS: [&str; 26] = [
+const KEYS: [&str; 27] = [
     "scene",
     "agents",
     "arrived",
@@ -26,6 +26,7 @@ const KEYS: [&str; 26] = [
     "expect",
     "sub_steps",
     "least_wall_separation",
+    "state_hash",
     "swarms",
     "wall_seconds",
     "step_seconds",
@@ -236,4 +237,15 @@ fn swarms_are_measured_as_they_run() {
     let text = stdout(&call(folder.path(), "run swarm-aggregation --limit 1 --no-expect --no-files").success());
     assert!(text.contains("  swarm      midges: 0."), "{text}");
     assert_eq!(json(folder.path(), "run headon --no-files")["swarms"].as_array().unwrap().len(), 0);
+}
+
+#[test]
+fn the_hash_is_that_of_the_last_state() {
+    let folder = folder();
+    let report = json(folder.path(), "run circle --no-files --duration 4 --no-expect");
+    let (mut world, _) = throng_scene::gallery::scene("circle").unwrap().build().unwrap();
+    while world.time() < 4.0 - 1e-9 {
+        world.step();
+    }
+    assert_eq!(report["state_hash"], format!("{:016x}", world.state_hash()));
 }
