@@ -1,5 +1,9 @@
 //! The studio as a whole.
 
+mod beside;
+mod directing;
+
+use crate::direct::{Director, Tool};
 use crate::document::Document;
 use crate::keys::{self, Action};
 use crate::panels::{self, Asked, Gallery, Tuned, Tuning, Why};
@@ -36,6 +40,8 @@ pub struct App {
     gallery: Gallery,
     why: Why,
     tuning: Tuning,
+    director: Director,
+    save_as: panels::SaveAs,
     /// Who explains itself.
     explained: Option<u32>,
     help: bool,
@@ -70,6 +76,8 @@ impl App {
             gallery: Gallery::default(),
             why: Why::default(),
             tuning: Tuning::default(),
+            director: Director::default(),
+            save_as: panels::SaveAs::default(),
             explained: None,
             help: false,
             actions: Vec::new(),
@@ -107,13 +115,18 @@ impl App {
     fn open(&mut self, scene: &str) {
         match crate::outside::open(scene) {
             Ok(document) => {
-                self.outside = crate::outside::Outside::new(&document);
-                self.document = document;
                 self.settings.scene = scene.to_owned();
-                self.play(true);
+                self.show(document, true);
             }
             Err(says) => self.notice = Some(says),
         }
+    }
+
+    fn show(&mut self, document: Document, run: bool) {
+        self.outside = crate::outside::Outside::new(&document);
+        self.director.cancel();
+        self.document = document;
+        self.play(run);
     }
 
     fn act(&mut self, action: Action, shown: Option<&Shown>) {
@@ -143,43 +156,24 @@ impl App {
             Action::Summary => panels.summary = !panels.summary,
             Action::Why => panels.why = !panels.why,
             Action::Help => self.help = !self.help,
-            Action::Leave => (self.help, self.views[0].selected) = (false, None),
+            Action::Leave if self.director.cancel() => {}
+            Action::Leave => {
+                (self.help, self.views[0].selected) = (false, None);
+                self.director.take(Tool::Hand);
+            }
+            Action::Take(tool) => self.director.take(tool),
+            Action::Remove => self.remove(shown),
+            Action::New => self.show(Document::empty(), false),
+            Action::SaveAs => self.save_as.open(&self.document.name),
             Action::Save => self.save(),
             Action::Undo | Action::Redo => {
                 let changed = if action == Action::Undo { self.document.undo() } else { self.document.redo() };
+                self.director.cancel();
                 if changed {
                     self.change();
                 }
             }
         }
-    }
-
-    /// Lets the scene be played with another model beside its own, or not.
-    fn put_beside(&mut self) {
-        self.player.command(Command::Beside(self.settings.beside.parse().ok()));
-    }
-
-    /// The view; or two of one scene with two models, seen through one eye.
-    fn views(&mut self, ui: &mut Ui, shown: &Shown) {
-        let Some(beside) = shown.beside.as_deref() else {
-            self.views[0].ui(ui, shown, &self.settings);
-            return;
-        };
-        ui.painter().rect_filled(ui.max_rect(), 0.0, ui.visuals().panel_fill);
-        let size = egui::vec2((ui.available_width() - ui.spacing().item_spacing.x) * 0.5, ui.available_height());
-        ui.horizontal(|ui| {
-            for (at, shown) in [shown, beside].into_iter().enumerate() {
-                let view = &mut self.views[at];
-                let (eye, selected) = (view.eye, view.selected);
-                let layout = egui::Layout::top_down(egui::Align::Min);
-                ui.allocate_ui_with_layout(size, layout, |ui| {
-                    let response = view.ui(ui, shown, &self.settings);
-                    panels::name_of_models(ui, response.rect, &shown.scene);
-                });
-                let (before, now) = ((eye, selected), (view.eye, view.selected));
-                self.views[1 - at].goes_with(before, now);
-            }
-        });
     }
 
     fn set_speed(&mut self, speed: Speed) {
@@ -195,8 +189,7 @@ impl App {
     }
 
     fn panels(&mut self, ui: &mut Ui, shown: Option<&Shown>, trouble: Option<&Trouble>) {
-        let theme = self.settings.theme();
-        let frame = Frame::new().fill(style::color(style::panel(&theme))).inner_margin(Margin::symmetric(12, 8));
+        let frame = frame_of(&self.settings);
         Panel::top("top").frame(frame).show_separator_line(false).show(ui, |ui| self.top(ui, shown, trouble));
         if let Some(shown) = shown {
             Panel::bottom("bar").frame(frame).show_separator_line(false).show(ui, |ui| {
@@ -204,6 +197,10 @@ impl App {
                 asked.into_iter().for_each(|command| self.player.command(command));
             });
         }
+        let plain = Frame::new().fill(frame.fill).inner_margin(Margin::symmetric(6, 8));
+        Panel::left("tools").frame(plain).show_separator_line(false).resizable(false).exact_size(40.0).show(ui, |ui| {
+            panels::tools(ui, &mut self.director);
+        });
         if self.settings.panels.gallery {
             Panel::left("gallery").frame(frame).show_separator_line(false).min_size(234.0).default_size(242.0).show(
                 ui,
@@ -255,6 +252,13 @@ impl App {
             ui.toggle_value(&mut panels.summary, "Summary");
             ui.toggle_value(&mut panels.why, "Why").on_hover_text("why the selected agent goes where it goes (W)");
             ui.separator();
+            if ui.button("New").on_hover_text("an empty scene (Ctrl N)").clicked() {
+                self.actions.push(Action::New);
+            }
+            if ui.button("Save as…").clicked() {
+                self.actions.push(Action::SaveAs);
+            }
+            ui.separator();
             ui.toggle_value(&mut self.settings.grid, "Grid");
             let mut trails = self.settings.trails > 0.0;
             if ui.toggle_value(&mut trails, "Trails").changed() {
@@ -299,6 +303,11 @@ impl App {
     }
 }
 
+/// What panels are framed by.
+fn frame_of(settings: &Settings) -> Frame {
+    Frame::new().fill(style::color(style::panel(&settings.theme()))).inner_margin(Margin::symmetric(12, 8))
+}
+
 impl eframe::App for App {
     fn raw_input_hook(&mut self, ctx: &Context, raw: &mut egui::RawInput) {
         let actions = keys::take(&mut raw.events, ctx.egui_wants_keyboard_input());
@@ -336,6 +345,7 @@ impl eframe::App for App {
             }
         });
         panels::help(&ctx, &mut self.help);
+        self.ask_name(&ctx);
         self.explain();
         if let Some(shown) = &shown {
             let mut open = self.settings.panels.why;

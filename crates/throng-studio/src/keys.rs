@@ -1,5 +1,6 @@
 //! The keyboard: as in OpenSteerDemo where it makes sense.
 
+use crate::direct::Tool;
 use eframe::egui::{Event, Key, Modifiers};
 
 /// What a key does.
@@ -45,8 +46,16 @@ pub enum Action {
     Help,
     /// Closes what is open, selects nobody.
     Leave,
+    /// Takes a tool.
+    Take(Tool),
+    /// Takes what is selected out of the scene.
+    Remove,
+    /// A new scene.
+    New,
     /// Saves the scene.
     Save,
+    /// Saves it under another name.
+    SaveAs,
     /// Takes an edit back.
     Undo,
     /// Does it again.
@@ -54,7 +63,7 @@ pub enum Action {
 }
 
 /// Every key, what it does, and how the help says it. `true`: with the command key.
-pub const KEYS: [(bool, Key, Action, &str, &str); 23] = [
+pub const KEYS: [(bool, Key, Action, &str, &str); 25] = [
     (false, Key::Space, Action::Play, "Space", "run or pause"),
     (false, Key::ArrowRight, Action::Step, "Right", "a step on"),
     (false, Key::ArrowLeft, Action::Back, "Left", "a step back"),
@@ -74,7 +83,9 @@ pub const KEYS: [(bool, Key, Action, &str, &str); 23] = [
     (false, Key::W, Action::Why, "W", "why the selected agent goes where it goes"),
     (false, Key::Questionmark, Action::Help, "?", "this help"),
     (false, Key::Escape, Action::Leave, "Esc", "close, select nobody"),
-    (true, Key::S, Action::Save, "Ctrl S", "save the scene"),
+    (false, Key::Delete, Action::Remove, "Delete", "take what is selected out of the scene"),
+    (true, Key::S, Action::Save, "Ctrl S", "save the scene (with Shift: under another name)"),
+    (true, Key::N, Action::New, "Ctrl N", "a new scene"),
     (true, Key::Z, Action::Undo, "Ctrl Z", "undo (with Shift: redo)"),
     (true, Key::Y, Action::Redo, "Ctrl Y", "redo"),
     (true, Key::Enter, Action::Play, "Ctrl Enter", "run or pause, in the text too"),
@@ -103,7 +114,8 @@ fn action(key: Key, modifiers: Modifiers, writing: bool) -> Option<Action> {
     }
     // a keyboard may say so either way
     let key = if key == Key::Slash && modifiers.shift { Key::Questionmark } else { key };
-    let found = KEYS.iter().find(|(with, known, ..)| (*with, *known) == (command, key))?.2;
+    let found = KEYS.iter().find(|(with, known, ..)| (*with, *known) == (command, key)).map(|found| found.2);
+    let found = found.or_else(|| Tool::of_key(key).filter(|_| !command).map(Action::Take))?;
     // a text has an undo of its own
     if writing && matches!(found, Action::Undo | Action::Redo) {
         return None;
@@ -111,6 +123,7 @@ fn action(key: Key, modifiers: Modifiers, writing: bool) -> Option<Action> {
     Some(match found {
         Action::NextScene if modifiers.shift => Action::PreviousScene,
         Action::Undo if modifiers.shift => Action::Redo,
+        Action::Save if modifiers.shift => Action::SaveAs,
         found => found,
     })
 }

@@ -3,6 +3,7 @@
 //! | room | what it holds |
 //! |---|---|
 //! | [`document`] | the scene's text, the one thing that is edited |
+//! | [`direct`] | editing it with the mouse in the view |
 //! | [`play`] | what plays it: commands in, states out |
 //! | [`view`] | cameras, and what is drawn by the graphics processor |
 //! | [`tune`] | what can be tuned: the schema of scene files, and what the scene says |
@@ -13,6 +14,7 @@
 //! that it says, and the view shows what the player has published.
 
 mod app;
+pub mod direct;
 pub mod document;
 pub mod keys;
 mod outside;

@@ -1,6 +1,6 @@
 //! How values stand in the text: what changes keeps the layout and the comments of what was there.
 
-use toml_edit::{Array, Decor, InlineTable, Table, Value};
+use toml_edit::{Array, Decor, InlineTable, Item, Table, Value};
 
 /// Lists that are new have their elements on lines of their own.
 const LINE: &str = "\n    ";
@@ -112,5 +112,17 @@ pub(super) fn drop_element(array: &mut Array, position: usize) {
     }
     if array.is_empty() {
         array.set_trailing_comma(false);
+    }
+}
+
+/// Makes a table forget where it stood.
+pub(super) fn unplace(table: &mut Table) {
+    table.set_position(None);
+    for (_, item) in table.iter_mut() {
+        match item {
+            Item::Table(inner) => unplace(inner),
+            Item::ArrayOfTables(tables) => tables.iter_mut().for_each(unplace),
+            _ => {}
+        }
     }
 }

@@ -46,6 +46,11 @@ impl Document {
         document
     }
 
+    /// A new scene: a square that can be walked on, and a group.
+    pub fn empty() -> Self {
+        Self::new("new", include_str!("new.toml"))
+    }
+
     /// A scene of the gallery.
     pub fn gallery(name: &str) -> Option<Self> {
         Some(Self::new(name, gallery::text(name)?))
@@ -101,6 +106,14 @@ impl Document {
             self.parse();
         }
         found
+    }
+
+    /// It is in a file of this name from now on.
+    pub fn saved_in(&mut self, path: &Path) {
+        let named = Self::of_file(path, String::new());
+        (self.name, self.path) = (named.name, named.path);
+        self.mark_saved();
+        self.parse();
     }
 
     /// The text is now what its file holds.

@@ -76,6 +76,24 @@ impl Outside {
         Ok(())
     }
 
+    /// Writes a document to another file, which becomes its own.
+    ///
+    /// # Errors
+    /// There is such a file already, or it cannot be written.
+    pub fn save_as(&mut self, document: &mut Document, name: &str) -> Result<(), String> {
+        let path = Path::new(name);
+        let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension("toml") };
+        let mut file = std::fs::File::create_new(&path).map_err(|error| match error.kind() {
+            std::io::ErrorKind::AlreadyExists => format!("there is a file {} already", path.display()),
+            _ => format!("{} cannot be written: {error}", path.display()),
+        })?;
+        std::io::Write::write_all(&mut file, document.text().as_bytes())
+            .map_err(|error| format!("{} cannot be written: {error}", path.display()))?;
+        document.saved_in(&path);
+        *self = Self::new(document);
+        Ok(())
+    }
+
     /// Takes the picture that the options ask for when its step is there, and closes the studio.
     pub fn screenshot(&mut self, ctx: &Context, options: &Options, shown: &Shown) {
         let Some(path) = options.screenshot.clone().filter(|_| !self.pictured) else { return };

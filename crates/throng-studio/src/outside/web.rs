@@ -6,7 +6,7 @@ use crate::play::{Player, Shown};
 use eframe::egui::Context;
 use std::time::Duration;
 use throng_scene::gallery;
-use wasm_bindgen::JsValue;
+use wasm_bindgen::{JsCast, JsValue};
 
 /// A page gives so much of each frame to the simulation.
 const SLICE: Duration = Duration::from_millis(10);
@@ -58,6 +58,17 @@ impl Outside {
         Err("a web page has no files: copy the text".into())
     }
 
+    /// Gives the text as a download.
+    ///
+    /// # Errors
+    /// The browser does not let it.
+    pub fn save_as(&mut self, document: &mut Document, name: &str) -> Result<(), String> {
+        let name = if name.contains('.') { name.to_owned() } else { format!("{name}.toml") };
+        download(&name, document.text()).map_err(|error| format!("the browser does not save it: {error:?}"))?;
+        document.mark_saved();
+        Ok(())
+    }
+
     /// Browsers take pictures themselves.
     pub fn screenshot(&mut self, _: &Context, _: &Options, _: &Shown) {}
 }
@@ -68,4 +79,16 @@ pub fn tell(_: &Options, state: &str) {
         // a page whose global object is frozen has no tests
         let _ = js_sys::Reflect::set(&js_sys::global(), &JsValue::from_str("throng"), &value);
     }
+}
+
+fn download(name: &str, text: &str) -> Result<(), JsValue> {
+    let none = || JsValue::from_str("there is no page");
+    let page = web_sys::window().and_then(|window| window.document()).ok_or_else(none)?;
+    let blob = web_sys::Blob::new_with_str_sequence(&js_sys::Array::of1(&text.into()))?;
+    let address = web_sys::Url::create_object_url_with_blob(&blob)?;
+    let link: web_sys::HtmlAnchorElement = page.create_element("a")?.unchecked_into();
+    link.set_href(&address);
+    link.set_download(name);
+    link.click();
+    web_sys::Url::revoke_object_url(&address)
 }

@@ -38,6 +38,8 @@ const HEADROOM: f64 = 1.8;
 pub struct View {
     /// Where one looks from.
     pub eye: Eye,
+    /// Whether the first button of the mouse does something else than to move the eye and to select.
+    pub lent: bool,
     /// The agent that is selected, by number.
     pub selected: Option<u32>,
     hovered: Option<u32>,
@@ -75,10 +77,10 @@ impl View {
         let projector = self.eye.projector(size);
         let pointer = response.hover_pos().map(|at| Vec2::new(at.x - rect.min.x, at.y - rect.min.y));
         self.hovered = pointer.and_then(|at| nearest(shown, &projector, at, share));
-        if response.clicked() {
+        if response.clicked() && !self.lent {
             self.selected = self.hovered;
         }
-        if response.double_clicked() && self.hovered.is_none() {
+        if response.double_clicked() && !self.lent && self.hovered.is_none() {
             self.fit(shown, size);
         }
         self.paint(ui, rect, shown, settings, &projector, share);
@@ -130,7 +132,7 @@ impl View {
     }
 
     fn handle(&mut self, ui: &Ui, response: &Response, rect: Rect, size: Vec2) {
-        if response.dragged() {
+        if response.dragged() && !(self.lent && response.dragged_by(PointerButton::Primary)) {
             let by = response.drag_delta();
             let shift = ui.input(|input| input.modifiers.shift);
             let turning = response.dragged_by(PointerButton::Primary) && !shift;

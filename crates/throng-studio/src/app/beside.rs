@@ -1,0 +1,44 @@
+//! The studio while two models are compared.
+
+use super::App;
+use crate::direct::Tool;
+use crate::panels;
+use crate::play::{Command, Shown};
+use eframe::egui::{self, Ui};
+
+impl App {
+    /// Lets the scene be played with another model beside its own, or not.
+    pub(super) fn put_beside(&mut self) {
+        self.player.command(Command::Beside(self.settings.beside.parse().ok()));
+    }
+
+    /// The view; or two of one scene with two models, seen through one eye.
+    pub(super) fn views(&mut self, ui: &mut Ui, shown: &Shown) {
+        self.views[0].lent = self.director.tool != Tool::Hand;
+        let Some(beside) = shown.beside.as_deref() else {
+            let response = self.views[0].ui(ui, shown, &self.settings);
+            self.direct(ui, &response, shown);
+            return;
+        };
+        ui.painter().rect_filled(ui.max_rect(), 0.0, ui.visuals().panel_fill);
+        let size = egui::vec2((ui.available_width() - ui.spacing().item_spacing.x) * 0.5, ui.available_height());
+        ui.horizontal(|ui| {
+            for (at, shown) in [shown, beside].into_iter().enumerate() {
+                let view = &mut self.views[at];
+                let (eye, selected) = (view.eye, view.selected);
+                let layout = egui::Layout::top_down(egui::Align::Min);
+                let allocated = ui.allocate_ui_with_layout(size, layout, |ui| {
+                    let response = view.ui(ui, shown, &self.settings);
+                    panels::name_of_models(ui, response.rect, &shown.scene);
+                    response
+                });
+                if at == 0 {
+                    self.direct(ui, &allocated.inner, shown);
+                }
+                let view = &self.views[at];
+                let (before, now) = ((eye, selected), (view.eye, view.selected));
+                self.views[1 - at].goes_with(before, now);
+            }
+        });
+    }
+}

@@ -1,0 +1,55 @@
+//! The studio while it is directed.
+
+use super::{App, frame_of};
+use crate::direct::{Sight, Stage};
+use crate::panels;
+use crate::play::Shown;
+use eframe::egui::{self, Context, Ui};
+
+impl App {
+    /// After a gesture: what it made is played from its start, running or not as before.
+    fn directed(&mut self, edited: Result<bool, String>, shown: &Shown) {
+        match edited {
+            Ok(true) => {
+                self.notice = None;
+                self.play(shown.playing);
+            }
+            Ok(false) => {}
+            Err(says) => self.notice = Some(says),
+        }
+    }
+
+    /// Lets people direct in the view that `response` is of.
+    pub(super) fn direct(&mut self, ui: &Ui, response: &egui::Response, shown: &Shown) {
+        let size = glam::Vec2::new(response.rect.width(), response.rect.height());
+        let (projector, theme) = (self.views[0].eye.projector(size), self.settings.theme());
+        let stage = Stage { first: &shown.first, bounds: shown.bounds, scale: 1.0 };
+        let sight = Sight { projector: &projector, theme: &theme };
+        if self.views[0].lent {
+            let area = egui::Area::new(egui::Id::unique("tool")).fixed_pos(response.rect.min + egui::vec2(12.0, 12.0));
+            let frame = frame_of(&self.settings).corner_radius(6).stroke(ui.visuals().window_stroke);
+            area.show(ui.ctx(), |ui| frame.show(ui, |ui| panels::tool_options(ui, &mut self.director, &shown.scene)));
+        }
+        let edited = self.director.ui(ui, response, &mut self.document, stage, sight);
+        self.directed(edited, shown);
+    }
+
+    /// Takes out what is selected.
+    pub(super) fn remove(&mut self, shown: Option<&Shown>) {
+        let edited = self.director.remove(&mut self.document);
+        if let Some(shown) = shown {
+            self.directed(edited, shown);
+        }
+    }
+
+    /// Saves under another name, once it is said.
+    pub(super) fn ask_name(&mut self, ctx: &Context) {
+        if let Some(name) = self.save_as.ui(ctx) {
+            let saved = self.outside.save_as(&mut self.document, &name);
+            if saved.is_ok() {
+                self.settings.scene.clone_from(&name);
+            }
+            self.save_as.answer(saved);
+        }
+    }
+}

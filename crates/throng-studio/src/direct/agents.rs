@@ -1,0 +1,163 @@
+//! Agents: who is there, and where they start.
+
+use super::parts::{Change, Kind, Look, Parts, Removal, point};
+use super::shapes::{Owner, circle, corners, outline, rectangle, spot};
+use crate::document::Edit;
+use glam::DVec2;
+use throng_scene::{Body, Goal, Place, Rectangle, Scene};
+use toml_edit::Array;
+
+/// Metres between bodies that are added, and how much of that rounding may take.
+const GAP: f64 = 0.1;
+const SLACK: f64 = 1e-6;
+
+/// The places of the groups.
+pub fn parts(scene: &Scene, parts: &mut Parts) {
+    for (g, group) in scene.groups.iter().enumerate() {
+        let path = format!("group.{g}.place");
+        let owner = &Owner { kind: Kind::Place(g), removal: Some(Removal::Group(g)) };
+        match &group.place {
+            Place::Point(at) => spot(parts, &format!("{path}.point"), *at, owner),
+            Place::Points(points) => {
+                for (k, &at) in points.iter().enumerate() {
+                    let owner = Owner { kind: owner.kind, removal: Some(Removal::Agent(g, k)) };
+                    spot(parts, &format!("{path}.points.{k}"), at, &owner);
+                }
+            }
+            Place::Line(line) => {
+                let ends = [line.from, line.to].map(DVec2::from);
+                let changes = [("from", line.from), ("to", line.to)]
+                    .map(|(key, from)| Change::point(format!("{path}.line.{key}"), from));
+                let middle = (ends[0] + ends[1]) * 0.5;
+                let whole = parts.handle(middle, Look::Dot, changes.to_vec(), owner.removal.clone());
+                for (at, change) in ends.into_iter().zip(changes) {
+                    parts.handle(at, Look::Corner, vec![change], owner.removal.clone());
+                }
+                outline(parts, ends.to_vec(), false, Some(whole), owner);
+            }
+            Place::Ring(ring) => circle(parts, &format!("{path}.ring"), ring.center, ring.radius, owner),
+            Place::Disc(disc) => circle(parts, &format!("{path}.disc"), disc.center, disc.radius, owner),
+            Place::Grid(grid) => {
+                let middle = DVec2::from(grid.center);
+                let changes = vec![Change::point(format!("{path}.grid.center"), grid.center)];
+                let whole = parts.handle(middle, Look::Dot, changes, owner.removal.clone());
+                let turn = DVec2::from_angle(grid.rotation.to_radians());
+                let half = DVec2::new(grid.columns as f64, grid.rows as f64) * grid.spacing * 0.5;
+                let rim = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+                let rim = rim.map(|corner| middle + turn.rotate(DVec2::from(corner) * half));
+                outline(parts, rim.to_vec(), true, Some(whole), owner);
+            }
+            Place::Rectangle(place) => {
+                let sides = Rectangle { center: place.center, size: place.size, rotation: place.rotation };
+                rectangle(parts, &format!("{path}.rectangle"), &sides, owner);
+            }
+            Place::Polygon(place) => corners(parts, &format!("{path}.polygon.corners"), &place.corners, true, owner),
+            Place::Sphere(_) | Place::Walkable(_) => {}
+        }
+    }
+}
+
+/// Adds agents along a line, each clear of those before it and of `others`: to the list of places of a group, or, where its place is a
+/// rule, to a new group like it. The group that has them.
+///
+/// # Errors
+/// There is no room, or the text does not fit.
+pub fn add(edit: &mut Edit, scene: &Scene, g: usize, line: &[DVec2], others: &[DVec2]) -> Result<usize, String> {
+    let group = scene.groups.get(g).ok_or("there is no group to add to")?;
+    let apart = 2.0 * bound(&group.body) + GAP - SLACK;
+    let mut new: Vec<DVec2> = Vec::new();
+    for at in along(line, apart / 8.0) {
+        if others.iter().chain(&new).all(|other| other.distance(at) >= apart) {
+            new.push(at);
+        }
+    }
+    if new.is_empty() {
+        return Err("somebody stands there already".into());
+    }
+    let mut g = g;
+    match &group.place {
+        Place::Points(_) => {}
+        Place::Point(first) if group.source.is_empty() && group.count.unwrap_or(1) == 1 => {
+            edit.remove(&format!("group.{g}.place"))?;
+            let list = Array::from_iter([point(DVec2::from(*first))]);
+            edit.set(&format!("group.{g}.place.points"), list)?;
+        }
+        _ => {
+            let name = free_name(scene, &group.name);
+            g = edit.copy("group", g)?;
+            for key in ["place", "count", "source"] {
+                edit.remove(&format!("group.{g}.{key}"))?;
+            }
+            edit.set(&format!("group.{g}.name"), name)?;
+            edit.set(&format!("group.{g}.place.points"), Array::new())?;
+        }
+    }
+    for &at in &new {
+        edit.push(&format!("group.{g}.place.points"), point(at))?;
+        if let Some(Goal::Points(goals)) = &group.goal {
+            let last = goals.at.last().copied().unwrap_or_default();
+            edit.push(&format!("group.{g}.goal.points.at"), point(last.into()))?;
+        }
+    }
+    count(edit, g, new.len() as i64)?;
+    Ok(g)
+}
+
+/// Points along a line, at most so far apart.
+fn along(line: &[DVec2], step: f64) -> impl Iterator<Item = DVec2> {
+    let between = line.windows(2).flat_map(move |pair| {
+        let (from, to) = (pair[0], pair[1]);
+        let parts = (from.distance(to) / step).ceil().max(1.0);
+        (1..=parts as usize).map(move |k| from.lerp(to, k as f64 / parts))
+    });
+    line.first().copied().into_iter().chain(between)
+}
+
+/// Takes an agent out of a group; with its last one the group goes.
+///
+/// # Errors
+/// It is the last of all.
+pub fn remove(edit: &mut Edit, g: usize, k: usize) -> Result<(), String> {
+    let list = format!("group.{g}.place.points");
+    if edit.len(&list) < 2 {
+        return remove_group(edit, g);
+    }
+    edit.remove(&format!("{list}.{k}"))?;
+    edit.remove(&format!("group.{g}.goal.points.at.{k}"))?;
+    count(edit, g, -1)
+}
+
+/// Takes a group out.
+///
+/// # Errors
+/// It is the last.
+pub fn remove_group(edit: &mut Edit, g: usize) -> Result<(), String> {
+    if edit.len("group") < 2 {
+        return Err("a scene needs somebody: this is the last group".into());
+    }
+    edit.remove(&format!("group.{g}")).map(drop)
+}
+
+/// A name that no group has yet.
+fn free_name(scene: &Scene, name: &str) -> String {
+    let base = if name.is_empty() { "people" } else { name };
+    let taken = |name: &String| scene.groups.iter().any(|group| group.name == *name);
+    (2..).map(|k| format!("{base}-{k}")).find(|name| !taken(name)).unwrap_or_default()
+}
+
+/// Where a group says how many it has, it has `more`.
+fn count(edit: &mut Edit, g: usize, more: i64) -> Result<(), String> {
+    let path = format!("group.{g}.count");
+    match edit.value(&path).and_then(toml_edit::Value::as_integer) {
+        Some(old) => edit.set(&path, old + more),
+        None => Ok(()),
+    }
+}
+
+/// How far a body reaches at most.
+fn bound(body: &Body) -> f64 {
+    match body {
+        Body::Radius(radius) => radius.bounds()[1],
+        Body::Capsule(sides) | Body::Rectangle(sides) => 0.5 * sides.length.bounds()[1].hypot(sides.width.bounds()[1]),
+    }
+}

@@ -1,0 +1,75 @@
+//! Fields as they are sketched and painted: what of them can be taken.
+
+use super::parts::{Change, Kind, Look, Parts, Removal};
+use super::shapes::{Owner, circle, corners};
+use glam::DVec2;
+use throng_scene::{Flow, Scene};
+
+/// Seconds that the arrow of a velocity is long.
+pub const AHEAD: f64 = 1.5;
+
+/// The anchors, strokes and stamps of the fields.
+pub fn parts(scene: &Scene, parts: &mut Parts) {
+    for (k, field) in scene.fields.iter().enumerate() {
+        flow_parts(parts, &format!("field.{k}.flow"), &field.flow);
+    }
+    for (g, group) in scene.groups.iter().enumerate() {
+        if let Some(flow) = group.field.as_ref().and_then(|field| field.of.as_ref()) {
+            flow_parts(parts, &format!("group.{g}.field.of"), flow);
+        }
+    }
+}
+
+fn flow_parts(parts: &mut Parts, path: &str, flow: &Flow) {
+    let owner = |path: &str| Owner { kind: Kind::Field, removal: Some(Removal::Path(path.to_owned())) };
+    match flow {
+        Flow::Sketch(sketch) => {
+            for (k, anchor) in sketch.anchors.iter().flatten().enumerate() {
+                let path = format!("{path}.sketch.anchors.{k}");
+                let (at, removal) = (DVec2::from(anchor.at), owner(&path).removal);
+                let velocity =
+                    Change::Point { path: format!("{path}.velocity"), from: anchor.velocity, rate: 1.0 / AHEAD };
+                let moved = vec![Change::point(format!("{path}.at"), anchor.at)];
+                parts.handle(at, Look::Dot, moved, removal.clone());
+                let tip = at + DVec2::from(anchor.velocity) * AHEAD;
+                parts.handle(tip, Look::Arrow(at), vec![velocity], removal);
+            }
+            for (k, stroke) in sketch.strokes.iter().flatten().enumerate() {
+                let path = format!("{path}.sketch.strokes.{k}");
+                corners(parts, &format!("{path}.points"), &stroke.points, false, &owner(&path));
+            }
+            for (k, stamp) in sketch.stamps.iter().flatten().enumerate() {
+                let path = format!("{path}.sketch.stamps.{k}");
+                stamp_parts(parts, &path, DVec2::from(stamp.at), stamp.radius, &owner(&path));
+            }
+        }
+        Flow::Paint(paint) => {
+            for (k, stroke) in paint.strokes.iter().enumerate() {
+                let path = format!("{path}.paint.strokes.{k}");
+                corners(parts, &format!("{path}.points"), &stroke.points, false, &owner(&path));
+            }
+            paint.on.iter().for_each(|flow| flow_parts(parts, &format!("{path}.paint.on"), flow));
+        }
+        Flow::AroundWalls(walls) => flow_parts(parts, &format!("{path}.around_walls.of"), &walls.of),
+        Flow::Sampled(sampled) => flow_parts(parts, &format!("{path}.sampled.of"), &sampled.of),
+        Flow::Keyframes(keys) => {
+            for (k, frame) in keys.frames.iter().enumerate() {
+                flow_parts(parts, &format!("{path}.keyframes.frames.{k}.of"), &frame.of);
+            }
+        }
+        Flow::Sum(some) | Flow::Blend(some) => {
+            let kind = if matches!(flow, Flow::Sum(_)) { "sum" } else { "blend" };
+            for (k, part) in some.iter().enumerate() {
+                flow_parts(parts, &format!("{path}.{kind}.{k}.of"), &part.of);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// A stamp: as a circle, but that its middle is `at`.
+fn stamp_parts(parts: &mut Parts, path: &str, at: DVec2, radius: f64, owner: &Owner) {
+    let first = parts.handles.len();
+    circle(parts, path, at.to_array(), radius, owner);
+    parts.handles[first].changes = vec![Change::point(format!("{path}.at"), at.to_array())];
+}
