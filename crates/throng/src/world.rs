@@ -29,6 +29,7 @@ mod snapshot;
 mod stage;
 mod standoff;
 mod steer;
+mod tune;
 mod velocities;
 mod way;
 

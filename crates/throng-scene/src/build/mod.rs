@@ -15,6 +15,7 @@ mod rules;
 mod size;
 mod steer;
 mod surface;
+mod tune;
 mod world;
 
 pub use count::MAX_AGENTS;

@@ -164,7 +164,7 @@ impl Scene {
     }
 
     /// What the world refused, with the place of what it was made from.
-    fn refused(&self, key: &str, index: Option<usize>, error: &throng::Error) -> Error {
+    pub(super) fn refused(&self, key: &str, index: Option<usize>, error: &throng::Error) -> Error {
         let path = index.map_or_else(|| Path::of(key), |index| Path::of(key).index(index));
         self.explain(Problem::new(&path, Kind::World, error.to_string()))
     }

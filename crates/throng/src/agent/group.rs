@@ -1,5 +1,6 @@
 //! What the agents of a group share.
 
+use crate::Error;
 use crate::avoid::{LocalModel, Orca, Unavoiding};
 use crate::field::Governed;
 use crate::motion::{Locomotion, Vehicle, WrapAround};
@@ -54,6 +55,46 @@ impl Group {
     /// As [`neighbours`](Self::neighbours): everybody near. What flocks want: however dense they are, they are fast, and those
     /// of one plain [`Flocking`](crate::steer::Flocking) fastest.
     pub const EVERYBODY: usize = usize::MAX;
+
+    /// Whether a world can have it.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("neighbour distance", self.neighbour_distance)?;
+        let count = self.neighbours;
+        let all_or_none = matches!(count, 0 | Self::EVERYBODY) && !self.model.avoids();
+        let counts = (1..=1000).contains(&count) || all_or_none;
+        let limit = "from 1 to 1000, or 0 or everybody for those who avoid nobody";
+        Error::unless(counts, "neighbours", count as f64, limit)?;
+        Error::unless(self.keep_right.abs() <= 0.5, "keep right", self.keep_right, "from -0.5 to 0.5 rad")?;
+        self.model.check()?;
+        self.check_field(&self.field)?;
+        if let Some(steering) = &self.steering {
+            steering.check()?;
+            self.vehicle.check()?;
+            if let Some(wrap_around) = &self.wrap_around {
+                wrap_around.check()?;
+                if self.guard {
+                    let why = "it wraps around, where nobody can be certain: leave it without the guard".into();
+                    return Err(Error::Shape { what: "the group".into(), why });
+                }
+            }
+        }
+        if self.wrap_around.is_some() && !self.solid.0.is_empty() {
+            let why = "it wraps around, where a solid may be in the way: leave one of them away".into();
+            return Err(Error::Shape { what: "the group".into(), why });
+        }
+        Ok(())
+    }
+
+    /// Whether a field can govern it.
+    pub(crate) fn check_field(&self, field: &Option<Governed>) -> Result<(), Error> {
+        let Some(field) = field else { return Ok(()) };
+        field.check()?;
+        if self.steering.is_some() {
+            let why = "it steers, so no field can govern it beside that: let it follow the flow".into();
+            return Err(Error::Shape { what: "the group".into(), why });
+        }
+        Ok(())
+    }
 
     /// Whether its agents steer up and down, and so look there.
     pub(crate) fn steers_in_space(&self) -> bool {

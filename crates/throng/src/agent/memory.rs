@@ -45,6 +45,11 @@ impl Memory {
         }
     }
 
+    /// Makes those of a row zero.
+    pub(crate) fn forget(&mut self, row: usize) {
+        self.all[row * self.each..(row + 1) * self.each].fill(0.0);
+    }
+
     /// Adds a row of zeros.
     pub(crate) fn push(&mut self) {
         self.rows += 1;

@@ -21,6 +21,7 @@ pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId, ScriptId};
 pub use memory::Memory;
 pub use trip::Trip;
 
+use crate::Error;
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
 
@@ -73,6 +74,34 @@ pub struct Agent {
     /// that a world does not depend on the order in which agents are added. `None`: the next free number. Limit:
     /// less than 4294967295.
     pub number: Option<u32>,
+}
+
+impl Agent {
+    /// Whether a world can have it, wherever it is.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        Error::unless_finite("velocity", f64::from(self.velocity.x + self.velocity.y))?;
+        Error::unless_finite("heading", f64::from(self.heading.unwrap_or(0.0)))?;
+        Error::unless(self.radius >= 1e-3 && self.radius <= 1e3, "radius", self.radius, "from 0.001 to 1000 m")?;
+        for half in [self.core.x, self.core.y] {
+            Error::unless((0.0..=1e3).contains(&half), "half extent of the core", half, "from 0 to 1000 m")?;
+        }
+        let limit = "at least 0 m/s and at most 1000 m/s";
+        Error::unless((0.0..=1e3).contains(&self.preferred_speed), "preferred speed", self.preferred_speed, limit)?;
+        Error::unless(
+            self.max_speed >= self.preferred_speed && self.max_speed <= 1e3,
+            "max speed",
+            self.max_speed,
+            "at least the preferred speed and at most 1000 m/s",
+        )?;
+        Error::unless(self.max_acceleration > 0.0, "max acceleration", self.max_acceleration, "greater than 0")?;
+        Error::unless(self.max_turn_rate > 0.0, "max turn rate", self.max_turn_rate, "greater than 0")?;
+        let error = self.tracking_error;
+        Error::unless((0.0..=10.0).contains(&error), "tracking error", error, "from 0 to 10 m")?;
+        let turns = error == 0.0 || self.max_turn_rate.is_finite();
+        Error::unless(turns, "max turn rate", self.max_turn_rate, "finite where there is a tracking error")?;
+        Error::unless_finite("priority", f64::from(self.priority))?;
+        Error::unless((0.0..=1.0).contains(&self.governed), "governed", self.governed, "from 0 to 1")
+    }
 }
 
 impl Default for Agent {

@@ -61,6 +61,13 @@ impl Solids {
         self.groups.push(sides);
     }
 
+    /// Gives a group that was added other solids.
+    pub fn set(&mut self, group: usize, sides: Vec<Side>) {
+        self.groups[group] = sides;
+        // what room they left is known of the former ones
+        self.known.clear();
+    }
+
     /// Finds out who can touch a solid in the step that begins. `group` tells whose solids count for a row.
     pub fn find(&mut self, bodies: &Bodies<'_>, group: &Column<GroupId>) {
         self.near.clear();

@@ -62,30 +62,9 @@ impl World {
     /// # Errors
     /// [`Error::Limit`] names the parameter that is out of range.
     pub fn add_group(&mut self, group: Group) -> Result<GroupId, Error> {
-        Error::unless_positive("neighbour distance", group.neighbour_distance)?;
-        let count = group.neighbours;
-        let all_or_none = matches!(count, 0 | Group::EVERYBODY) && !group.model.avoids();
-        let counts = (1..=1000).contains(&count) || all_or_none;
-        let limit = "from 1 to 1000, or 0 or everybody for those who avoid nobody";
-        Error::unless(counts, "neighbours", count as f64, limit)?;
-        Error::unless(group.keep_right.abs() <= 0.5, "keep right", group.keep_right, "from -0.5 to 0.5 rad")?;
-        group.model.check()?;
-        check_field(&group, &group.field)?;
+        group.check()?;
         if let Some(steering) = &group.steering {
-            steering.check()?;
-            group.vehicle.check()?;
-            if let Some(wrap_around) = &group.wrap_around {
-                wrap_around.check()?;
-                if group.guard {
-                    let why = "it wraps around, where nobody can be certain: leave it without the guard".into();
-                    return Err(Error::Shape { what: "the group".into(), why });
-                }
-            }
             self.agents.memory.widen(steering.words());
-        }
-        if group.wrap_around.is_some() && !group.solid.0.is_empty() {
-            let why = "it wraps around, where a solid may be in the way: leave one of them away".into();
-            return Err(Error::Shape { what: "the group".into(), why });
         }
         self.step.solids.add(group.solid.0.clone());
         self.groups.push(group);
@@ -98,7 +77,7 @@ impl World {
     /// As [`add_group`](Self::add_group), and [`Error::Unknown`] for a group that is not there; the world is as it was.
     pub fn set_field(&mut self, group: GroupId, field: Option<Governed>) -> Result<(), Error> {
         known("group", group.index(), self.groups.len())?;
-        check_field(&self.groups[group.index()], &field)?;
+        self.groups[group.index()].check_field(&field)?;
         self.groups[group.index()].field = field;
         self.step.rest.end();
         for row in 0..self.agents.len() {
@@ -340,28 +319,7 @@ impl World {
     pub(super) fn check(&self, agent: &Agent) -> Result<(), Error> {
         self.check_position("position", agent.position)?;
         check_altitude("altitude", agent.altitude.into())?;
-        Error::unless_finite("velocity", f64::from(agent.velocity.x + agent.velocity.y))?;
-        Error::unless_finite("heading", f64::from(agent.heading.unwrap_or(0.0)))?;
-        Error::unless(agent.radius >= 1e-3 && agent.radius <= 1e3, "radius", agent.radius, "from 0.001 to 1000 m")?;
-        for half in [agent.core.x, agent.core.y] {
-            Error::unless((0.0..=1e3).contains(&half), "half extent of the core", half, "from 0 to 1000 m")?;
-        }
-        let limit = "at least 0 m/s and at most 1000 m/s";
-        Error::unless((0.0..=1e3).contains(&agent.preferred_speed), "preferred speed", agent.preferred_speed, limit)?;
-        Error::unless(
-            agent.max_speed >= agent.preferred_speed && agent.max_speed <= 1e3,
-            "max speed",
-            agent.max_speed,
-            "at least the preferred speed and at most 1000 m/s",
-        )?;
-        Error::unless(agent.max_acceleration > 0.0, "max acceleration", agent.max_acceleration, "greater than 0")?;
-        Error::unless(agent.max_turn_rate > 0.0, "max turn rate", agent.max_turn_rate, "greater than 0")?;
-        let error = agent.tracking_error;
-        Error::unless((0.0..=10.0).contains(&error), "tracking error", error, "from 0 to 10 m")?;
-        let turns = error == 0.0 || agent.max_turn_rate.is_finite();
-        Error::unless(turns, "max turn rate", agent.max_turn_rate, "finite where there is a tracking error")?;
-        Error::unless_finite("priority", f64::from(agent.priority))?;
-        Error::unless((0.0..=1.0).contains(&agent.governed), "governed", agent.governed, "from 0 to 1")?;
+        agent.check()?;
         known("group", agent.group.index(), self.groups.len())?;
         known("journey", agent.journey.index(), self.journeys.len())?;
         if let Some(script) = agent.script {
@@ -429,7 +387,7 @@ fn check_altitude(what: &'static str, altitude: f64) -> Result<(), Error> {
     Error::unless((0.0..=FARTHEST).contains(&altitude), what, altitude, "from 0 to 20000 m")
 }
 
-fn known(what: &'static str, index: usize, count: usize) -> Result<(), Error> {
+pub(super) fn known(what: &'static str, index: usize, count: usize) -> Result<(), Error> {
     if index < count { Ok(()) } else { Err(Error::Unknown { what, index }) }
 }
 
@@ -440,15 +398,4 @@ fn within_a_turn(angle: f32) -> f32 {
     }
     let (sin, cos) = libm::sincosf(angle);
     libm::atan2f(sin, cos)
-}
-
-/// Whether a field can govern a group.
-fn check_field(group: &Group, field: &Option<Governed>) -> Result<(), Error> {
-    let Some(field) = field else { return Ok(()) };
-    field.check()?;
-    if group.steering.is_some() {
-        let why = "it steers, so no field can govern it beside that: let it follow the flow".into();
-        return Err(Error::Shape { what: "the group".into(), why });
-    }
-    Ok(())
 }

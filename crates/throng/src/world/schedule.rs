@@ -37,6 +37,11 @@ impl Schedule {
         self.entries.iter().any(|(_, agent)| agent.number == Some(number))
     }
 
+    /// Everybody who is to come.
+    pub(super) fn agents(&mut self) -> impl Iterator<Item = &mut Agent> {
+        self.entries.iter_mut().map(|(_, agent)| agent)
+    }
+
     /// Takes out everybody whose time has come.
     fn due(&mut self, now: f64) -> Vec<(f64, Agent)> {
         if !self.sorted {

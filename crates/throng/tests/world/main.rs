@@ -35,3 +35,4 @@ mod steering;
 mod stranded;
 mod stuck;
 mod sub_steps;
+mod tuned;

@@ -1,0 +1,120 @@
+//! Changing what groups and agents are while the world runs: where they are and where they go stays as it is.
+
+use super::World;
+use super::build::known;
+use crate::Error;
+use crate::agent::{Agent, Group, GroupId};
+use crate::motion::{Attitude, Basis};
+use glam::Vec3;
+
+impl World {
+    /// Lets a group be another from the next step on: with another local model, other manners, another field, other
+    /// behaviours. Its agents stay where they are and go on to their goals; what their behaviours remember begins anew.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use throng::avoid::{Orca, Rvo};
+    /// use throng::{Agent, Group, Settings, World};
+    ///
+    /// let mut world = World::new(Settings::default())?;
+    /// let walkers = world.add_group(Group { model: Arc::new(Orca::default()), ..Group::default() })?;
+    /// world.add_agent(Agent { group: walkers, ..Agent::default() })?;
+    /// world.step();
+    /// world.set_group(walkers, Group { model: Arc::new(Rvo::default()), ..world.group(walkers).clone() })?;
+    /// world.step();
+    /// # Ok::<(), throng::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`add_group`](Self::add_group), and [`Error::Unknown`] for a group that is not there; the world is as it was.
+    pub fn set_group(&mut self, id: GroupId, group: Group) -> Result<(), Error> {
+        known("group", id.index(), self.groups.len())?;
+        group.check()?;
+        let began_to_steer = group.steering.is_some() && self.groups[id.index()].steering.is_none();
+        if let Some(steering) = &group.steering {
+            self.agents.memory.widen(steering.words());
+        }
+        self.step.solids.set(id.index(), group.solid.0.clone());
+        self.groups[id.index()] = group;
+        self.end_standoffs();
+        self.step.rest.end();
+        for row in (0..self.agents.len()).filter(|&row| self.agents.group[row] == id).collect::<Vec<_>>() {
+            self.agents.memory.forget(row);
+            if began_to_steer {
+                let (sin, cos) = libm::sincosf(self.agents.heading[row]);
+                let basis = Basis::facing(Vec3::new(cos, sin, 0.0));
+                self.agents.attitude.set(row, Attitude { basis, ..Attitude::default() });
+            }
+            if self.agents.script[row].is_none() {
+                self.go_on_with_field(row);
+            }
+        }
+        Ok(())
+    }
+
+    /// Changes what agents are, those who have yet to enter too: `into` is given each one's number and the agent as it is, and
+    /// changes its body, speeds, priority, share of the field, or layers. What it makes of the rest does not count: who is
+    /// there stays where it is, in its group, on its way. Bodies that come to overlap part as [bad starts](crate::guard) do.
+    ///
+    /// ```
+    /// use throng::{Agent, Settings, World};
+    ///
+    /// let mut world = World::new(Settings::default())?;
+    /// world.add_agent(Agent::default())?;
+    /// world.adjust(|_, agent| agent.preferred_speed = 0.8)?;
+    /// assert_eq!(world.agents().preferred_speed[0], 0.8);
+    /// # Ok::<(), throng::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Limit`] names the parameter that is out of range; the world is as it was.
+    pub fn adjust(&mut self, mut into: impl FnMut(u32, &mut Agent)) -> Result<(), Error> {
+        let mut changed = |number: u32, agent: &Agent| -> Result<Agent, Error> {
+            let mut other = agent.clone();
+            into(number, &mut other);
+            other.check()?;
+            Ok(other)
+        };
+        let mut here = Vec::with_capacity(self.agents.len());
+        for row in 0..self.agents.len() {
+            if let Some(agent) = self.agent(self.id(row)) {
+                here.push(changed(self.agents.number[row], &agent)?);
+            }
+        }
+        let mut to_come = self.schedule.clone();
+        for agent in to_come.agents() {
+            let other = changed(agent.number.unwrap_or_default(), agent)?;
+            *agent = Agent {
+                position: agent.position,
+                altitude: agent.altitude,
+                velocity: agent.velocity,
+                heading: agent.heading,
+                group: agent.group,
+                journey: agent.journey,
+                script: agent.script,
+                number: agent.number,
+                ..other
+            };
+        }
+        self.schedule = to_come;
+        for (row, agent) in here.iter().enumerate() {
+            let agents = &mut self.agents;
+            if agents.radius[row] != agent.radius || agents.core[row] != agent.core {
+                agents.travel[row].lose_way();
+            }
+            agents.radius.set(row, agent.radius);
+            agents.core.set(row, agent.core);
+            agents.preferred_speed.set(row, agent.preferred_speed);
+            agents.max_speed.set(row, agent.max_speed);
+            agents.max_acceleration.set(row, agent.max_acceleration);
+            agents.max_turn_rate.set(row, agent.max_turn_rate);
+            agents.tracking_error.set(row, agent.tracking_error);
+            agents.priority.set(row, agent.priority);
+            agents.governed.set(row, agent.governed);
+            agents.layers.set(row, agent.layers);
+            agents.avoids.set(row, agent.avoids);
+        }
+        self.step.rest.end();
+        Ok(())
+    }
+}
