@@ -1,11 +1,14 @@
 //! The studio as a whole.
 
+mod keeping;
+mod telling;
+
 use crate::document::Document;
+use crate::keep::{Draft, Leaving};
 use crate::keys::{self, Action};
 use crate::panels::{self, Asked, Gallery, Why};
 use crate::play::{Command, Player, Shown, Speed, Trouble};
 use crate::settings::Settings;
-use crate::state::State;
 use crate::style;
 use crate::view::View;
 use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Panel, Ui};
@@ -43,6 +46,9 @@ pub struct App {
     dark: Option<bool>,
     /// What people should know, until they have seen it.
     notice: Option<String>,
+    /// What waits for an answer: it would lose changes of the text.
+    leaving: Option<Leaving>,
+    ctx: Context,
     /// The state that was told last.
     told: String,
     outside: crate::outside::Outside,
@@ -54,11 +60,8 @@ impl App {
         let mut settings: Settings =
             storage.and_then(|storage| eframe::get_value(storage, eframe::APP_KEY)).unwrap_or_default();
         let wanted = options.scene.clone().unwrap_or_else(|| settings.scene.clone());
-        let (document, notice) = match crate::outside::open(&wanted) {
-            Ok(document) => (document, None),
-            Err(says) => (Document::gallery("circle").ok_or("there is no gallery")?, Some(says)),
-        };
-        settings.scene = wanted;
+        let (document, notice, leaving) = keeping::begin(storage, &wanted, options.scene.is_some())?;
+        settings.scene = document.origin();
         let mut app = Self {
             player: crate::outside::player(ctx)?,
             outside: crate::outside::Outside::new(&document),
@@ -72,6 +75,8 @@ impl App {
             actions: Vec::new(),
             dark: None,
             notice,
+            leaving,
+            ctx: ctx.clone(),
             told: String::new(),
             options,
         };
@@ -92,18 +97,6 @@ impl App {
         }
     }
 
-    fn open(&mut self, scene: &str) {
-        match crate::outside::open(scene) {
-            Ok(document) => {
-                self.outside = crate::outside::Outside::new(&document);
-                self.document = document;
-                self.settings.scene = scene.to_owned();
-                self.play(true);
-            }
-            Err(says) => self.notice = Some(says),
-        }
-    }
-
     fn act(&mut self, action: Action, shown: Option<&Shown>) {
         let panels = &mut self.settings.panels;
         match action {
@@ -115,7 +108,7 @@ impl App {
             Action::NextScene | Action::PreviousScene => {
                 let by = if action == Action::NextScene { 1 } else { -1 };
                 if let Some(name) = panels::beside(&self.document.name, by) {
-                    self.open(name);
+                    self.leave(Leaving::Open(name.to_owned()));
                 }
             }
             Action::NextAgent => shown.into_iter().for_each(|shown| self.view.select_next(shown)),
@@ -146,13 +139,6 @@ impl App {
         self.player.command(Command::Speed(speed));
     }
 
-    fn save(&mut self) {
-        match self.outside.save(&mut self.document) {
-            Ok(()) => self.play(true),
-            Err(says) => self.notice = Some(says),
-        }
-    }
-
     fn panels(&mut self, ui: &mut Ui, shown: Option<&Shown>, trouble: Option<&Trouble>) {
         let theme = self.settings.theme();
         let frame = Frame::new().fill(style::color(style::panel(&theme))).inner_margin(Margin::symmetric(12, 8));
@@ -168,7 +154,7 @@ impl App {
                 ui,
                 |ui| {
                     if let Some(name) = self.gallery.ui(ui, &self.document.name) {
-                        self.open(name);
+                        self.leave(Leaving::Open(name.to_owned()));
                     }
                 },
             );
@@ -218,32 +204,13 @@ impl App {
             }
         });
     }
-
-    /// Asks the selected agent for what is to be seen of it.
-    fn explain(&mut self) {
-        let wanted = self.view.selected.filter(|_| self.settings.annotations || self.settings.panels.why);
-        if wanted != self.explained {
-            self.explained = wanted;
-            self.player.command(Command::Explain(wanted));
-        }
-    }
-
-    /// What is wrong with the text, or else with what it says.
-    fn wrong(&self, trouble: Option<&Trouble>) -> Option<String> {
-        self.document.scene().err().map(ToString::to_string).or_else(|| trouble.map(ToString::to_string))
-    }
-
-    fn tell(&mut self, shown: &Shown, trouble: Option<&Trouble>) {
-        let told = State::new(shown, self.view.selected, self.wrong(trouble)).json();
-        if told != self.told {
-            crate::outside::tell(&self.options, &told);
-            self.told = told;
-        }
-    }
 }
 
 impl eframe::App for App {
     fn raw_input_hook(&mut self, ctx: &Context, raw: &mut egui::RawInput) {
+        if self.leaving.is_some() {
+            return;
+        }
         let actions = keys::take(&mut raw.events, ctx.egui_wants_keyboard_input());
         self.actions.extend(actions);
     }
@@ -255,15 +222,11 @@ impl eframe::App for App {
             self.dark = Some(self.settings.dark);
         }
         crate::outside::work(&mut self.player, &ctx);
-        if let Some(text) = self.outside.changed(&ctx) {
-            self.document.edit(text);
-            self.document.mark_saved();
-            self.play(true);
-        }
+        self.keep(&ctx);
         let (shown, trouble): (Option<Arc<Shown>>, _) = (self.player.shown(), self.player.trouble());
         let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
         if let Some(path) = dropped {
-            self.open(&path.display().to_string());
+            self.leave(Leaving::Open(path.display().to_string()));
         }
         if !self.actions.is_empty() {
             // what they do is to be seen, where no thread wakes the page
@@ -291,6 +254,11 @@ impl eframe::App for App {
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         eframe::set_value(storage, eframe::APP_KEY, &self.settings);
+        eframe::set_value(storage, Draft::KEY, &Draft::of(&self.document));
+    }
+
+    fn auto_save_interval(&self) -> std::time::Duration {
+        keeping::AUTOSAVE
     }
 
     fn on_exit(&mut self, gl: Option<&eframe::glow::Context>) {

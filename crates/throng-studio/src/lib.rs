@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`document`] | the scene's text, the one thing that is edited |
 //! | [`play`] | what plays it: commands in, states out |
+//! | [`keep`] | what keeps unsaved work |
 //! | [`view`] | cameras, and what is drawn by the graphics processor |
 //! | [`panels`] | what stands round the view |
 //! | [`keys`], [`settings`], [`state`] | the keyboard; what is remembered; what tests read |
@@ -13,6 +14,7 @@
 
 mod app;
 pub mod document;
+pub mod keep;
 pub mod keys;
 mod outside;
 #[cfg(target_arch = "wasm32")]

@@ -4,7 +4,7 @@ use crate::Options;
 use crate::document::{Document, Watched};
 use crate::play::{Player, Shown, Threaded};
 use eframe::egui::{ColorImage, Context, ViewportCommand};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 use throng_scene::gallery;
 
@@ -58,15 +58,12 @@ impl Outside {
         watched.changed()
     }
 
-    /// Writes a document to its file, or, of the gallery, to one of its name in the current folder.
+    /// Writes a document to its file, or, where it has none, to a new one of its name in the current folder.
     ///
     /// # Errors
     /// It cannot be written.
     pub fn save(&mut self, document: &mut Document) -> Result<(), String> {
-        let path = document.path.clone().unwrap_or_else(|| format!("{}.toml", document.name).into());
-        if document.path.is_none() && path.exists() {
-            return Err(format!("there is a file {} already: save under another name", path.display()));
-        }
+        let path = document.path.clone().unwrap_or_else(|| unused(&document.name, "toml"));
         std::fs::write(&path, document.text())
             .map_err(|error| format!("{} cannot be written: {error}", path.display()))?;
         document.path = Some(path.clone());
@@ -92,6 +89,13 @@ impl Outside {
             });
         }
     }
+}
+
+/// A file of a name that there is not yet: `name.kind`, or else `name-2.kind` and so on.
+fn unused(name: &str, kind: &str) -> PathBuf {
+    let numbered = (2..).map(|k| PathBuf::from(format!("{name}-{k}.{kind}")));
+    let mut paths = std::iter::once(PathBuf::from(format!("{name}.{kind}"))).chain(numbered);
+    paths.find(|path| !path.exists()).unwrap_or_default()
 }
 
 /// Writes what is shown to the file that the options name.
