@@ -1,19 +1,21 @@
 //! The studio as a whole.
 
 mod keeping;
+mod sharing;
 mod telling;
 
 use crate::document::Document;
 use crate::keep::{Draft, Leaving};
 use crate::keys::{self, Action};
-use crate::panels::{self, Asked, Gallery, Why};
+use crate::panels::{self, Asked, Gallery, Meters, Why};
 use crate::play::{Command, Player, Shown, Speed, Trouble};
 use crate::settings::Settings;
 use crate::style;
 use crate::view::View;
-use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Panel, Ui};
+use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Panel, Rect, Ui};
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
 
 /// What the studio is started with.
 #[derive(Clone, Debug, Default)]
@@ -37,6 +39,7 @@ pub struct App {
     view: View,
     gallery: Gallery,
     why: Why,
+    meters: Meters,
     /// Who explains itself.
     explained: Option<u32>,
     help: bool,
@@ -48,6 +51,10 @@ pub struct App {
     notice: Option<String>,
     /// What waits for an answer: it would lose changes of the text.
     leaving: Option<Leaving>,
+    /// What work that goes on beside has to say.
+    news: (Sender<String>, Receiver<String>),
+    /// Where the view is.
+    place: Rect,
     ctx: Context,
     /// The state that was told last.
     told: String,
@@ -70,12 +77,15 @@ impl App {
             view: View::default(),
             gallery: Gallery::default(),
             why: Why::default(),
+            meters: Meters::default(),
             explained: None,
             help: false,
             actions: Vec::new(),
             dark: None,
             notice,
             leaving,
+            news: channel(),
+            place: Rect::NOTHING,
             ctx: ctx.clone(),
             told: String::new(),
             options,
@@ -121,9 +131,13 @@ impl App {
             Action::Gallery => panels.gallery = !panels.gallery,
             Action::Text => panels.text = !panels.text,
             Action::Summary => panels.summary = !panels.summary,
+            Action::Plots => panels.plots = !panels.plots,
             Action::Why => panels.why = !panels.why,
             Action::Help => self.help = !self.help,
-            Action::Leave => (self.help, self.view.selected) = (false, None),
+            Action::Leave => {
+                (self.help, self.view.selected) = (false, None);
+                self.meters.take_up(None);
+            }
             Action::Save => self.save(),
             Action::Undo | Action::Redo => {
                 let changed = if action == Action::Undo { self.document.undo() } else { self.document.redo() };
@@ -175,6 +189,11 @@ impl App {
                 .default_size(230.0)
                 .show(ui, |ui| panels::summary(ui, shown));
         }
+        if let Some(shown) = shown.filter(|_| self.settings.panels.plots) {
+            let panel = Panel::right("plots").frame(frame).show_separator_line(false).default_size(320.0);
+            let asked = panel.show(ui, |ui| panels::plots(ui, shown, &mut self.meters)).inner;
+            asked.into_iter().for_each(|command| self.player.command(command));
+        }
     }
 
     fn top(&mut self, ui: &mut Ui, shown: Option<&Shown>, trouble: Option<&Trouble>) {
@@ -185,6 +204,7 @@ impl App {
             ui.toggle_value(&mut panels.gallery, "Gallery");
             ui.toggle_value(&mut panels.text, "Text");
             ui.toggle_value(&mut panels.summary, "Summary");
+            ui.toggle_value(&mut panels.plots, "Plots").on_hover_text("figures against time; meters (P)");
             ui.toggle_value(&mut panels.why, "Why").on_hover_text("why the selected agent goes where it goes (W)");
             ui.separator();
             ui.toggle_value(&mut self.settings.grid, "Grid");
@@ -194,14 +214,19 @@ impl App {
             }
             ui.toggle_value(&mut self.settings.dark, "Dark");
             ui.toggle_value(&mut self.help, "?");
+            if ui.button("Picture").on_hover_text("a picture of the view, as a file").clicked() {
+                self.picture(self.place);
+            }
+            if cfg!(target_arch = "wasm32")
+                && ui.button("Share").on_hover_text("an address that opens this scene as it is now").clicked()
+            {
+                self.share();
+            }
             ui.separator();
             if let Some(shown) = shown {
                 ui.label(egui::RichText::new(&shown.setting.title).strong());
             }
-            let wrong = self.wrong(trouble).or_else(|| self.notice.clone());
-            if let Some(line) = wrong.as_deref().and_then(|says| says.lines().next()) {
-                ui.colored_label(ui.visuals().error_fg_color, line).on_hover_text(wrong.as_deref().unwrap_or_default());
-            }
+            self.said(ui, trouble);
         });
     }
 }
@@ -223,6 +248,7 @@ impl eframe::App for App {
         }
         crate::outside::work(&mut self.player, &ctx);
         self.keep(&ctx);
+        self.notice = self.news.1.try_iter().last().or(self.notice.take());
         let (shown, trouble): (Option<Arc<Shown>>, _) = (self.player.shown(), self.player.trouble());
         let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
         if let Some(path) = dropped {
@@ -238,7 +264,11 @@ impl eframe::App for App {
         self.panels(ui, shown.as_deref(), trouble.as_ref());
         CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
             if let Some(shown) = &shown {
-                self.view.ui(ui, shown, &self.settings);
+                self.view.busy = self.meters.tool().is_some();
+                let view = self.view.ui(ui, shown, &self.settings);
+                self.place = view.rect;
+                let asked = self.meters.ui(ui, &view, &self.view.eye);
+                asked.into_iter().for_each(|command| self.player.command(command));
             }
         });
         panels::help(&ctx, &mut self.help);

@@ -37,6 +37,8 @@ pub enum Action {
     Text,
     /// Opens or closes the summary.
     Summary,
+    /// Opens or closes the plots.
+    Plots,
     /// Opens or closes why the selected agent goes where it goes.
     Why,
     /// Opens or closes the help.
@@ -52,7 +54,7 @@ pub enum Action {
 }
 
 /// Every key, what it does, and how the help says it. `true`: with the command key.
-pub const KEYS: [(bool, Key, Action, &str, &str); 22] = [
+pub const KEYS: [(bool, Key, Action, &str, &str); 23] = [
     (false, Key::Space, Action::Play, "Space", "run or pause"),
     (false, Key::ArrowRight, Action::Step, "Right", "a step on"),
     (false, Key::ArrowLeft, Action::Back, "Left", "a step back"),
@@ -68,6 +70,7 @@ pub const KEYS: [(bool, Key, Action, &str, &str); 22] = [
     (false, Key::G, Action::Gallery, "G", "gallery"),
     (false, Key::E, Action::Text, "E", "text of the scene"),
     (false, Key::I, Action::Summary, "I", "how the run goes"),
+    (false, Key::P, Action::Plots, "P", "figures against time"),
     (false, Key::W, Action::Why, "W", "why the selected agent goes where it goes"),
     (false, Key::Questionmark, Action::Help, "?", "this help"),
     (false, Key::Escape, Action::Leave, "Esc", "close, select nobody"),

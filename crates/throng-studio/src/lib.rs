@@ -7,6 +7,7 @@
 //! | [`keep`] | what keeps unsaved work |
 //! | [`view`] | cameras, and what is drawn by the graphics processor |
 //! | [`panels`] | what stands round the view |
+//! | [`picture`], [`share`] | what people take along |
 //! | [`keys`], [`settings`], [`state`] | the keyboard; what is remembered; what tests read |
 //!
 //! [`App`] puts them together. The text is the one document: what edits a scene edits the text, the player gets the scene
@@ -20,9 +21,11 @@ mod outside;
 #[cfg(target_arch = "wasm32")]
 pub mod page;
 pub mod panels;
+pub mod picture;
 pub mod play;
 pub mod settings;
 pub mod state;
+pub mod share;
 mod style;
 pub mod view;
 #[cfg(not(target_arch = "wasm32"))]

@@ -39,13 +39,15 @@ pub struct Panels {
     pub text: bool,
     /// How the run goes.
     pub summary: bool,
+    /// Figures against time.
+    pub plots: bool,
     /// Why the selected agent goes where it goes.
     pub why: bool,
 }
 
 impl Default for Panels {
     fn default() -> Self {
-        Self { gallery: true, text: false, summary: true, why: false }
+        Self { gallery: true, text: false, summary: true, plots: false, why: false }
     }
 }
 

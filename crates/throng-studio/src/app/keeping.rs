@@ -49,6 +49,7 @@ impl App {
                     self.document = document;
                     self.settings.scene = scene;
                     self.notice = None;
+                    self.player.command(self.meters.clear());
                     self.play(true);
                 }
                 Err(says) => self.notice = Some(says),

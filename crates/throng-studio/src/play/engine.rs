@@ -1,5 +1,6 @@
 //! What plays: it takes commands, makes the steps that are due, and tells what there is to see.
 
+use super::meter::Meter;
 use super::pace::{Pace, Speed};
 use super::run::Run;
 use super::shown::{Shown, Trouble};
@@ -38,6 +39,8 @@ pub enum Command {
     Speed(Speed),
     /// Which agent tells why it goes where it goes, by number.
     Explain(Option<u32>),
+    /// What measures parts of the ground, in this run and those after it.
+    Meters(Arc<[Meter]>),
 }
 
 /// Plays scenes: [`command`](Self::command) it, let it [`work`](Self::work), and look at what is [`shown`](Self::shown).
@@ -50,6 +53,7 @@ pub struct Engine {
     /// The step it is on its way to, however fast that goes.
     goal: Option<u64>,
     explained: Option<u32>,
+    meters: Arc<[Meter]>,
     trouble: Option<Trouble>,
 }
 
@@ -62,6 +66,7 @@ impl Default for Engine {
             playing: false,
             goal: None,
             explained: None,
+            meters: Arc::from([]),
             trouble: None,
         }
     }
@@ -84,6 +89,12 @@ impl Engine {
             Command::Restart => self.restart(None),
             Command::Seed(seed) => self.restart(Some(seed)),
             Command::Speed(speed) => self.pace = Pace::new(speed, Instant::now()),
+            Command::Meters(meters) => {
+                if let Some(run) = &mut self.run {
+                    Arc::make_mut(&mut run.series).meter(&run.world, &meters);
+                }
+                self.meters = meters;
+            }
             Command::Explain(number) => {
                 self.explained = number;
                 if let Some(run) = &mut self.run {
@@ -94,7 +105,7 @@ impl Engine {
     }
 
     fn load(&mut self, name: Arc<str>, scene: Arc<Scene>, go: bool) {
-        match Run::new(name, scene) {
+        match Run::new(name, scene, &self.meters) {
             Ok(mut run) => {
                 run.explain(self.explained);
                 self.runs += 1;
@@ -208,6 +219,7 @@ impl Engine {
             playing: self.playing,
             over: run.over(),
             cost: run.cost,
+            series: run.series.clone(),
             summary: run.summary(!self.playing),
             explanation: run.explanation(!self.playing),
             hash: run.world.state_hash(),

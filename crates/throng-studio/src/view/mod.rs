@@ -40,6 +40,8 @@ pub struct View {
     pub eye: Eye,
     /// The agent that is selected, by number.
     pub selected: Option<u32>,
+    /// Whether somebody else draws with the mouse: then it moves and selects nothing.
+    pub busy: bool,
     hovered: Option<u32>,
     /// The scene that the eye was fitted to.
     fitted: Option<Arc<str>>,
@@ -75,7 +77,7 @@ impl View {
         let projector = self.eye.projector(size);
         let pointer = response.hover_pos().map(|at| Vec2::new(at.x - rect.min.x, at.y - rect.min.y));
         self.hovered = pointer.and_then(|at| nearest(shown, &projector, at, share));
-        if response.clicked() {
+        if response.clicked() && !self.busy {
             self.selected = self.hovered;
         }
         if response.double_clicked() && self.hovered.is_none() {
@@ -119,7 +121,7 @@ impl View {
     }
 
     fn handle(&mut self, ui: &Ui, response: &Response, rect: Rect, size: Vec2) {
-        if response.dragged() {
+        if response.dragged() && !self.busy {
             let by = response.drag_delta();
             let shift = ui.input(|input| input.modifiers.shift);
             let turning = response.dragged_by(PointerButton::Primary) && !shift;
