@@ -24,8 +24,8 @@ pub mod panels;
 pub mod picture;
 pub mod play;
 pub mod settings;
-pub mod state;
 pub mod share;
+pub mod state;
 mod style;
 pub mod view;
 #[cfg(not(target_arch = "wasm32"))]

@@ -27,7 +27,9 @@ impl Leaving {
     pub fn says(&self, name: &str) -> String {
         match self {
             Self::Open(_) => format!("{name} has changes that are not saved."),
-            Self::Reload(_) => format!("The file of {name} was written by somebody else, and the text here has changes."),
+            Self::Reload(_) => {
+                format!("The file of {name} was written by somebody else, and the text here has changes.")
+            }
             Self::Close => format!("{name} has changes that are not saved. Close the studio?"),
         }
     }

@@ -63,7 +63,8 @@ impl Meters {
         }
         let tool = self.tool?;
         ui.ctx().set_cursor_icon(eframe::egui::CursorIcon::Crosshair);
-        let at = |pointer: eframe::egui::Pos2| ground(&projector, Vec2::new(pointer.x - rect.min.x, pointer.y - rect.min.y));
+        let at =
+            |pointer: eframe::egui::Pos2| ground(&projector, Vec2::new(pointer.x - rect.min.x, pointer.y - rect.min.y));
         if view.drag_started() {
             self.begun = ui.input(|input| input.pointer.press_origin()).and_then(at);
         }

@@ -4,7 +4,7 @@ use super::meters::{Meters, Tool, color};
 use crate::play::{Command, Gauge, Meter, Quantity, Shown};
 use crate::style;
 use eframe::egui::{Align, Color32, Id, Layout, RichText, ScrollArea, Ui};
-use egui_plot::{HoverPosition, Line, Plot};
+use egui_plot::{AxisHints, HoverPosition, Line, Plot};
 use throng_draw::palette;
 
 /// Places of the palette that are seen well on light and on dark ground, one for each quantity.
@@ -129,7 +129,10 @@ impl Chart<'_> {
             .include_x(0.0)
             .include_y(0.0)
             .y_axis_min_width(34.0)
-            .x_axis_formatter(|mark, _| format!("{} s", mark.value))
+            .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.5))
+            .custom_x_axes(vec![
+                AxisHints::new_x().label_spacing(16.0..=30.0).formatter(|mark, _| format!("{} s", mark.value)),
+            ])
             .link_cursor(together, [true, false])
             .link_axis(together, [true, false])
             .label_formatter(move |at| match at {

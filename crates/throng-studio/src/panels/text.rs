@@ -21,7 +21,9 @@ const APPLY: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::E
 pub fn text(ui: &mut Ui, document: &mut Document, trouble: Option<&Trouble>) -> Option<Asked> {
     let mut asked = None;
     ui.horizontal(|ui| {
-        ui.label(RichText::new(format!("{}{}", document.origin(), if document.changed() { " •" } else { "" })).strong());
+        ui.label(
+            RichText::new(format!("{}{}", document.origin(), if document.changed() { " •" } else { "" })).strong(),
+        );
     });
     ui.horizontal(|ui| {
         let sound = document.scene().is_ok();

@@ -48,7 +48,9 @@ impl Quantity {
     pub fn says(self) -> &'static str {
         match self {
             Self::Arrived => "agents at the end of their journeys",
-            Self::Separation => "least distance of two centres over the sum of their radii, at this moment; 1: they touch",
+            Self::Separation => {
+                "least distance of two centres over the sum of their radii, at this moment; 1: they touch"
+            }
             Self::Speed => "mean speed of those on their way",
             Self::Turning => "mean turning of the headings of those on their way",
             Self::Guarded => "share of agent-steps so far that the guard changed by more than a hundredth",
