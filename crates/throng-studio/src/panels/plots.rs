@@ -9,6 +9,8 @@ use throng_draw::palette;
 
 /// Places of the palette that are seen well on light and on dark ground, one for each quantity.
 const COLORS: [usize; Quantity::ALL.len()] = [0, 7, 2, 3, 1];
+/// Seconds after which a flow says something.
+const SETTLED: f64 = 1.0;
 /// So many points of a line at most.
 const FINE: usize = 500;
 
@@ -61,7 +63,7 @@ fn metered(ui: &mut Ui, shown: &Shown, index: usize, gauge: &Gauge) {
             let name = format!("{number}: crossed");
             let says = "how many have crossed the line, either way, since it was drawn";
             Chart { name: (&name, "agents"), says, now: gauge.count().to_string(), color }.ui(ui, counts);
-            let times = shown.series.samples().iter().map(|sample| sample.time).filter(|&time| time >= begin);
+            let times = shown.series.samples().iter().map(|sample| sample.time).filter(|&time| time >= begin + SETTLED);
             let flows = thinned(times.map(|time| [time, gauge.flow(time)]).collect());
             let flow = gauge.flow(now);
             let name = format!("{number}: flow");
