@@ -2,19 +2,23 @@
 
 mod beside;
 mod directing;
+mod keeping;
+mod sharing;
+mod telling;
 
 use crate::direct::{Director, Tool};
 use crate::document::Document;
+use crate::keep::{Draft, Leaving};
 use crate::keys::{self, Action};
-use crate::panels::{self, Asked, Gallery, Tuned, Tuning, Why};
+use crate::panels::{self, Asked, Gallery, Meters, Tuned, Tuning, Why};
 use crate::play::{Command, Player, Shown, Speed, Trouble};
 use crate::settings::Settings;
-use crate::state::State;
 use crate::style;
 use crate::view::View;
-use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Panel, Ui};
+use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Panel, Rect, Ui};
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
 
 /// What the studio is started with.
 #[derive(Clone, Debug, Default)]
@@ -42,6 +46,7 @@ pub struct App {
     tuning: Tuning,
     director: Director,
     save_as: panels::SaveAs,
+    meters: Meters,
     /// Who explains itself.
     explained: Option<u32>,
     help: bool,
@@ -51,6 +56,13 @@ pub struct App {
     dark: Option<bool>,
     /// What people should know, until they have seen it.
     notice: Option<String>,
+    /// What waits for an answer: it would lose changes of the text.
+    leaving: Option<Leaving>,
+    /// What work that goes on beside has to say.
+    news: (Sender<String>, Receiver<String>),
+    /// Where the view is.
+    place: Rect,
+    ctx: Context,
     /// The state that was told last.
     told: String,
     outside: crate::outside::Outside,
@@ -62,11 +74,8 @@ impl App {
         let mut settings: Settings =
             storage.and_then(|storage| eframe::get_value(storage, eframe::APP_KEY)).unwrap_or_default();
         let wanted = options.scene.clone().unwrap_or_else(|| settings.scene.clone());
-        let (document, notice) = match crate::outside::open(&wanted) {
-            Ok(document) => (document, None),
-            Err(says) => (Document::gallery("circle").ok_or("there is no gallery")?, Some(says)),
-        };
-        settings.scene = wanted;
+        let (document, notice, leaving) = keeping::begin(storage, &wanted, options.scene.is_some())?;
+        settings.scene = document.origin();
         let mut app = Self {
             player: crate::outside::player(ctx)?,
             outside: crate::outside::Outside::new(&document),
@@ -78,11 +87,16 @@ impl App {
             tuning: Tuning::default(),
             director: Director::default(),
             save_as: panels::SaveAs::default(),
+            meters: Meters::default(),
             explained: None,
             help: false,
             actions: Vec::new(),
             dark: None,
             notice,
+            leaving,
+            news: channel(),
+            place: Rect::NOTHING,
+            ctx: ctx.clone(),
             told: String::new(),
             options,
         };
@@ -112,23 +126,6 @@ impl App {
         }
     }
 
-    fn open(&mut self, scene: &str) {
-        match crate::outside::open(scene) {
-            Ok(document) => {
-                self.settings.scene = scene.to_owned();
-                self.show(document, true);
-            }
-            Err(says) => self.notice = Some(says),
-        }
-    }
-
-    fn show(&mut self, document: Document, run: bool) {
-        self.outside = crate::outside::Outside::new(&document);
-        self.director.cancel();
-        self.document = document;
-        self.play(run);
-    }
-
     fn act(&mut self, action: Action, shown: Option<&Shown>) {
         let panels = &mut self.settings.panels;
         match action {
@@ -140,7 +137,7 @@ impl App {
             Action::NextScene | Action::PreviousScene => {
                 let by = if action == Action::NextScene { 1 } else { -1 };
                 if let Some(name) = panels::beside(&self.document.name, by) {
-                    self.open(name);
+                    self.leave(Leaving::Open(name.to_owned()));
                 }
             }
             Action::NextAgent => shown.into_iter().for_each(|shown| self.views[0].select_next(shown)),
@@ -154,16 +151,18 @@ impl App {
             Action::Text => panels.text = !panels.text,
             Action::Tuning => panels.tuning = !panels.tuning,
             Action::Summary => panels.summary = !panels.summary,
+            Action::Plots => panels.plots = !panels.plots,
             Action::Why => panels.why = !panels.why,
             Action::Help => self.help = !self.help,
             Action::Leave if self.director.cancel() => {}
             Action::Leave => {
                 (self.help, self.views[0].selected) = (false, None);
                 self.director.take(Tool::Hand);
+                self.meters.take_up(None);
             }
             Action::Take(tool) => self.director.take(tool),
             Action::Remove => self.remove(shown),
-            Action::New => self.show(Document::empty(), false),
+            Action::New => self.leave(Leaving::New),
             Action::SaveAs => self.save_as.open(&self.document.name),
             Action::Save => self.save(),
             Action::Undo | Action::Redo => {
@@ -179,13 +178,6 @@ impl App {
     fn set_speed(&mut self, speed: Speed) {
         self.settings.speed = speed;
         self.player.command(Command::Speed(speed));
-    }
-
-    fn save(&mut self) {
-        match self.outside.save(&mut self.document) {
-            Ok(()) => self.change(),
-            Err(says) => self.notice = Some(says),
-        }
     }
 
     fn panels(&mut self, ui: &mut Ui, shown: Option<&Shown>, trouble: Option<&Trouble>) {
@@ -206,7 +198,7 @@ impl App {
                 ui,
                 |ui| {
                     if let Some(name) = self.gallery.ui(ui, &self.document.name) {
-                        self.open(name);
+                        self.leave(Leaving::Open(name.to_owned()));
                     }
                 },
             );
@@ -239,6 +231,11 @@ impl App {
                 .default_size(230.0)
                 .show(ui, |ui| panels::summary(ui, shown));
         }
+        if let Some(shown) = shown.filter(|_| self.settings.panels.plots) {
+            let panel = Panel::right("plots").frame(frame).show_separator_line(false).default_size(320.0);
+            let asked = panel.show(ui, |ui| panels::plots(ui, shown, &mut self.meters)).inner;
+            asked.into_iter().for_each(|command| self.player.command(command));
+        }
     }
 
     fn top(&mut self, ui: &mut Ui, shown: Option<&Shown>, trouble: Option<&Trouble>) {
@@ -250,6 +247,7 @@ impl App {
             ui.toggle_value(&mut panels.text, "Text");
             ui.toggle_value(&mut panels.tuning, "Tune").on_hover_text("sliders for what groups are (U)");
             ui.toggle_value(&mut panels.summary, "Summary");
+            ui.toggle_value(&mut panels.plots, "Plots").on_hover_text("figures against time; meters (P)");
             ui.toggle_value(&mut panels.why, "Why").on_hover_text("why the selected agent goes where it goes (W)");
             ui.separator();
             if ui.button("New").on_hover_text("an empty scene (Ctrl N)").clicked() {
@@ -269,37 +267,20 @@ impl App {
                 self.put_beside();
             }
             ui.toggle_value(&mut self.help, "?");
+            if ui.button("Picture").on_hover_text("a picture of the view, as a file").clicked() {
+                self.picture(self.place);
+            }
+            if cfg!(target_arch = "wasm32")
+                && ui.button("Share").on_hover_text("an address that opens this scene as it is now").clicked()
+            {
+                self.share();
+            }
             ui.separator();
             if let Some(shown) = shown {
                 ui.label(egui::RichText::new(&shown.setting.title).strong());
             }
-            let wrong = self.wrong(trouble).or_else(|| self.notice.clone());
-            if let Some(line) = wrong.as_deref().and_then(|says| says.lines().next()) {
-                ui.colored_label(ui.visuals().error_fg_color, line).on_hover_text(wrong.as_deref().unwrap_or_default());
-            }
+            self.said(ui, trouble);
         });
-    }
-
-    /// Asks the selected agent for what is to be seen of it.
-    fn explain(&mut self) {
-        let wanted = self.views[0].selected.filter(|_| self.settings.annotations || self.settings.panels.why);
-        if wanted != self.explained {
-            self.explained = wanted;
-            self.player.command(Command::Explain(wanted));
-        }
-    }
-
-    /// What is wrong with the text, or else with what it says.
-    fn wrong(&self, trouble: Option<&Trouble>) -> Option<String> {
-        self.document.scene().err().map(ToString::to_string).or_else(|| trouble.map(ToString::to_string))
-    }
-
-    fn tell(&mut self, shown: &Shown, trouble: Option<&Trouble>) {
-        let told = State::new(shown, self.views[0].selected, self.wrong(trouble)).json();
-        if told != self.told {
-            crate::outside::tell(&self.options, &told);
-            self.told = told;
-        }
     }
 }
 
@@ -310,6 +291,9 @@ fn frame_of(settings: &Settings) -> Frame {
 
 impl eframe::App for App {
     fn raw_input_hook(&mut self, ctx: &Context, raw: &mut egui::RawInput) {
+        if self.leaving.is_some() {
+            return;
+        }
         let actions = keys::take(&mut raw.events, ctx.egui_wants_keyboard_input());
         self.actions.extend(actions);
     }
@@ -321,15 +305,12 @@ impl eframe::App for App {
             self.dark = Some(self.settings.dark);
         }
         crate::outside::work(&mut self.player, &ctx);
-        if let Some(text) = self.outside.changed(&ctx) {
-            self.document.edit(text);
-            self.document.mark_saved();
-            self.change();
-        }
+        self.keep(&ctx);
+        self.notice = self.news.1.try_iter().last().or(self.notice.take());
         let (shown, trouble): (Option<Arc<Shown>>, _) = (self.player.shown(), self.player.trouble());
         let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
         if let Some(path) = dropped {
-            self.open(&path.display().to_string());
+            self.leave(Leaving::Open(path.display().to_string()));
         }
         if !self.actions.is_empty() {
             // what they do is to be seen, where no thread wakes the page
@@ -358,6 +339,11 @@ impl eframe::App for App {
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         eframe::set_value(storage, eframe::APP_KEY, &self.settings);
+        eframe::set_value(storage, Draft::KEY, &Draft::of(&self.document));
+    }
+
+    fn auto_save_interval(&self) -> std::time::Duration {
+        keeping::AUTOSAVE
     }
 
     fn on_exit(&mut self, gl: Option<&eframe::glow::Context>) {

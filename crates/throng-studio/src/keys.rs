@@ -40,6 +40,8 @@ pub enum Action {
     Summary,
     /// Shows or hides the sliders.
     Tuning,
+    /// Opens or closes the plots.
+    Plots,
     /// Opens or closes why the selected agent goes where it goes.
     Why,
     /// Opens or closes the help.
@@ -63,7 +65,7 @@ pub enum Action {
 }
 
 /// Every key, what it does, and how the help says it. `true`: with the command key.
-pub const KEYS: [(bool, Key, Action, &str, &str); 25] = [
+pub const KEYS: [(bool, Key, Action, &str, &str); 26] = [
     (false, Key::Space, Action::Play, "Space", "run or pause"),
     (false, Key::ArrowRight, Action::Step, "Right", "a step on"),
     (false, Key::ArrowLeft, Action::Back, "Left", "a step back"),
@@ -80,6 +82,7 @@ pub const KEYS: [(bool, Key, Action, &str, &str); 25] = [
     (false, Key::E, Action::Text, "E", "text of the scene"),
     (false, Key::I, Action::Summary, "I", "how the run goes"),
     (false, Key::U, Action::Tuning, "U", "sliders for what groups are"),
+    (false, Key::H, Action::Plots, "H", "figures against time"),
     (false, Key::W, Action::Why, "W", "why the selected agent goes where it goes"),
     (false, Key::Questionmark, Action::Help, "?", "this help"),
     (false, Key::Escape, Action::Leave, "Esc", "close, select nobody"),

@@ -5,9 +5,11 @@
 //! | [`document`] | the scene's text, the one thing that is edited |
 //! | [`direct`] | editing it with the mouse in the view |
 //! | [`play`] | what plays it: commands in, states out |
+//! | [`keep`] | what keeps unsaved work |
 //! | [`view`] | cameras, and what is drawn by the graphics processor |
 //! | [`tune`] | what can be tuned: the schema of scene files, and what the scene says |
 //! | [`panels`] | what stands round the view |
+//! | [`picture`], [`share`] | what people take along |
 //! | [`keys`], [`settings`], [`state`] | the keyboard; what is remembered; what tests read |
 //!
 //! [`App`] puts them together. The text is the one document: what edits a scene edits the text, the player gets the scene
@@ -16,13 +18,16 @@
 mod app;
 pub mod direct;
 pub mod document;
+pub mod keep;
 pub mod keys;
 mod outside;
 #[cfg(target_arch = "wasm32")]
 pub mod page;
 pub mod panels;
+pub mod picture;
 pub mod play;
 pub mod settings;
+pub mod share;
 pub mod state;
 mod style;
 pub mod tune;

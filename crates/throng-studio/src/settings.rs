@@ -43,13 +43,15 @@ pub struct Panels {
     pub summary: bool,
     /// Sliders for what groups are.
     pub tuning: bool,
+    /// Figures against time.
+    pub plots: bool,
     /// Why the selected agent goes where it goes.
     pub why: bool,
 }
 
 impl Default for Panels {
     fn default() -> Self {
-        Self { gallery: true, text: false, summary: true, tuning: false, why: false }
+        Self { gallery: true, text: false, summary: true, plots: false, tuning: false, why: false }
     }
 }
 

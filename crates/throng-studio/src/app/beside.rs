@@ -14,10 +14,10 @@ impl App {
 
     /// The view; or two of one scene with two models, seen through one eye.
     pub(super) fn views(&mut self, ui: &mut Ui, shown: &Shown) {
-        self.views[0].lent = self.director.tool != Tool::Hand;
+        self.views[0].lent = self.director.tool != Tool::Hand || self.meters.tool().is_some();
         let Some(beside) = shown.beside.as_deref() else {
             let response = self.views[0].ui(ui, shown, &self.settings);
-            self.direct(ui, &response, shown);
+            self.lend(ui, &response, shown);
             return;
         };
         ui.painter().rect_filled(ui.max_rect(), 0.0, ui.visuals().panel_fill);
@@ -33,12 +33,22 @@ impl App {
                     response
                 });
                 if at == 0 {
-                    self.direct(ui, &allocated.inner, shown);
+                    self.lend(ui, &allocated.inner, shown);
                 }
                 let view = &self.views[at];
                 let (before, now) = ((eye, selected), (view.eye, view.selected));
                 self.views[1 - at].goes_with(before, now);
             }
         });
+    }
+
+    /// Lets tools work in the view that `response` is of.
+    fn lend(&mut self, ui: &Ui, response: &egui::Response, shown: &Shown) {
+        self.place = response.rect;
+        if self.meters.tool().is_none() {
+            self.direct(ui, response, shown);
+        }
+        let asked = self.meters.ui(ui, response, &self.views[0].eye);
+        asked.into_iter().for_each(|command| self.player.command(command));
     }
 }

@@ -116,6 +116,16 @@ impl Document {
         self.parse();
     }
 
+    /// Takes back all that is not saved, which can be undone.
+    pub fn revert(&mut self) {
+        self.edit(self.saved.clone());
+    }
+
+    /// What opens it again: its file, or its name.
+    pub fn origin(&self) -> String {
+        self.path.as_ref().map_or_else(|| self.name.to_string(), |path| path.display().to_string())
+    }
+
     /// The text is now what its file holds.
     pub fn mark_saved(&mut self) {
         self.saved.clone_from(&self.text);

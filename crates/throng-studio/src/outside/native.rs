@@ -3,8 +3,8 @@
 use crate::Options;
 use crate::document::{Document, Watched};
 use crate::play::{Player, Shown, Threaded};
-use eframe::egui::{ColorImage, Context, ViewportCommand};
-use std::path::Path;
+use eframe::egui::{Context, ViewportCommand};
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 use throng_scene::gallery;
 
@@ -13,7 +13,7 @@ use throng_scene::gallery;
 /// # Errors
 /// It is neither; what to do about it.
 pub fn open(scene: &str) -> Result<Document, String> {
-    if let Some(document) = Document::gallery(scene) {
+    if let Some(document) = crate::share::open(scene).or_else(|| Document::gallery(scene)) {
         return Ok(document);
     }
     let path = Path::new(scene);
@@ -58,17 +58,13 @@ impl Outside {
         watched.changed()
     }
 
-    /// Writes a document to its file, or, of the gallery, to one of its name in the current folder.
+    /// Writes a document to its file, or, where it has none, to a new one of its name in the current folder.
     ///
     /// # Errors
     /// It cannot be written.
     pub fn save(&mut self, document: &mut Document) -> Result<(), String> {
-        let path = document.path.clone().unwrap_or_else(|| format!("{}.toml", document.name).into());
-        if document.path.is_none() && path.exists() {
-            return Err(format!("there is a file {} already: save under another name", path.display()));
-        }
-        std::fs::write(&path, document.text())
-            .map_err(|error| format!("{} cannot be written: {error}", path.display()))?;
+        let path = document.path.clone().unwrap_or_else(|| unused(&document.name, "toml"));
+        write(&path, document.text().as_bytes())?;
         document.path = Some(path.clone());
         document.mark_saved();
         let watched = self.watched.get_or_insert_with(|| Watched::new(&path));
@@ -103,13 +99,21 @@ impl Outside {
             self.pictured = true;
             let window = ctx.clone();
             ctx.request_screenshot(move |image| {
-                if let Err(error) = write_png(&path, &image) {
-                    eprintln!("error: {} cannot be written: {error}", path.display());
+                let file = crate::picture::png(&image).map_err(|error| error.to_string());
+                if let Err(says) = file.and_then(|bytes| write(&path, &bytes)) {
+                    eprintln!("error: {says}");
                 }
                 window.send_viewport_cmd(ViewportCommand::Close);
             });
         }
     }
+}
+
+/// A file of a name that there is not yet: `name.kind`, or else `name-2.kind` and so on.
+fn unused(name: &str, kind: &str) -> PathBuf {
+    let numbered = (2..).map(|k| PathBuf::from(format!("{name}-{k}.{kind}")));
+    let mut paths = std::iter::once(PathBuf::from(format!("{name}.{kind}"))).chain(numbered);
+    paths.find(|path| !path.exists()).unwrap_or_default()
 }
 
 /// Writes what is shown to the file that the options name.
@@ -120,10 +124,24 @@ pub fn tell(options: &Options, state: &str) {
     }
 }
 
-fn write_png(path: &Path, image: &ColorImage) -> Result<(), Box<dyn std::error::Error>> {
-    let [width, height] = image.size.map(|side| side as u32);
-    let mut encoder = png::Encoder::new(std::io::BufWriter::new(std::fs::File::create(path)?), width, height);
-    encoder.set_color(png::ColorType::Rgba);
-    encoder.write_header()?.write_image_data(image.as_raw())?;
-    Ok(())
+/// Writes a file of a new name in the current folder; what there is to say of it.
+///
+/// # Errors
+/// It cannot be written.
+pub fn hand_over(name: &str, kind: &str, bytes: &[u8]) -> Result<String, String> {
+    let path = unused(name, kind);
+    write(&path, bytes)?;
+    Ok(format!("saved: {}", path.display()))
+}
+
+/// A window has no address.
+///
+/// # Errors
+/// Always.
+pub fn address(_: &str) -> Result<String, String> {
+    Err("a window has no address: share the scene's file".into())
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
+    std::fs::write(path, bytes).map_err(|error| format!("{} cannot be written: {error}", path.display()))
 }

@@ -16,7 +16,8 @@ const SLICE: Duration = Duration::from_millis(10);
 /// # Errors
 /// There is no such scene.
 pub fn open(scene: &str) -> Result<Document, String> {
-    Document::gallery(scene)
+    crate::share::open(scene)
+        .or_else(|| Document::gallery(scene))
         .ok_or_else(|| gallery::scene(scene).err().map_or_else(String::new, |error| error.to_string()))
 }
 
@@ -50,12 +51,14 @@ impl Outside {
         None
     }
 
-    /// There are no files.
+    /// Downloads the text.
     ///
     /// # Errors
-    /// Always.
-    pub fn save(&mut self, _: &mut Document) -> Result<(), String> {
-        Err("a web page has no files: copy the text".into())
+    /// The browser refuses.
+    pub fn save(&mut self, document: &mut Document) -> Result<(), String> {
+        hand_over(&document.name, "toml", document.text().as_bytes())?;
+        document.mark_saved();
+        Ok(())
     }
 
     /// Gives the text as a download.
@@ -64,7 +67,8 @@ impl Outside {
     /// The browser does not let it.
     pub fn save_as(&mut self, document: &mut Document, name: &str) -> Result<(), String> {
         let name = if name.contains('.') { name.to_owned() } else { format!("{name}.toml") };
-        download(&name, document.text()).map_err(|error| format!("the browser does not save it: {error:?}"))?;
+        download(&name, document.text().as_bytes())
+            .map_err(|error| format!("the browser does not save it: {error:?}"))?;
         document.mark_saved();
         Ok(())
     }
@@ -81,14 +85,38 @@ pub fn tell(_: &Options, state: &str) {
     }
 }
 
-fn download(name: &str, text: &str) -> Result<(), JsValue> {
-    let none = || JsValue::from_str("there is no page");
-    let page = web_sys::window().and_then(|window| window.document()).ok_or_else(none)?;
-    let blob = web_sys::Blob::new_with_str_sequence(&js_sys::Array::of1(&text.into()))?;
-    let address = web_sys::Url::create_object_url_with_blob(&blob)?;
-    let link: web_sys::HtmlAnchorElement = page.create_element("a")?.unchecked_into();
-    link.set_href(&address);
-    link.set_download(name);
+/// Downloads a file; what there is to say of it.
+///
+/// # Errors
+/// The browser refuses.
+pub fn hand_over(name: &str, kind: &str, bytes: &[u8]) -> Result<String, String> {
+    let file = format!("{name}.{kind}");
+    download(&file, bytes).map_err(|error| format!("{file} cannot be downloaded: {error:?}"))?;
+    Ok(format!("downloaded: {file}"))
+}
+
+fn download(file: &str, bytes: &[u8]) -> Result<(), JsValue> {
+    let parts = js_sys::Array::new();
+    parts.push(&js_sys::Uint8Array::from(bytes));
+    let url = web_sys::Url::create_object_url_with_blob(&web_sys::Blob::new_with_u8_array_sequence(&parts)?)?;
+    let document = web_sys::window().and_then(|window| window.document()).ok_or("there is no document")?;
+    let link: web_sys::HtmlAnchorElement = document.create_element("a")?.dyn_into()?;
+    link.set_href(&url);
+    link.set_download(file);
     link.click();
-    web_sys::Url::revoke_object_url(&address)
+    web_sys::Url::revoke_object_url(&url)
+}
+
+/// Puts a link behind the `#` of the page's address; the address.
+///
+/// # Errors
+/// The browser refuses.
+pub fn address(link: &str) -> Result<String, String> {
+    let place = |link: &str| -> Result<String, JsValue> {
+        let window = web_sys::window().ok_or("there is no window")?;
+        // no new entry: who goes back leaves the page
+        window.history()?.replace_state_with_url(&JsValue::NULL, "", Some(&format!("#{link}")))?;
+        window.location().href()
+    };
+    place(link).map_err(|error| format!("there is no link: {error:?}"))
 }

@@ -21,8 +21,9 @@ const APPLY: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::E
 pub fn text(ui: &mut Ui, document: &mut Document, trouble: Option<&Trouble>) -> Option<Asked> {
     let mut asked = None;
     ui.horizontal(|ui| {
-        let name = document.path.as_ref().map_or_else(|| document.name.to_string(), |path| path.display().to_string());
-        ui.label(RichText::new(format!("{name}{}", if document.changed() { " •" } else { "" })).strong());
+        ui.label(
+            RichText::new(format!("{}{}", document.origin(), if document.changed() { " •" } else { "" })).strong(),
+        );
     });
     ui.horizontal(|ui| {
         let sound = document.scene().is_ok();
@@ -32,9 +33,8 @@ pub fn text(ui: &mut Ui, document: &mut Document, trouble: Option<&Trouble>) -> 
         {
             asked = Some(Asked::Apply);
         }
-        let file = document.path.is_some();
         if ui
-            .add_enabled(file && document.changed(), Button::new("Save"))
+            .add_enabled(document.changed(), Button::new("Save"))
             .on_hover_text("write it to its file (Ctrl S)")
             .clicked()
         {

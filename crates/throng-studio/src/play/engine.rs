@@ -1,5 +1,6 @@
 //! What plays: it takes commands, makes the steps that are due, and tells what there is to see.
 
+use super::meter::Meter;
 use super::pace::{Pace, Speed};
 use super::run::Run;
 use super::shown::{Shown, Trouble};
@@ -47,6 +48,8 @@ pub enum Command {
     Explain(Option<u32>),
     /// Plays the scene with another model beside it, on the same clock; or nothing.
     Beside(Option<Model>),
+    /// What measures parts of the ground, in this run and those after it.
+    Meters(Arc<[Meter]>),
 }
 
 /// Plays scenes: [`command`](Self::command) it, let it [`work`](Self::work), and look at what is [`shown`](Self::shown).
@@ -62,6 +65,7 @@ pub struct Engine {
     /// The step it is on its way to, however fast that goes.
     goal: Option<u64>,
     explained: Option<u32>,
+    meters: Arc<[Meter]>,
     trouble: Option<Trouble>,
 }
 
@@ -76,6 +80,7 @@ impl Default for Engine {
             playing: false,
             goal: None,
             explained: None,
+            meters: Arc::from([]),
             trouble: None,
         }
     }
@@ -99,6 +104,12 @@ impl Engine {
             Command::Restart => self.restart(None),
             Command::Seed(seed) => self.restart(Some(seed)),
             Command::Speed(speed) => self.pace = Pace::new(speed, Instant::now()),
+            Command::Meters(meters) => {
+                if let Some(run) = &mut self.run {
+                    Arc::make_mut(&mut run.series).meter(&run.world, &meters);
+                }
+                self.meters = meters;
+            }
             Command::Explain(number) => {
                 self.explained = number;
                 self.run.iter_mut().chain(&mut self.beside).for_each(|run| run.explain(number));
@@ -111,7 +122,7 @@ impl Engine {
     }
 
     fn load(&mut self, name: Arc<str>, scene: Arc<Scene>, go: bool) {
-        match Run::new(name, scene) {
+        match Run::new(name, scene, &self.meters) {
             Ok(mut run) => {
                 run.explain(self.explained);
                 self.runs += 1;
@@ -139,7 +150,7 @@ impl Engine {
         self.beside = None;
         let (Some(run), Some(model)) = (&self.run, &self.model) else { return };
         let scene = run.scene.with_model(model).map_err(|error| Trouble::Scene(Box::new(error)));
-        match scene.and_then(|scene| Run::new(run.name.clone(), Arc::new(scene))) {
+        match scene.and_then(|scene| Run::new(run.name.clone(), Arc::new(scene), &self.meters)) {
             Ok(mut beside) => {
                 beside.explain(self.explained);
                 self.beside = Some(beside);
@@ -269,6 +280,7 @@ impl Engine {
             playing,
             over: run.over(),
             cost: run.cost,
+            series: run.series.clone(),
             summary: run.summary(!playing),
             explanation: run.explanation(!playing),
             hash: run.world.state_hash(),

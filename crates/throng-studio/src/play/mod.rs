@@ -5,15 +5,21 @@
 
 mod engine;
 mod history;
+mod meter;
 mod pace;
+mod quantity;
 mod run;
+mod series;
 mod shown;
 #[cfg(not(target_arch = "wasm32"))]
 mod threaded;
 
 pub use engine::{Command, Engine};
 pub use history::History;
+pub use meter::{Gauge, Meter};
 pub use pace::{Pace, Speed};
+pub use quantity::Quantity;
+pub use series::{Sample, Series};
 pub use shown::{Cost, Shown, Trouble};
 #[cfg(not(target_arch = "wasm32"))]
 pub use threaded::Threaded;

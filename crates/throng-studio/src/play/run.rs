@@ -1,6 +1,8 @@
 //! One scene being played: its world, what it looks like, and where it has been.
 
 use super::history::History;
+use super::meter::Meter;
+use super::series::Series;
 use super::shown::{Cost, Trouble};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -29,6 +31,7 @@ pub(super) struct Run {
     pub cost: Cost,
     pub history: History,
     built: Built,
+    pub series: Arc<Series>,
     summary: (Instant, Arc<Summary>),
     /// Who is to explain itself, and what it said last, when.
     explained: Option<u32>,
@@ -37,7 +40,7 @@ pub(super) struct Run {
 
 impl Run {
     /// Builds the scene's world.
-    pub fn new(name: Arc<str>, scene: Arc<Scene>) -> Result<Self, Trouble> {
+    pub fn new(name: Arc<str>, scene: Arc<Scene>, meters: &Arc<[Meter]>) -> Result<Self, Trouble> {
         let built = guarded(|| scene.build())?;
         let (world, built) = built.map_err(|error| Trouble::Scene(Box::new(error)))?;
         let title = if scene.title.is_empty() { &name } else { scene.title.as_str() };
@@ -55,6 +58,7 @@ impl Run {
             cost: Cost::default(),
             history: History::new(MEMORY),
             built,
+            series: Arc::new(Series::new(&world, meters)),
             summary: (Instant::now(), Arc::new(world.summary())),
             explained: None,
             explanation: None,
@@ -87,6 +91,9 @@ impl Run {
         self.cost.stages.iter_mut().zip(stages).for_each(|(old, new)| mix(old, new));
         mix(&mut self.cost.step, begin.elapsed().as_secs_f64());
         self.keep();
+        if self.series.wants(&self.world) {
+            Arc::make_mut(&mut self.series).see(&self.world);
+        }
         Ok(())
     }
 
@@ -111,6 +118,7 @@ impl Run {
                 self.history = History::new(MEMORY);
                 self.keep();
             }
+            Arc::make_mut(&mut self.series).back(&self.world);
             self.see();
             self.before = self.frame.clone();
         }

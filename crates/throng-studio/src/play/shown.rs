@@ -1,6 +1,7 @@
 //! What there is to see of a run.
 
 use super::pace::Pace;
+use super::series::Series;
 use std::sync::Arc;
 use throng::{Explanation, Summary};
 use throng_draw::WorldBox;
@@ -35,6 +36,8 @@ pub struct Shown {
     pub playing: bool,
     /// Whether the scene has ended.
     pub over: bool,
+    /// Figures against time, up to now.
+    pub series: Arc<Series>,
     /// What steps cost.
     pub cost: Cost,
     /// How it went so far, taken now and then.

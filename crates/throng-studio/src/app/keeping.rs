@@ -1,0 +1,119 @@
+//! Nothing that people have written is lost: before it would be, they are asked.
+
+use super::App;
+use crate::document::Document;
+use crate::keep::{Answer, Draft, Leaving};
+use crate::panels;
+use eframe::Storage;
+use eframe::egui::{Context, ViewportCommand};
+use std::time::Duration;
+
+/// How often what is not saved is remembered.
+pub(super) const AUTOSAVE: Duration = Duration::from_secs(3);
+
+/// The document to begin with, what people should know of it, and what is still to be asked: the unsaved text of the last time
+/// if there is one, else the scene that is `wanted`, which may be `named` by whoever started the studio.
+pub(super) fn begin(
+    storage: Option<&dyn Storage>,
+    wanted: &str,
+    named: bool,
+) -> Result<(Document, Option<String>, Option<Leaving>), String> {
+    let draft: Option<Draft> = storage.and_then(|storage| eframe::get_value(storage, Draft::KEY)).flatten();
+    if let Some(draft) = draft {
+        let document = draft.restore(crate::outside::open);
+        let notice = format!("restored: the changes of {} that were not saved", document.name);
+        let asked = named && document.origin() != wanted;
+        return Ok((document, Some(notice), asked.then(|| Leaving::Open(wanted.to_owned()))));
+    }
+    match crate::outside::open(wanted) {
+        Ok(document) => Ok((document, None, None)),
+        Err(says) => Ok((Document::gallery("circle").ok_or("there is no gallery")?, Some(says), None)),
+    }
+}
+
+impl App {
+    /// Leaves the text for something else, asking first where it has changes.
+    pub(super) fn leave(&mut self, to: Leaving) {
+        if self.document.changed() {
+            self.leaving = Some(to);
+        } else {
+            self.go(to);
+        }
+    }
+
+    fn go(&mut self, to: Leaving) {
+        match to {
+            Leaving::Open(scene) => match crate::outside::open(&scene) {
+                Ok(document) => {
+                    self.show(document);
+                    self.settings.scene = scene;
+                    self.play(true);
+                }
+                Err(says) => self.notice = Some(says),
+            },
+            Leaving::Reload(text) => {
+                self.document.edit(text);
+                self.document.mark_saved();
+                self.change();
+            }
+            Leaving::New => {
+                self.show(Document::empty());
+                self.play(false);
+            }
+            Leaving::Close => self.ctx.send_viewport_cmd(ViewportCommand::Close),
+        }
+    }
+
+    fn show(&mut self, document: Document) {
+        self.outside = crate::outside::Outside::new(&document);
+        self.document = document;
+        self.director.cancel();
+        self.notice = None;
+        self.player.command(self.meters.clear());
+    }
+
+    /// Looks whether the file or the window wants to leave the text, and asks what there is to ask.
+    pub(super) fn keep(&mut self, ctx: &Context) {
+        if let Some(text) = self.outside.changed(ctx) {
+            if text == self.document.text() {
+                self.document.mark_saved();
+            } else {
+                self.leave(Leaving::Reload(text));
+            }
+        }
+        if self.document.changed() {
+            // so that the draft is kept when nobody touches the window
+            ctx.request_repaint_after(AUTOSAVE);
+            if ctx.input(|input| input.viewport().close_requested()) {
+                ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+                self.leaving = Some(Leaving::Close);
+            }
+        }
+        let answer = self.leaving.as_ref().and_then(|to| panels::leaving(ctx, &self.document.name, to));
+        let Some((to, answer)) = answer.and_then(|answer| Some((self.leaving.take()?, answer))) else { return };
+        match answer {
+            Answer::Keep => return,
+            Answer::Save => {
+                self.save();
+                if self.document.changed() || matches!(to, Leaving::Reload(_)) {
+                    return;
+                }
+            }
+            Answer::Discard if to == Leaving::Close => self.document.revert(),
+            Answer::Discard => {}
+        }
+        self.go(to);
+    }
+
+    /// Writes the text to its file.
+    pub(super) fn save(&mut self) {
+        match self.outside.save(&mut self.document) {
+            Ok(()) => {
+                self.settings.scene = self.document.origin();
+                self.notice = None;
+                self.change();
+            }
+            Err(says) => self.notice = Some(says),
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! What is asked of the player, and what is told of it.
+
+use super::App;
+use crate::play::{Command, Shown, Trouble};
+use crate::state::State;
+use eframe::egui::{Label, RichText, Sense, Ui};
+
+impl App {
+    /// Says what is wrong, or else what people should know; a click puts that away.
+    pub(super) fn said(&mut self, ui: &mut Ui, trouble: Option<&Trouble>) {
+        let wrong = self.wrong(trouble);
+        let color = if wrong.is_some() { ui.visuals().error_fg_color } else { ui.visuals().hyperlink_color };
+        let Some(says) = wrong.or_else(|| self.notice.clone()) else { return };
+        let line = RichText::new(says.lines().next().unwrap_or_default()).color(color);
+        if ui.add(Label::new(line).truncate().sense(Sense::click())).on_hover_text(&says).clicked() {
+            self.notice = None;
+        }
+    }
+
+    /// Asks the selected agent for what is to be seen of it.
+    pub(super) fn explain(&mut self) {
+        let wanted = self.views[0].selected.filter(|_| self.settings.annotations || self.settings.panels.why);
+        if wanted != self.explained {
+            self.explained = wanted;
+            self.player.command(Command::Explain(wanted));
+        }
+    }
+
+    /// What is wrong with the text, or else with what it says.
+    pub(super) fn wrong(&self, trouble: Option<&Trouble>) -> Option<String> {
+        self.document.scene().err().map(ToString::to_string).or_else(|| trouble.map(ToString::to_string))
+    }
+
+    pub(super) fn tell(&mut self, shown: &Shown, trouble: Option<&Trouble>) {
+        let told = State::new(shown, self.views[0].selected, self.wrong(trouble)).json();
+        if told != self.told {
+            crate::outside::tell(&self.options, &told);
+            self.told = told;
+        }
+    }
+}

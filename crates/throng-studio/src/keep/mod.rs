@@ -1,0 +1,7 @@
+//! What keeps unsaved work: a question before it would be lost, and a draft that outlives the studio.
+
+mod draft;
+mod leaving;
+
+pub use draft::Draft;
+pub use leaving::{Answer, Leaving};

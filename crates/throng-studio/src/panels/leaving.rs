@@ -1,0 +1,24 @@
+//! The question before changes would be lost.
+
+use crate::keep::{Answer, Leaving};
+use eframe::egui::{Context, Id, Modal};
+
+/// Asks what is to be done with the changes of `name`; the answer, once there is one.
+pub fn leaving(ctx: &Context, name: &str, to: &Leaving) -> Option<Answer> {
+    let modal = Modal::new(Id::unique("leaving")).show(ctx, |ui| {
+        ui.set_max_width(360.0);
+        ui.label(to.says(name));
+        ui.add_space(10.0);
+        ui.horizontal(|ui| {
+            let mut asked = None;
+            for (answer, says) in to.answers() {
+                if ui.button(says).clicked() {
+                    asked = Some(answer);
+                }
+            }
+            asked
+        })
+        .inner
+    });
+    modal.inner.or_else(|| modal.should_close().then_some(Answer::Keep))
+}

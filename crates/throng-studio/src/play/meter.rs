@@ -1,0 +1,183 @@
+//! Meters that people put on the ground: flow through a line, density in a rectangle.
+
+use glam::{DVec2, Vec2};
+use std::collections::HashMap;
+use throng::World;
+
+/// Seconds over which a flow is taken.
+const WINDOW: f64 = 5.0;
+/// So many crossings are kept one by one at most.
+const MOST: usize = 1 << 15;
+
+/// Something that measures a part of the ground, in world coordinates, metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Meter {
+    /// Counts who goes through a line, either way.
+    Line([DVec2; 2]),
+    /// Counts who is in the rectangle that has these corners.
+    Area([DVec2; 2]),
+}
+
+impl Meter {
+    /// Metres of a line, square metres of a rectangle.
+    pub fn extent(&self) -> f64 {
+        match self {
+            Self::Line([a, b]) => a.distance(*b),
+            Self::Area([a, b]) => (*b - *a).abs().element_product(),
+        }
+    }
+}
+
+/// What a meter has told so far.
+#[derive(Clone, Debug)]
+pub struct Gauge {
+    meter: Meter,
+    /// Where everybody was a step ago, relative to the world's origin, by number.
+    before: HashMap<u32, Vec2>,
+    /// How many had crossed in all after each step at which somebody did: step, time, count.
+    crossings: Vec<(u64, f64, u32)>,
+    /// Step, time, and persons a square metre.
+    densities: Vec<(u64, f64, f64)>,
+}
+
+impl Gauge {
+    /// A meter that is put up now.
+    pub(super) fn new(meter: Meter, world: &World) -> Self {
+        let mut gauge = Self { meter, before: HashMap::new(), crossings: Vec::new(), densities: Vec::new() };
+        gauge.crossings.push((world.steps(), world.time(), 0));
+        gauge.remember(world);
+        gauge
+    }
+
+    /// What measures.
+    pub fn meter(&self) -> Meter {
+        self.meter
+    }
+
+    /// How many have crossed the line in all.
+    pub fn count(&self) -> u32 {
+        self.crossings.last().map_or(0, |&(.., count)| count)
+    }
+
+    /// How many had crossed the line, against time.
+    pub fn counts(&self) -> impl Iterator<Item = [f64; 2]> {
+        self.crossings.iter().map(|&(_, time, count)| [time, f64::from(count)])
+    }
+
+    /// How many a second cross the line around a time, over the last five seconds or what there is of them.
+    pub fn flow(&self, time: f64) -> f64 {
+        let at = |time: f64| {
+            let after = self.crossings.partition_point(|&(_, then, _)| then <= time);
+            after.checked_sub(1).map_or(0, |k| self.crossings[k].2)
+        };
+        let begin = self.crossings.first().map_or(0.0, |&(_, time, _)| time).max(time - WINDOW);
+        let seconds = time - begin;
+        if seconds > 0.0 { f64::from(at(time).saturating_sub(at(begin))) / seconds } else { 0.0 }
+    }
+
+    /// Persons a square metre, against time.
+    pub fn densities(&self) -> impl Iterator<Item = [f64; 2]> {
+        self.densities.iter().map(|&(_, time, density)| [time, density])
+    }
+
+    /// Looks at the world after a step.
+    pub(super) fn see(&mut self, world: &World) {
+        let Meter::Line(ends) = self.meter else { return };
+        let [a, b] = ends.map(|end| (end - world.settings().origin).as_vec2());
+        let agents = world.agents();
+        let crosses = |row: &usize| {
+            let now = agents.position[*row];
+            self.before.get(&agents.number[*row]).is_some_and(|&before| cross([before, now], [a, b]))
+        };
+        let crossed = (0..agents.len()).filter(crosses).count() as u32;
+        if crossed > 0 {
+            self.crossings.push((world.steps(), world.time(), self.count() + crossed));
+        }
+        if self.crossings.len() > MOST {
+            // the first and the last stay: counts in between become coarser
+            let mut odd = true;
+            self.crossings.retain(|_| {
+                odd = !odd;
+                !odd
+            });
+        }
+        self.remember(world);
+    }
+
+    /// Takes a sample of what is not counted at every step.
+    pub(super) fn sample(&mut self, world: &World) {
+        let Meter::Area(corners) = self.meter else { return };
+        let [a, b] = corners.map(|corner| (corner - world.settings().origin).as_vec2());
+        let (low, high) = (a.min(b), a.max(b));
+        let inside = |at: &&Vec2| at.cmpge(low).all() && at.cmple(high).all();
+        let count = world.agents().position.iter().filter(inside).count();
+        self.densities.push((world.steps(), world.time(), count as f64 / self.meter.extent()));
+    }
+
+    /// The run has gone back to where the world is now.
+    pub(super) fn back(&mut self, world: &World) {
+        let step = world.steps();
+        self.crossings.truncate(self.crossings.partition_point(|&(at, ..)| at <= step));
+        self.densities.truncate(self.densities.partition_point(|&(at, ..)| at <= step));
+        if self.crossings.is_empty() {
+            self.crossings.push((step, world.time(), 0));
+        }
+        self.remember(world);
+    }
+
+    /// Keeps the samples of every so many steps.
+    pub(super) fn thin(&mut self, stride: u64) {
+        self.densities.retain(|(step, ..)| step.is_multiple_of(stride));
+    }
+
+    fn remember(&mut self, world: &World) {
+        if let Meter::Line(_) = self.meter {
+            let agents = world.agents();
+            self.before.clear();
+            self.before.extend((0..agents.len()).map(|row| (agents.number[row], agents.position[row])));
+        }
+    }
+}
+
+/// Whether a way crosses a line; one that ends on it crosses when it goes on.
+fn cross([from, to]: [Vec2; 2], [a, b]: [Vec2; 2]) -> bool {
+    let side = |point: Vec2, a: Vec2, b: Vec2| (b - a).perp_dot(point - a) > 0.0;
+    side(from, a, b) != side(to, a, b) && side(a, from, to) != side(b, from, to)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use throng_scene::gallery;
+
+    #[test]
+    fn everybody_who_comes_through_is_counted_once() {
+        let (mut world, _) = gallery::scene("headon").unwrap().build().unwrap();
+        let x = DVec2::new(0.0, 50.0);
+        let mut gauge = Gauge::new(Meter::Line([-x, x]), &world);
+        let mut area = Gauge::new(Meter::Area([-DVec2::splat(50.0), DVec2::splat(50.0)]), &world);
+        area.sample(&world);
+        assert_eq!(area.densities().next().map(|[_, density]| density), Some(world.agents().len() as f64 / 1e4));
+        let mut saved = None;
+        while !world.finished() && world.steps() < 1000 {
+            world.step();
+            gauge.see(&world);
+            if gauge.count() == 0 {
+                saved = Some(world.save());
+            }
+        }
+        assert_eq!(gauge.count() as usize, world.agents().len());
+        assert_eq!(gauge.flow(world.time() + 60.0), 0.0);
+        world.load(&saved.unwrap()).unwrap();
+        gauge.back(&world);
+        assert_eq!(gauge.count(), 0);
+    }
+
+    #[test]
+    fn who_passes_beside_the_line_does_not_cross_it() {
+        let line = [Vec2::ZERO, Vec2::Y];
+        assert!(cross([Vec2::new(-1.0, 0.5), Vec2::new(1.0, 0.5)], line));
+        assert!(!cross([Vec2::new(-1.0, 1.5), Vec2::new(1.0, 1.5)], line));
+        assert!(!cross([Vec2::new(1.0, 0.5), Vec2::new(2.0, 0.5)], line));
+    }
+}

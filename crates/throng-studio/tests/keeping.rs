@@ -1,0 +1,80 @@
+//! Nothing that people have written is lost.
+
+use eframe::{App as _, Storage};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use std::collections::BTreeMap;
+use throng_studio::document::Document;
+use throng_studio::keep::Draft;
+use throng_studio::{App, Options};
+
+/// What is remembered, in memory.
+#[derive(Default)]
+struct Memory(BTreeMap<String, String>);
+
+impl Storage for Memory {
+    fn get_string(&self, key: &str) -> Option<String> {
+        self.0.get(key).cloned()
+    }
+
+    fn set_string(&mut self, key: &str, value: String) {
+        self.0.insert(key.into(), value);
+    }
+
+    fn remove_string(&mut self, key: &str) {
+        self.0.remove(key);
+    }
+
+    fn flush(&mut self) {}
+}
+
+/// A studio that was left with a change of the scene `circle`.
+fn left(options: Options) -> Harness<'static, App> {
+    let mut document = Document::gallery("circle").unwrap();
+    document.edit(format!("# mine\n{}", document.text()));
+    let mut memory = Memory::default();
+    eframe::set_value(&mut memory, Draft::KEY, &Draft::of(&document));
+    let app = App::new(&eframe::egui::Context::default(), Some(&memory), options).unwrap();
+    let mut frame = eframe::Frame::_new_kittest();
+    Harness::builder()
+        .with_size([1600.0, 900.0])
+        .with_max_steps(400)
+        .build_ui_state(move |ui, app: &mut App| app.ui(ui, &mut frame), app)
+}
+
+/// What would be remembered now.
+fn draft(harness: &mut Harness<'static, App>) -> Option<Draft> {
+    let mut memory = Memory::default();
+    harness.state_mut().save(&mut memory);
+    eframe::get_value::<Option<Draft>>(&memory, Draft::KEY).unwrap()
+}
+
+fn click(harness: &mut Harness<'static, App>, label: &str) {
+    harness.get_by_label(label).click();
+    harness.run_steps(4);
+}
+
+#[test]
+fn what_was_not_saved_is_there_again_and_is_asked_about() {
+    let mut harness = left(Options::default());
+    harness.run_steps(4);
+    assert!(harness.query_by_label_contains("restored: the changes of circle").is_some());
+    assert!(draft(&mut harness).is_some());
+    click(&mut harness, "box");
+    assert!(harness.query_by_label("circle has changes that are not saved.").is_some());
+    click(&mut harness, "Keep editing");
+    assert!(harness.query_by_label("Keep editing").is_none());
+    assert!(draft(&mut harness).is_some(), "they are still there");
+    click(&mut harness, "box");
+    click(&mut harness, "Discard");
+    assert!(harness.query_by_label("Discard").is_none());
+    assert_eq!(draft(&mut harness), None);
+}
+
+#[test]
+fn who_asks_for_another_scene_is_asked_first() {
+    let mut harness = left(Options { scene: Some("box".into()), ..Options::default() });
+    harness.run_steps(4);
+    click(&mut harness, "Keep editing");
+    assert!(draft(&mut harness).is_some());
+}
