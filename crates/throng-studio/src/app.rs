@@ -247,7 +247,7 @@ impl App {
             ui.toggle_value(&mut panels.text, "Text");
             ui.toggle_value(&mut panels.tuning, "Tune").on_hover_text("sliders for what groups are (U)");
             ui.toggle_value(&mut panels.summary, "Summary");
-            ui.toggle_value(&mut panels.plots, "Plots").on_hover_text("figures against time; meters (P)");
+            ui.toggle_value(&mut panels.plots, "Plots").on_hover_text("figures against time; meters (H)");
             ui.toggle_value(&mut panels.why, "Why").on_hover_text("why the selected agent goes where it goes (W)");
             ui.separator();
             if ui.button("New").on_hover_text("an empty scene (Ctrl N)").clicked() {
