@@ -25,7 +25,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 pub struct Options {
     /// A name of the gallery or a file; without it, what was open last.
     pub scene: Option<String>,
-    /// Where the [`State`] is written to.
+    /// Where the [`State`](crate::state::State) is written to.
     pub state: Option<PathBuf>,
     /// Where a picture of the window is written to; then the studio closes.
     pub screenshot: Option<PathBuf>,
