@@ -13,7 +13,7 @@ use throng::{Group, World};
 /// use throng_record::{Flow, Setting};
 /// let whirl = |place: Vec3, _: f64| Vec3::Z.cross(place);
 /// let setting = Setting { flows: vec![Flow { still: true, ..Flow::of(Arc::new(whirl)) }], ..Setting::default() };
-/// assert_eq!(setting.flows[0].groups, []);
+/// assert!(setting.flows[0].groups.is_empty());
 /// ```
 #[derive(Clone)]
 pub struct Flow {
