@@ -55,7 +55,7 @@ fn main() -> ExitCode {
         Command::Measure(args) => measure::measure(args, &mut out),
         Command::Explain(args) => explain::explain(args, &mut out),
         #[cfg(feature = "studio")]
-        Command::Studio(args) => throng_studio::window::open(args.clone().into()).map_err(failure::Failure::Error),
+        Command::Studio(args) => throng_studio::window::open(args.clone()).map_err(failure::Failure::Error),
         Command::Schema => schema::schema(&mut out),
         Command::Completions(args) => completions::completions(args, &mut out),
     };

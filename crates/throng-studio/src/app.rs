@@ -13,25 +13,12 @@ use crate::keys::{self, Action};
 use crate::panels::{self, Asked, Gallery, Meters, Tuned, Tuning, Why};
 use crate::play::{Command, Player, Shown, Speed, Trouble};
 use crate::settings::Settings;
+use crate::Options;
 use crate::style;
 use crate::view::View;
 use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Panel, Rect, Ui};
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
-
-/// What the studio is started with.
-#[derive(Clone, Debug, Default)]
-pub struct Options {
-    /// A name of the gallery or a file; without it, what was open last.
-    pub scene: Option<String>,
-    /// Where the [`State`](crate::state::State) is written to.
-    pub state: Option<PathBuf>,
-    /// Where a picture of the window is written to; then the studio closes.
-    pub screenshot: Option<PathBuf>,
-    /// The step at which the scene is shown, paused; without it, it runs.
-    pub at_step: Option<u64>,
-}
 
 /// The studio.
 pub struct App {
@@ -73,6 +60,7 @@ impl App {
     pub fn new(ctx: &Context, storage: Option<&dyn eframe::Storage>, options: Options) -> Result<Self, String> {
         let mut settings: Settings =
             storage.and_then(|storage| eframe::get_value(storage, eframe::APP_KEY)).unwrap_or_default();
+        options.adjust(&mut settings)?;
         let wanted = options.scene.clone().unwrap_or_else(|| settings.scene.clone());
         let (document, notice, leaving) = keeping::begin(storage, &wanted, options.scene.is_some())?;
         settings.scene = document.origin();
@@ -100,6 +88,7 @@ impl App {
             told: String::new(),
             options,
         };
+        app.views[0].at_first = (app.options.select, app.options.camera);
         let still = app.options.at_step;
         app.player.command(Command::Speed(app.settings.speed));
         app.put_beside();

@@ -10,6 +10,7 @@
 //! | [`tune`] | what can be tuned: the schema of scene files, and what the scene says |
 //! | [`panels`] | what stands round the view |
 //! | [`picture`], [`share`] | what people take along |
+//! | [`start`] | command lines and addresses |
 //! | [`keys`], [`settings`], [`state`] | the keyboard; what is remembered; what tests read |
 //!
 //! [`App`] puts them together. The text is the one document: what edits a scene edits the text, the player gets the scene
@@ -28,6 +29,7 @@ pub mod picture;
 pub mod play;
 pub mod settings;
 pub mod share;
+pub mod start;
 pub mod state;
 mod style;
 pub mod tune;
@@ -35,4 +37,5 @@ pub mod view;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
 
-pub use app::{App, Options};
+pub use app::App;
+pub use start::Options;

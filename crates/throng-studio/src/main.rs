@@ -3,7 +3,7 @@
 #[cfg(not(target_arch = "wasm32"))]
 fn main() -> std::process::ExitCode {
     use clap::Parser;
-    match throng_studio::window::open(throng_studio::window::Arguments::parse().into()) {
+    match throng_studio::window::open(throng_studio::window::Arguments::parse()) {
         Ok(()) => std::process::ExitCode::SUCCESS,
         Err(says) => {
             eprintln!("error: {says}");

@@ -73,6 +73,21 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Changes one of them: `key=value`, with the names of this file, such as `dark=true`, `panels.plots=true` or
+    /// `coloring=Speed`.
+    ///
+    /// # Errors
+    /// There is no such setting, or it takes no such value; in words.
+    pub fn set(&mut self, said: &str) -> Result<(), String> {
+        let (key, value) = said.split_once('=').ok_or_else(|| format!("`{said}`: `key=value` is expected"))?;
+        let mut all = serde_json::to_value(&*self).map_err(|error| error.to_string())?;
+        let place = all.pointer_mut(&format!("/{}", key.replace('.', "/")));
+        *place.ok_or_else(|| format!("there is no setting `{key}`"))? =
+            serde_json::from_str(value).unwrap_or_else(|_| value.into());
+        *self = serde_json::from_value(all).map_err(|error| format!("`{said}`: {error}"))?;
+        Ok(())
+    }
+
     /// The colours of everything but the agents.
     pub fn theme(&self) -> Theme {
         if self.dark { Theme::dark() } else { Theme::light() }

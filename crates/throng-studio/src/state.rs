@@ -24,13 +24,15 @@ pub struct State {
     pub over: bool,
     /// The selected agent.
     pub selected: Option<u32>,
+    /// Whether the text has changes that are not saved.
+    pub unsaved: bool,
     /// What is wrong.
     pub trouble: Option<String>,
 }
 
 impl State {
     /// Of a moment, where `trouble` is what is wrong.
-    pub fn new(shown: &Shown, selected: Option<u32>, trouble: Option<String>) -> Self {
+    pub fn new(shown: &Shown, selected: Option<u32>, unsaved: bool, trouble: Option<String>) -> Self {
         Self {
             scene: shown.name.to_string(),
             step: shown.step,
@@ -41,6 +43,7 @@ impl State {
             playing: shown.playing,
             over: shown.over,
             selected,
+            unsaved,
             trouble,
         }
     }

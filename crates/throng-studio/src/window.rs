@@ -1,5 +1,6 @@
 //! The studio in a window.
 
+use crate::view::Mode;
 use crate::{App, Options};
 use eframe::egui::ViewportBuilder;
 use std::path::PathBuf;
@@ -23,26 +24,51 @@ pub struct Arguments {
     /// Shows the scene at a step, paused [with --screenshot: 0]
     #[arg(long, value_name = "N")]
     pub at_step: Option<u64>,
+
+    /// Selects an agent by its number
+    #[arg(long, value_name = "N")]
+    pub select: Option<u32>,
+
+    /// Looks from: plan, orbit, fixed-distance, local-offset, point-of-view, straight-down
+    #[arg(long, value_name = "NAME")]
+    pub camera: Option<Mode>,
+
+    /// Sets something that is otherwise remembered: dark=true, panels.plots=true, coloring=Speed, beside=rvo; may be repeated
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub with: Vec<String>,
+
+    /// How large the window is, in points
+    #[arg(long, value_name = "WxH", default_value = "1280x800", value_parser = size)]
+    pub size: [f32; 2],
 }
 
 impl From<Arguments> for Options {
     fn from(arguments: Arguments) -> Self {
-        let Arguments { scene, state, screenshot, at_step } = arguments;
+        let Arguments { scene, state, screenshot, at_step, select, camera, with, size: _ } = arguments;
         let at_step = at_step.or(screenshot.as_ref().map(|_| 0));
-        Self { scene, state, screenshot, at_step }
+        Self { scene, state, screenshot, at_step, select, camera, with }
     }
+}
+
+/// `1280x800`, each side from 200 to 8192.
+fn size(said: &str) -> Result<[f32; 2], String> {
+    let side = |text: &str| text.parse().ok().filter(|side: &f32| (200.0..=8192.0).contains(side));
+    let sides = said.split_once('x').and_then(|(wide, high)| Some([side(wide)?, side(high)?]));
+    sides.ok_or_else(|| "two numbers from 200 to 8192 with an x between are expected, such as 1280x800".into())
 }
 
 /// Opens the window, until people close it.
 ///
 /// # Errors
 /// There is no screen, or no OpenGL; in words.
-pub fn open(options: Options) -> Result<(), String> {
+pub fn open(arguments: Arguments) -> Result<(), String> {
+    let size = arguments.size;
+    let options = Options::from(arguments);
     let native = eframe::NativeOptions {
         viewport: ViewportBuilder::default()
             .with_title("throng")
             .with_app_id("throng")
-            .with_inner_size([1280.0, 800.0]),
+            .with_inner_size(size),
         depth_buffer: 24,
         multisampling: 4,
         // a picture looks the same whoever takes it

@@ -32,7 +32,7 @@ impl App {
     }
 
     pub(super) fn tell(&mut self, shown: &Shown, trouble: Option<&Trouble>) {
-        let told = State::new(shown, self.views[0].selected, self.wrong(trouble)).json();
+        let told = State::new(shown, self.views[0].selected, self.document.changed(), self.wrong(trouble)).json();
         if told != self.told {
             crate::outside::tell(&self.options, &told);
             self.told = told;

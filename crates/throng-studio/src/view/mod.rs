@@ -42,6 +42,8 @@ pub struct View {
     pub lent: bool,
     /// The agent that is selected, by number.
     pub selected: Option<u32>,
+    /// Who is selected in the first scene, and how it is looked at, where the scene's own way is not meant.
+    pub at_first: (Option<u32>, Option<Mode>),
     hovered: Option<u32>,
     /// The scene that the eye was fitted to.
     fitted: Option<Arc<str>>,
@@ -104,12 +106,14 @@ impl View {
 
     fn open(&mut self, shown: &Shown, size: Vec2) {
         self.fitted = Some(shown.name.clone());
-        self.selected = None;
+        let (selected, mode) = std::mem::take(&mut self.at_first);
+        self.selected = selected;
         let usual = if shown.setting.in_space { Projection::Perspective } else { Projection::Plan };
-        self.eye.set_mode(match Style::said(&shown.scene).projection.unwrap_or(usual) {
+        let own = match Style::said(&shown.scene).projection.unwrap_or(usual) {
             Projection::Plan => Mode::Plan,
             Projection::Perspective => Mode::Orbit,
-        });
+        };
+        self.eye.set_mode(mode.unwrap_or(own));
         self.fit(shown, size);
     }
 

@@ -45,3 +45,16 @@ impl Mode {
         Self::ALL[(now + 1) % Self::ALL.len()]
     }
 }
+
+impl std::str::FromStr for Mode {
+    type Err = String;
+
+    /// What it is called.
+    fn from_str(name: &str) -> Result<Self, String> {
+        let found = Self::ALL.into_iter().find(|mode| mode.label() == name.replace('-', " "));
+        found.ok_or_else(|| {
+            let all = Self::ALL.map(Self::label).join(", ");
+            format!("there is no camera `{name}`: {all}")
+        })
+    }
+}

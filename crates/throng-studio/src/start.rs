@@ -1,0 +1,97 @@
+//! What the studio is started with: from a command line, or from the address of a page.
+
+use crate::settings::Settings;
+use crate::view::Mode;
+use std::path::PathBuf;
+
+/// What the studio is started with.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Options {
+    /// A name of the gallery or a file; without it, what was open last.
+    pub scene: Option<String>,
+    /// The step at which the scene is shown, paused; without it, it runs.
+    pub at_step: Option<u64>,
+    /// The agent that is selected at first.
+    pub select: Option<u32>,
+    /// How the scene is looked at; without it, from straight above.
+    pub camera: Option<Mode>,
+    /// What is other than remembered: `key=value` each, as [`Settings::set`] takes it.
+    pub with: Vec<String>,
+    /// Where the [`State`](crate::state::State) is written to.
+    pub state: Option<PathBuf>,
+    /// Where a picture of the window is written to; then the studio closes.
+    pub screenshot: Option<PathBuf>,
+}
+
+impl Options {
+    /// What stands behind `#` in an address: `circle`, or `circle@500` for its state after 500 steps, and then, each after
+    /// a `&`, `select=3`, `camera=orbit` and [settings](Settings::set) such as `panels.plots=true`.
+    ///
+    /// # Errors
+    /// A step, a number or a camera that is none; in words.
+    ///
+    /// ```
+    /// use throng_studio::{Options, view::Mode};
+    ///
+    /// let options = Options::of_address("boids@120&camera=orbit&dark=true")?;
+    /// assert_eq!((options.scene.as_deref(), options.at_step), (Some("boids"), Some(120)));
+    /// assert_eq!((options.camera, options.with), (Some(Mode::Orbit), vec!["dark=true".to_owned()]));
+    /// # Ok::<(), String>(())
+    /// ```
+    pub fn of_address(hash: &str) -> Result<Self, String> {
+        let mut parts = hash.split('&');
+        let first = parts.next().unwrap_or_default();
+        let (scene, step) = first.split_once('@').map_or((first, None), |(scene, step)| (scene, Some(step)));
+        let mut options = Self { scene: Some(scene.to_owned()).filter(|scene| !scene.is_empty()), ..Self::default() };
+        options.at_step = step.map(|step| step.parse().map_err(|_| format!("`@{step}` is no step"))).transpose()?;
+        for part in parts.filter(|part| !part.is_empty()) {
+            match part.split_once('=') {
+                Some(("select", number)) => {
+                    let number = number.parse().map_err(|_| format!("`{part}`: an agent's number is expected"))?;
+                    options.select = Some(number);
+                }
+                Some(("camera", mode)) => options.camera = Some(mode.parse()?),
+                _ => options.with.push(part.to_owned()),
+            }
+        }
+        Ok(options)
+    }
+
+    /// Makes settings other than remembered as it says.
+    ///
+    /// # Errors
+    /// There is no such setting, or it takes no such value; in words.
+    pub fn adjust(&self, settings: &mut Settings) -> Result<(), String> {
+        self.with.iter().try_for_each(|said| settings.set(said))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_address_says_what_to_show() {
+        assert_eq!(Options::of_address(""), Ok(Options::default()));
+        let packed = Options::of_address("text=eJwr-_&select=7").unwrap();
+        assert_eq!((packed.scene.as_deref(), packed.select), (Some("text=eJwr-_"), Some(7)));
+        for wrong in ["circle@x", "circle&select=-1", "circle&camera=sideways"] {
+            assert!(Options::of_address(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn settings_are_adjusted_by_name() {
+        let mut settings = Settings::default();
+        let with = ["dark=true", "panels.plots=true", "trails=0.5", "coloring=Speed", "beside=rvo"];
+        let options = Options { with: with.map(str::to_owned).into(), ..Options::default() };
+        options.adjust(&mut settings).unwrap();
+        assert!(settings.dark && settings.panels.plots && settings.trails == 0.5 && settings.beside == "rvo");
+        let before = settings.clone();
+        for wrong in ["night=true", "panels.plots=7", "panels.none=true", "dark", "coloring=Loud", "panels=true"] {
+            let says = settings.set(wrong).unwrap_err();
+            assert!(says.contains(wrong.split('=').next().unwrap()), "{says}");
+        }
+        assert_eq!(settings, before);
+    }
+}

@@ -1,0 +1,58 @@
+// Serves the folder that web/build made, and opens it in a headless Chromium.
+//
+// Needs playwright-core (in the folder that PLAYWRIGHT names, else found as usual), and Chromium (CHROMIUM, else /usr/bin/chromium).
+import fs from 'node:fs';
+import http from 'node:http';
+import os from 'node:os';
+import path from 'node:path';
+import { createRequire } from 'node:module';
+
+const types = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm' };
+// no request leaves the machine, and software draws
+const flags = [
+  '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--force-color-profile=srgb',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run',
+];
+
+/** A server and a browser; `open` opens a page, `close` ends both. What pages say is wrong goes to `wrong`. */
+export async function studio(folder, { width = 1280, height = 800, scale = 1 } = {}) {
+  const require = createRequire(process.env.PLAYWRIGHT ? path.resolve(process.env.PLAYWRIGHT, 'x') : import.meta.url);
+  const { chromium } = require('playwright-core');
+  const server = http.createServer((request, response) => {
+    const name = decodeURIComponent(new URL(request.url, 'http://page').pathname);
+    fs.readFile(path.join(folder, name.endsWith('/') ? `${name}index.html` : name), (error, bytes) => {
+      response.writeHead(error ? 404 : 200, { 'content-type': types[path.extname(name)] ?? 'text/html' });
+      response.end(bytes);
+    });
+  });
+  await new Promise((done) => server.listen(0, '127.0.0.1', done));
+  const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'throng-'));
+  const browser = await chromium.launchPersistentContext(profile, {
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', headless: true, args: flags,
+    viewport: { width, height }, deviceScaleFactor: scale, acceptDownloads: true,
+  });
+  const wrong = [];
+  return {
+    wrong,
+    /** Opens what the address asks for behind `#`; resolves when `until`, of `globalThis.throng`, holds. */
+    async open(hash, until) {
+      const page = await browser.newPage();
+      page.on('pageerror', (error) => wrong.push(`the page says: ${error.message}`));
+      page.on('console', (line) => { if (line.type() === 'error') console.log(line.text()); });
+      await page.goto(`http://127.0.0.1:${server.address().port}/#${hash}`);
+      await shows(page, until);
+      return page;
+    },
+    async close() {
+      await browser.close();
+      server.close();
+      fs.rmSync(profile, { recursive: true, force: true });
+    },
+  };
+}
+
+/** What the page shows, once `until` holds of it: a function of the state that knows nothing from outside. */
+export async function shows(page, until = () => true) {
+  await page.waitForFunction(`globalThis.throng && (${until})(globalThis.throng)`, null, { timeout: 120_000, polling: 100 });
+  return page.evaluate(() => globalThis.throng);
+}
