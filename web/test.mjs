@@ -60,7 +60,7 @@ await checked('what is written is checked, kept when the page is loaded anew, an
   await page.keyboard.press('Control+End');
   await page.keyboard.type('what = is this\n');
   const { trouble } = await shows(page, (now) => now.trouble);
-  expect(/line \d+/.test(trouble), `the error names no line: ${trouble}`);
+  expect(/:\d+:\d+: /.test(trouble), `the error names no place: ${trouble}`);
   // the draft is kept every 3 s
   await page.waitForTimeout(4000);
   await page.reload();

@@ -8,7 +8,7 @@ mod telling;
 
 use crate::direct::{Director, Tool};
 use crate::document::Document;
-use crate::keep::{Draft, Leaving};
+use crate::keep::{Draft, Leaving, remember, remembered};
 use crate::keys::{self, Action};
 use crate::panels::{self, Asked, Gallery, Meters, Tuned, Tuning, Why};
 use crate::play::{Command, Player, Shown, Speed, Trouble};
@@ -59,7 +59,7 @@ impl App {
     /// The studio with what it remembers, playing its first scene.
     pub fn new(ctx: &Context, storage: Option<&dyn eframe::Storage>, options: Options) -> Result<Self, String> {
         let mut settings: Settings =
-            storage.and_then(|storage| eframe::get_value(storage, eframe::APP_KEY)).unwrap_or_default();
+            storage.and_then(|storage| remembered(storage, eframe::APP_KEY)).unwrap_or_default();
         options.adjust(&mut settings)?;
         let wanted = options.scene.clone().unwrap_or_else(|| settings.scene.clone());
         let (document, notice, leaving) = keeping::begin(storage, &wanted, options.scene.is_some())?;
@@ -327,8 +327,8 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        eframe::set_value(storage, eframe::APP_KEY, &self.settings);
-        eframe::set_value(storage, Draft::KEY, &Draft::of(&self.document));
+        remember(storage, eframe::APP_KEY, &self.settings);
+        remember(storage, Draft::KEY, &Draft::of(&self.document));
     }
 
     fn auto_save_interval(&self) -> std::time::Duration {

@@ -5,7 +5,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use std::collections::BTreeMap;
 use throng_studio::document::Document;
-use throng_studio::keep::Draft;
+use throng_studio::keep::{Draft, remember, remembered};
 use throng_studio::{App, Options};
 
 /// What is remembered, in memory.
@@ -33,7 +33,7 @@ fn left(options: Options) -> Harness<'static, App> {
     let mut document = Document::gallery("circle").unwrap();
     document.edit(format!("# mine\n{}", document.text()));
     let mut memory = Memory::default();
-    eframe::set_value(&mut memory, Draft::KEY, &Draft::of(&document));
+    remember(&mut memory, Draft::KEY, &Draft::of(&document));
     let app = App::new(&eframe::egui::Context::default(), Some(&memory), options).unwrap();
     let mut frame = eframe::Frame::_new_kittest();
     Harness::builder()
@@ -46,7 +46,7 @@ fn left(options: Options) -> Harness<'static, App> {
 fn draft(harness: &mut Harness<'static, App>) -> Option<Draft> {
     let mut memory = Memory::default();
     harness.state_mut().save(&mut memory);
-    eframe::get_value::<Option<Draft>>(&memory, Draft::KEY).unwrap()
+    remembered::<Option<Draft>>(&memory, Draft::KEY).unwrap()
 }
 
 fn click(harness: &mut Harness<'static, App>, label: &str) {

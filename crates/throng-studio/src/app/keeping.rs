@@ -2,7 +2,7 @@
 
 use super::App;
 use crate::document::Document;
-use crate::keep::{Answer, Draft, Leaving};
+use crate::keep::{Answer, Draft, Leaving, remembered};
 use crate::panels;
 use eframe::Storage;
 use eframe::egui::{Context, ViewportCommand};
@@ -18,7 +18,7 @@ pub(super) fn begin(
     wanted: &str,
     named: bool,
 ) -> Result<(Document, Option<String>, Option<Leaving>), String> {
-    let draft: Option<Draft> = storage.and_then(|storage| eframe::get_value(storage, Draft::KEY)).flatten();
+    let draft: Option<Draft> = storage.and_then(|storage| remembered(storage, Draft::KEY)).flatten();
     if let Some(draft) = draft {
         let document = draft.restore(crate::outside::open);
         let notice = format!("restored: the changes of {} that were not saved", document.name);

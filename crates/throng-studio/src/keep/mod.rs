@@ -2,6 +2,8 @@
 
 mod draft;
 mod leaving;
+mod remembered;
 
 pub use draft::Draft;
 pub use leaving::{Answer, Leaving};
+pub use remembered::{remember, remembered};
