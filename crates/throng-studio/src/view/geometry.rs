@@ -28,6 +28,14 @@ pub struct Line {
     stroke: Vec2,
 }
 
+#[cfg(test)]
+impl Line {
+    /// From where, and to where.
+    pub fn ends(&self) -> [Vec3; 2] {
+        [self.from, self.to]
+    }
+}
+
 /// A body that lies level, on its way from one state to the next.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]

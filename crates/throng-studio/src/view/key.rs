@@ -88,7 +88,7 @@ pub(super) fn of_agents(colors: &Colors, by: Coloring, shown: &Shown) -> Vec<Row
 }
 
 /// What the colours of the ground say, and its lines.
-fn of_ground(ground: &Ground, settings: &Settings) -> Vec<Row> {
+fn of_ground(ground: &Ground, settings: &Settings, selected: bool) -> Vec<Row> {
     let (layers, theme) = (&settings.layers, settings.theme());
     let mut rows = Vec::new();
     let sign = Sign::Heat(layers.heat, settings.dark);
@@ -107,7 +107,7 @@ fn of_ground(ground: &Ground, settings: &Settings) -> Vec<Row> {
             rows.push(Row::new(Sign::Line(color, false), format!("field, up to {fastest:.2} m/s")));
         }
     }
-    if layers.paths {
+    if layers.paths && selected {
         rows.push(Row::new(Sign::Line(theme.goal, false), "planned way"));
     }
     rows
@@ -127,6 +127,6 @@ impl View {
     pub fn key(&self, shown: &Shown, settings: &Settings) -> [Vec<Row>; 3] {
         let thoughts =
             if self.selected.is_some() && settings.annotations { of_thoughts(shown, settings) } else { vec![] };
-        [self.crowd.key().to_vec(), of_ground(&self.ground, settings), thoughts]
+        [self.crowd.key().to_vec(), of_ground(&self.ground, settings, self.selected.is_some()), thoughts]
     }
 }

@@ -66,7 +66,8 @@ pub fn way(shown: &Shown, number: u32, theme: &Theme) -> Geometry {
     let corners: Vec<Vec3> = corners.collect();
     let aim = account.told.iter().find_map(|told| if let Reason::Aim(at) = told.reason { Some(at) } else { None });
     let begin = (body.position - shown.setting.origin).as_vec2().extend(body.altitude);
-    let end = aim.filter(|aim| corners.last() != Some(aim));
+    // where there are corners it is the first of them
+    let end = aim.filter(|_| corners.is_empty());
     let points: Vec<Vec3> = std::iter::once(begin).chain(corners).chain(end).collect();
     way.line(&points, false, Stroke::plain(2.0, theme.goal));
     for &corner in points.iter().skip(1) {
@@ -78,8 +79,37 @@ pub fn way(shown: &Shown, number: u32, theme: &Theme) -> Geometry {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::play::{Command, Engine};
     use glam::DVec2;
     use throng::Walkable;
+
+    #[test]
+    fn a_way_leads_through_no_wall() {
+        let mut engine = Engine::default();
+        let scene = Arc::new(throng_scene::gallery::scene("maze").unwrap());
+        engine.command(Command::Load { name: "maze".into(), scene, run: false });
+        engine.command(Command::Explain(Some(0)));
+        engine.command(Command::Seek(100));
+        while engine.idle().is_some() {
+            engine.work(std::time::Duration::from_millis(20));
+        }
+        let shown = engine.shown().unwrap();
+        let way = way(&shown, 0, &Theme::light());
+        let local = |at: DVec2| (at - shown.setting.origin).as_vec2();
+        let walls = shown.setting.obstacles.iter().filter_map(|obstacle| match obstacle {
+            throng::Obstacle::Wall { points } => Some(points),
+            _ => None,
+        });
+        let walls: Vec<_> =
+            walls.flat_map(|points| points.windows(2)).map(|ends| [local(ends[0]), local(ends[1])]).collect();
+        let side = |p: glam::Vec2, [a, b]: [glam::Vec2; 2]| (b - a).perp_dot(p - a) > 0.0;
+        let cross =
+            |p: [glam::Vec2; 2], q: [glam::Vec2; 2]| side(p[0], q) != side(p[1], q) && side(q[0], p) != side(q[1], p);
+        let pieces: Vec<_> = way.lines.iter().map(|line| line.ends().map(|end| end.truncate())).collect();
+        assert!(pieces.len() > 8 && walls.len() > 5, "{} {}", pieces.len(), walls.len());
+        assert!(pieces.iter().all(|piece| walls.iter().all(|wall| !cross(*piece, *wall))));
+        assert_eq!(pieces[0][0], local(shown.frame.bodies[0].position));
+    }
 
     #[test]
     fn every_edge_of_the_mesh_is_one_line() {

@@ -157,3 +157,50 @@ fn picture(image: &Image, camera: &Camera, origin: DVec2) -> Picture {
     let pixels = rows.flat_map(|row| row.chunks_exact(4)).map(|c| Color { r: c[0], g: c[1], b: c[2], a: c[3] });
     Picture::new(corners.map(|corner| camera.point(corner) - origin), size, pixels)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+    use throng_record::{Flow, Frame, Setting};
+
+    const SIZE: Vec2 = Vec2::new(800.0, 600.0);
+
+    fn bounds() -> WorldBox {
+        WorldBox { min: DVec2::new(-1810.0, 3.0), max: DVec2::new(-1790.0, 13.0) }
+    }
+
+    #[test]
+    fn a_plan_has_fields_wherever_it_shows_the_place_and_keeps_them_while_the_eye_moves_a_little() {
+        for (scale, shift) in [(30.0, 0.0), (35.0, 1.3), (400.0, 4.0), (3.0, 0.0)] {
+            let camera = |by: f64| Camera { center: DVec2::new(-1801.0 + by, 8.0), anchor: SIZE * 0.5, scale };
+            let drawn = seen(&Projector::Plan(camera(shift)), SIZE, bounds());
+            let [low, high] = [Vec2::new(0.0, SIZE.y), Vec2::new(SIZE.x, 0.0)].map(|at| camera(shift).point(at));
+            assert!(drawn.min.cmple(low.max(bounds().min)).all() && drawn.max.cmpge(high.min(bounds().max)).all());
+            // of hundred small moves few draw it anew
+            let moves =
+                (0..100).map(|k| seen(&Projector::Plan(camera(shift + f64::from(k) * 0.5 / scale)), SIZE, bounds()));
+            let mut boxes: Vec<WorldBox> = moves.collect();
+            boxes.dedup();
+            assert!(boxes.len() <= 3, "{}", boxes.len());
+        }
+    }
+
+    #[test]
+    fn the_ground_is_fast_where_the_field_is() {
+        let origin = DVec2::new(-1800.0, 8.0);
+        // faster to the north and to the east
+        let field = |place: Vec3, _: f64| Vec3::X * (1.0 + 0.05 * place.x + 0.1 * place.y);
+        let setting = Setting { flows: vec![Flow::of(Arc::new(field))], origin, ..Setting::default() };
+        let theme = Theme::light();
+        let currents = Currents { streams: Streams::Arrows, speed: true, only: None, theme: theme.clone() };
+        let marks = FlowMarks::new(&setting, &style(&currents, bounds()), &Frame::default(), 0.0).unwrap();
+        let ground = geometry(&marks, origin);
+        let picture = ground.picture.as_ref().unwrap();
+        let [width, height] = picture.size;
+        let red = |x: usize, y: usize| picture.pixels[y * width + x][0];
+        // tones darken from the ground's own
+        assert!(red(width / 2, height - 2) < red(width / 2, 1) && red(width - 2, height / 2) < red(1, height / 2));
+        assert!(ground.areas.len() > 300 && ground.bytes() > 4 * width * height);
+    }
+}
