@@ -45,7 +45,7 @@ pub use contact::{Contact, Section};
 pub use error::Error;
 pub use figure::Figure;
 pub use film::{Film, Still};
-pub use flow::{FlowLayer, FlowStyle};
+pub use flow::{FlowLayer, FlowMarks, FlowStyle};
 pub use image::Image;
 pub use look::{Coat, Look};
 pub use mark::{Anchor, Mark, Stroke};

@@ -72,8 +72,8 @@ impl Look {
         self.groups.get(index).copied().flatten().unwrap_or_else(|| palette(index))
     }
 
-    /// What the end of the ramp says, where there is one.
-    pub(crate) fn most(&self) -> Option<(f32, &'static str)> {
+    /// What the end of the ramp says, where there is one, and its unit.
+    pub fn most(&self) -> Option<(f32, &'static str)> {
         match self.by {
             ColorBy::Speed { .. } => Some((self.fastest, "m/s")),
             ColorBy::Altitude => Some((self.highest, "m")),

@@ -39,8 +39,8 @@ pub struct App {
     help: bool,
     /// What keys asked for since the last frame.
     actions: Vec<Action>,
-    /// What the panels were last given the colours of.
-    dark: Option<bool>,
+    /// What the look of the panels was made for: a dark theme, a touch screen.
+    look: Option<(bool, bool)>,
     /// What people should know, until they have seen it.
     notice: Option<String>,
     /// What waits for an answer: it would lose changes of the text.
@@ -79,7 +79,7 @@ impl App {
             explained: None,
             help: false,
             actions: Vec::new(),
-            dark: None,
+            look: None,
             notice,
             leaving,
             news: channel(),
@@ -246,12 +246,7 @@ impl App {
                 self.actions.push(Action::SaveAs);
             }
             ui.separator();
-            ui.toggle_value(&mut self.settings.grid, "Grid");
-            let mut trails = self.settings.trails > 0.0;
-            if ui.toggle_value(&mut trails, "Trails").changed() {
-                self.settings.trails = if trails { 1.5 } else { 0.0 };
-            }
-            ui.toggle_value(&mut self.settings.dark, "Dark");
+            panels::layers(ui, &mut self.settings, shown.map(|shown| &*shown.setting));
             if panels::beside_by(ui, &mut self.settings.beside) {
                 self.put_beside();
             }
@@ -289,9 +284,10 @@ impl eframe::App for App {
 
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
-        if self.dark != Some(self.settings.dark) {
-            style::apply(&ctx, &self.settings.theme(), self.settings.dark);
-            self.dark = Some(self.settings.dark);
+        let (dark, touch) = (self.settings.dark, ctx.input(egui::InputState::has_touch_screen));
+        if self.look != Some((dark, touch)) {
+            style::apply(&ctx, &self.settings.theme(), dark, touch);
+            self.look = Some((dark, touch));
         }
         crate::outside::work(&mut self.player, &ctx);
         self.keep(&ctx);

@@ -1,7 +1,7 @@
 //! What the studio remembers from one time to the next.
 
 use crate::play::Speed;
-use crate::view::{Coloring, Marks};
+use crate::view::{Coloring, Layers, Marks};
 use serde::{Deserialize, Serialize};
 use throng_draw::Theme;
 
@@ -23,6 +23,8 @@ pub struct Settings {
     pub speed: Speed,
     /// Whether what the selected agent has in mind is drawn.
     pub annotations: bool,
+    /// What is seen beside the crowd.
+    pub layers: Layers,
     /// Which panels are open.
     pub panels: Panels,
     /// The model that the scene is played with beside its own; empty: none.
@@ -65,6 +67,7 @@ impl Default for Settings {
             marks: Marks::Fitting,
             speed: Speed::Times(1.0),
             annotations: true,
+            layers: Layers::default(),
             panels: Panels::default(),
             beside: String::new(),
             scene: "circle".into(),

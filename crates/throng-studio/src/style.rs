@@ -1,5 +1,6 @@
 //! The look of the panels: that of the pictures.
 
+use eframe::egui::style::Spacing;
 use eframe::egui::{Color32, Context, CornerRadius, FontFamily, FontId, Shadow, Stroke, TextStyle, Visuals};
 use throng_draw::{Color, PALETTE, Theme};
 
@@ -13,8 +14,8 @@ pub fn panel(theme: &Theme) -> Color {
     theme.ground.mix(Color::rgb(0xffffff), if theme.text.r > theme.ground.r { 0.04 } else { 0.55 })
 }
 
-/// Gives panels the colours of a theme.
-pub fn apply(ctx: &Context, theme: &Theme, dark: bool) {
+/// Gives panels the colours of a theme, and buttons that fingers hit where there is a touch screen.
+pub fn apply(ctx: &Context, theme: &Theme, dark: bool, touch: bool) {
     let mut visuals = if dark { Visuals::dark() } else { Visuals::light() };
     let accent = PALETTE[0];
     let line = Stroke::new(1.0, color(theme.edge.alpha(0.35)));
@@ -54,7 +55,10 @@ pub fn apply(ctx: &Context, theme: &Theme, dark: bool) {
     ctx.set_visuals(visuals);
     ctx.all_styles_mut(|style| {
         style.spacing.item_spacing = [8.0, 5.0].into();
-        style.spacing.button_padding = [8.0, 4.0].into();
+        let usual = Spacing::default();
+        style.spacing.button_padding = if touch { [10.0, 9.0] } else { [8.0, 4.0] }.into();
+        style.spacing.interact_size.y = if touch { 34.0 } else { usual.interact_size.y };
+        style.spacing.icon_width = if touch { 22.0 } else { usual.icon_width };
         style.interaction.selectable_labels = false;
         let sizes =
             [(TextStyle::Heading, 17.0), (TextStyle::Body, 13.0), (TextStyle::Button, 13.0), (TextStyle::Small, 11.0)];

@@ -9,7 +9,7 @@ use throng_studio::document::Document;
 use throng_studio::panels::{self, Asked, Gallery, Tuned, Tuning};
 use throng_studio::play::{Command, Engine, Shown, Speed, Trouble};
 use throng_studio::settings::Settings;
-use throng_studio::view::{Mode, View};
+use throng_studio::view::{Coloring, Heat, Mode, View};
 
 fn shown(step: u64) -> Arc<Shown> {
     let mut engine = Engine::default();
@@ -121,4 +121,47 @@ fn sliders_change_the_text() {
     assert!(document.text().contains("avoid = { hrvo = {} }"), "{}", document.text());
     assert!(matches!(document.scene().unwrap().groups[0].avoid, Some(throng_scene::Avoid::Hrvo(_))));
     assert!(document.undo() && document.text() == gallery::text("circle").unwrap());
+}
+
+#[test]
+fn the_view_menu_switches_what_is_seen() {
+    let mut settings = Settings::default();
+    let setting = shown(0).setting.clone();
+    {
+        let mut harness = Harness::builder().with_size([500.0, 500.0]).build_ui(|ui| {
+            panels::layers(ui, &mut settings, Some(&setting));
+        });
+        harness.get_by_label("View").click();
+        harness.run();
+        for says in ["navigation mesh", "grid", "density"] {
+            harness.get_by_label(says).click();
+            harness.run();
+        }
+        // it stays open, and shows what there is to choose now
+        harness.get_by_label("10 s").click();
+        harness.run();
+        assert!(harness.query_by_label("no group follows one").is_some());
+    }
+    assert!(settings.layers.mesh && !settings.grid);
+    assert_eq!((settings.layers.heat, settings.layers.window), (Heat::Density, 10.0));
+}
+
+#[test]
+fn the_key_says_what_colours_mean() {
+    let shown = shown(3);
+    for coloring in Coloring::ALL {
+        let settings = Settings { coloring, ..Settings::default() };
+        let mut view = View::default();
+        let harness = Harness::builder().with_size([600.0, 500.0]).build_ui(|ui| {
+            let response = view.ui(ui, &shown, &settings);
+            panels::key(ui, response.rect, &view.key(&shown, &settings), "circle");
+        });
+        // of one group, and of one model, there is nothing to tell apart; nobody flies
+        let expected = match coloring {
+            Coloring::Group | Coloring::Model => continue,
+            Coloring::Goal => "a colour for each goal",
+            other => other.label(),
+        };
+        assert!(harness.query_by_label_contains(expected).is_some(), "{expected}");
+    }
 }

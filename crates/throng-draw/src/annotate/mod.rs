@@ -102,7 +102,7 @@ impl Annotation {
     }
 
     /// Whether its lines are dashed: what is not there, or not yet.
-    fn is_dashed(self) -> bool {
+    pub fn is_dashed(self) -> bool {
         matches!(self, Self::Paths | Self::Preferred | Self::Predictions)
     }
 
@@ -158,7 +158,7 @@ impl Annotations {
     }
 
     /// The kinds that are asked for and that there is something of in a frame.
-    pub(crate) fn in_frame(&self, frame: &Frame) -> impl Iterator<Item = Annotation> {
+    pub fn in_frame(&self, frame: &Frame) -> impl Iterator<Item = Annotation> {
         self.kinds.iter().copied().filter(|kind| kind.is_in(frame))
     }
 }

@@ -7,12 +7,14 @@ mod blade;
 mod critical;
 mod grid;
 mod key;
+mod marks;
 mod mask;
 mod sheets;
 mod speed;
 mod streamlines;
 mod texture;
 
+pub use marks::FlowMarks;
 pub(crate) use sheets::Sheets;
 
 use crate::{Camera, Color, Theme};
@@ -97,6 +99,11 @@ impl FlowStyle {
     /// With other layers.
     pub fn of(layers: impl Into<Vec<FlowLayer>>) -> Self {
         Self { layers: layers.into(), ..Self::default() }
+    }
+
+    /// The tone of a speed over the fastest, 0 to 1.
+    pub fn tone(part: f32, theme: &Theme) -> Color {
+        speed::tone(part, theme)
     }
 
     fn draws(&self, layer: FlowLayer) -> bool {

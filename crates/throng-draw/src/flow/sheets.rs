@@ -86,6 +86,11 @@ impl Sheets {
         changed
     }
 
+    /// The speed that is drawn as the fastest, m/s; `None` until something flows.
+    pub fn fastest(&self) -> Option<f32> {
+        self.fastest
+    }
+
     fn draw(&mut self) {
         self.marks.clear();
         let Some(fastest) = self.fastest else { return };

@@ -17,6 +17,7 @@ impl App {
         self.views[0].lent = self.director.tool != Tool::Hand || self.meters.tool().is_some();
         let Some(beside) = shown.beside.as_deref() else {
             let response = self.views[0].ui(ui, shown, &self.settings);
+            self.key(ui, response.rect, shown, 0);
             self.lend(ui, &response, shown);
             return;
         };
@@ -33,6 +34,7 @@ impl App {
                     response
                 });
                 if at == 0 {
+                    self.key(ui, allocated.inner.rect, shown, at);
                     self.lend(ui, &allocated.inner, shown);
                 }
                 let view = &self.views[at];
@@ -42,10 +44,20 @@ impl App {
         });
     }
 
+    /// Says what colours and lines in a view say.
+    fn key(&self, ui: &Ui, rect: egui::Rect, shown: &Shown, at: usize) {
+        if self.settings.layers.key {
+            panels::key(ui, rect, &self.views[at].key(shown, &self.settings), &shown.name);
+        }
+    }
+
     /// Lets tools work in the view that `response` is of.
     fn lend(&mut self, ui: &Ui, response: &egui::Response, shown: &Shown) {
         self.place = response.rect;
-        if self.meters.tool().is_none() {
+        if ui.input(|input| input.multi_touch().is_some()) {
+            // what the first finger has begun is not what the two do
+            self.director.cancel();
+        } else if self.meters.tool().is_none() {
             self.direct(ui, response, shown);
         }
         let asked = self.meters.ui(ui, response, &self.views[0].eye);

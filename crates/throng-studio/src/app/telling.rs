@@ -19,7 +19,9 @@ impl App {
 
     /// Asks the selected agent for what is to be seen of it.
     pub(super) fn explain(&mut self) {
-        let wanted = self.views[0].selected.filter(|_| self.settings.annotations || self.settings.panels.why);
+        let wanted = self.views[0]
+            .selected
+            .filter(|_| self.settings.annotations || self.settings.panels.why || self.settings.layers.paths);
         if wanted != self.explained {
             self.explained = wanted;
             self.player.command(Command::Explain(wanted));

@@ -5,6 +5,7 @@ use crate::document::{Document, Watched};
 use crate::play::{Player, Shown, Threaded};
 use eframe::egui::{Context, ViewportCommand};
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 use throng_scene::gallery;
 
@@ -36,6 +37,20 @@ pub fn player(ctx: &Context) -> Result<Player, String> {
 
 /// Threads work by themselves.
 pub fn work(_: &mut Player, _: &Context) {}
+
+/// Makes something in a thread of its own, and wakes the window when it is there.
+pub fn beside<T: Send + 'static>(ctx: &Context, make: impl FnOnce() -> T + Send + 'static) -> Receiver<T> {
+    let (sender, receiver) = channel();
+    let ctx = ctx.clone();
+    let work = move || {
+        // whoever waits no longer does without
+        let _ = sender.send(make());
+        ctx.request_repaint();
+    };
+    // where no thread starts nothing is made, and what there was stays
+    let _ = std::thread::Builder::new().name("throng-view".into()).spawn(work);
+    receiver
+}
 
 /// The file of the document, watched.
 pub struct Outside {

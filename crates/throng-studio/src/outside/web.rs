@@ -4,6 +4,7 @@ use crate::Options;
 use crate::document::Document;
 use crate::play::{Player, Shown};
 use eframe::egui::Context;
+use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 use throng_scene::gallery;
 use wasm_bindgen::{JsCast, JsValue};
@@ -35,6 +36,14 @@ pub fn work(player: &mut Player, ctx: &Context) {
     if player.idle().is_some() {
         ctx.request_repaint();
     }
+}
+
+/// Makes something at once: a page has no threads.
+pub fn beside<T: 'static>(_: &Context, make: impl FnOnce() -> T + 'static) -> Receiver<T> {
+    let (sender, receiver) = channel();
+    // the other end is here
+    let _ = sender.send(make());
+    receiver
 }
 
 /// Nothing is watched.

@@ -4,13 +4,15 @@ use crate::direct::Tool;
 use crate::keys::KEYS;
 use eframe::egui::{Align2, Context, Grid, RichText, Ui, Window};
 
-const MOUSE: [(&str, &str); 6] = [
+const MOUSE: [(&str, &str); 8] = [
     ("drag", "move the plan; go round in orbit"),
     ("Shift drag, right drag", "move the target in orbit"),
     ("wheel, pinch", "zoom at the pointer"),
     ("click", "select an agent"),
     ("double click", "see everything"),
     ("drop a file", "open a scene"),
+    ("two fingers", "move, zoom, and in orbit turn the ground"),
+    ("long press", "the right button"),
 ];
 
 /// Shows the help while it is `open`.

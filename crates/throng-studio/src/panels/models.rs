@@ -23,8 +23,7 @@ pub fn beside_by(ui: &mut Ui, model: &mut String) -> bool {
 pub fn name_of_models(ui: &Ui, rect: Rect, scene: &Scene) {
     let mut names: Vec<String> = Vec::new();
     for group in &scene.groups {
-        let said = serde_json::to_value(group.local_model()).ok();
-        let name = said.and_then(|said| said.as_object().and_then(|table| table.keys().next().cloned()));
+        let name = crate::view::model_name(group);
         names.extend(name.filter(|name| !names.contains(name)));
     }
     let at = rect.min + eframe::egui::vec2(12.0, 10.0);

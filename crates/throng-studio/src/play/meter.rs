@@ -1,13 +1,14 @@
 //! Meters that people put on the ground: flow through a line, density in a rectangle.
 
 use glam::{DVec2, Vec2};
-use std::collections::HashMap;
 use throng::World;
 
 /// Seconds over which a flow is taken.
 const WINDOW: f64 = 5.0;
 /// So many crossings are kept one by one at most.
 const MOST: usize = 1 << 15;
+/// Who goes farther than this in a step, metres, was put there, and crosses nothing.
+const FARTHEST: f32 = 10.0;
 
 /// Something that measures a part of the ground, in world coordinates, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,8 +33,8 @@ impl Meter {
 #[derive(Clone, Debug)]
 pub struct Gauge {
     meter: Meter,
-    /// Where everybody was a step ago, relative to the world's origin, by number.
-    before: HashMap<u32, Vec2>,
+    /// Where those near the line were a step ago, relative to the world's origin, by number.
+    before: Vec<(u32, Vec2)>,
     /// How many had crossed in all after each step at which somebody did: step, time, count.
     crossings: Vec<(u64, f64, u32)>,
     /// Step, time, and persons a square metre.
@@ -43,7 +44,7 @@ pub struct Gauge {
 impl Gauge {
     /// A meter that is put up now.
     pub(super) fn new(meter: Meter, world: &World) -> Self {
-        let mut gauge = Self { meter, before: HashMap::new(), crossings: Vec::new(), densities: Vec::new() };
+        let mut gauge = Self { meter, before: Vec::new(), crossings: Vec::new(), densities: Vec::new() };
         gauge.crossings.push((world.steps(), world.time(), 0));
         gauge.remember(world);
         gauge
@@ -84,12 +85,12 @@ impl Gauge {
     pub(super) fn see(&mut self, world: &World) {
         let Meter::Line(ends) = self.meter else { return };
         let [a, b] = ends.map(|end| (end - world.settings().origin).as_vec2());
-        let agents = world.agents();
-        let crosses = |row: &usize| {
-            let now = agents.position[*row];
-            self.before.get(&agents.number[*row]).is_some_and(|&before| cross([before, now], [a, b]))
+        let near = near(world, [a, b]);
+        let crosses = |&&(number, now): &&(u32, Vec2)| {
+            let known = self.before.binary_search_by_key(&number, |(number, _)| *number);
+            known.is_ok_and(|at| cross([self.before[at].1, now], [a, b]))
         };
-        let crossed = (0..agents.len()).filter(crosses).count() as u32;
+        let crossed = near.iter().filter(crosses).count() as u32;
         if crossed > 0 {
             self.crossings.push((world.steps(), world.time(), self.count() + crossed));
         }
@@ -101,7 +102,7 @@ impl Gauge {
                 !odd
             });
         }
-        self.remember(world);
+        self.before = near;
     }
 
     /// Takes a sample of what is not counted at every step.
@@ -131,12 +132,20 @@ impl Gauge {
     }
 
     fn remember(&mut self, world: &World) {
-        if let Meter::Line(_) = self.meter {
-            let agents = world.agents();
-            self.before.clear();
-            self.before.extend((0..agents.len()).map(|row| (agents.number[row], agents.position[row])));
+        if let Meter::Line(ends) = self.meter {
+            self.before = near(world, ends.map(|end| (end - world.settings().origin).as_vec2()));
         }
     }
+}
+
+/// Who is so near to a line that a step may lead across it, by number.
+fn near(world: &World, [a, b]: [Vec2; 2]) -> Vec<(u32, Vec2)> {
+    let (low, high) = (a.min(b) - FARTHEST, a.max(b) + FARTHEST);
+    let agents = world.agents();
+    let rows = (0..agents.len()).map(|row| (agents.number[row], agents.position[row]));
+    let mut near: Vec<(u32, Vec2)> = rows.filter(|(_, at)| at.cmpge(low).all() && at.cmple(high).all()).collect();
+    near.sort_unstable_by_key(|(number, _)| *number);
+    near
 }
 
 /// Whether a way crosses a line; one that ends on it crosses when it goes on.
@@ -171,6 +180,15 @@ mod tests {
         world.load(&saved.unwrap()).unwrap();
         gauge.back(&world);
         assert_eq!(gauge.count(), 0);
+    }
+
+    #[test]
+    fn only_who_is_near_is_remembered() {
+        let (world, _) = gallery::scene("ring-1000").unwrap().build().unwrap();
+        let gauge = Gauge::new(Meter::Line([DVec2::new(100.0, -1.0), DVec2::new(110.0, 1.0)]), &world);
+        // a ring of 103.5 m, 0.65 m for each
+        assert!((20..60).contains(&gauge.before.len()), "{}", gauge.before.len());
+        assert!(gauge.before.is_sorted_by_key(|(number, _)| *number));
     }
 
     #[test]

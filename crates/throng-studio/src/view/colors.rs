@@ -1,10 +1,12 @@
 //! What the colour of an agent says.
 
+use super::cells::Cells;
+use super::layers::DENSE;
 use crate::play::Shown;
-use glam::{DVec2, IVec2};
-use std::collections::HashMap;
+use glam::DVec2;
 use throng_draw::{Coat, ColorBy, Look, Style, Theme, palette, ramp};
-use throng_record::{Body, Frame};
+use throng_record::Body;
+use throng_scene::Group;
 
 /// What the colour of an agent says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -47,17 +49,17 @@ impl Coloring {
 
 /// Who is nearer than this counts for the density, metres.
 const NEAR: f64 = 1.5;
-/// The density at the end of the ramp: one hardly moves any more, people a square metre.
-const DENSE: f64 = 4.0;
 
 /// The colours of the agents of one moment.
 pub struct Colors {
     look: Look,
     by: Coloring,
-    /// How many are in each cell [`NEAR`] wide, where that is asked for.
-    cells: HashMap<IVec2, Vec<DVec2>>,
+    /// Who is where, where that is asked for.
+    cells: Cells,
     /// The model of each group, as the number of its colour.
     models: Vec<usize>,
+    /// What each of those models is called.
+    names: Vec<String>,
     goals: Vec<DVec2>,
     /// The longest way at first, seconds.
     longest: f64,
@@ -76,16 +78,18 @@ impl Colors {
             theme: theme.clone(),
             ..Style::said(&shown.scene)
         };
+        let (models, names) = if by == Coloring::Model { models(shown) } else { Default::default() };
         let mut colors = Self {
             look: Look::new(&shown.setting, &style, &shown.first),
             by,
-            cells: HashMap::new(),
-            models: models(shown),
+            cells: Cells::default(),
+            models,
+            names,
             goals: shown.setting.goals.iter().map(throng::Goal::middle).collect(),
             longest: 1.0,
         };
         match by {
-            Coloring::Density => colors.cells = cells(&shown.frame),
+            Coloring::Density => colors.cells = Cells::new(shown.frame.bodies.iter().map(|body| body.position), NEAR),
             Coloring::TimeToGoal => {
                 let times = shown.first.bodies.iter().filter_map(|body| colors.time_to_goal(body));
                 colors.longest = times.fold(1e-3, f64::max);
@@ -100,10 +104,20 @@ impl Colors {
         &self.look
     }
 
+    /// What the models are called that colours tell apart, in the order of the palette.
+    pub fn models(&self) -> impl Iterator<Item = &str> {
+        self.names.iter().map(String::as_str)
+    }
+
+    /// The time to the goal at the end of the ramp, seconds.
+    pub fn longest(&self) -> f32 {
+        self.longest as f32
+    }
+
     /// The colours of an agent.
     pub fn coat(&self, body: &Body) -> Coat {
         let color = match self.by {
-            Coloring::Density => ramp((self.density(body.position) / DENSE) as f32),
+            Coloring::Density => ramp(self.density(body.position) as f32 / DENSE),
             Coloring::Model => palette(self.models.get(body.group as usize).copied().unwrap_or_default()),
             Coloring::TimeToGoal => ramp(self.time_to_goal(body).map_or(0.0, |time| (time / self.longest) as f32)),
             _ => return self.look.coat(body),
@@ -118,33 +132,25 @@ impl Colors {
     }
 
     fn density(&self, at: DVec2) -> f64 {
-        let middle = cell(at);
-        let around = (-1..=1).flat_map(|x| (-1..=1).map(move |y| middle + IVec2::new(x, y)));
-        let near = around.filter_map(|cell| self.cells.get(&cell)).flatten().filter(|other| other.distance(at) <= NEAR);
-        near.count() as f64 / (std::f64::consts::PI * NEAR * NEAR)
+        self.cells.count(at, NEAR) as f64 / (std::f64::consts::PI * NEAR * NEAR)
     }
 }
 
-fn cell(at: DVec2) -> IVec2 {
-    (at / NEAR).floor().as_ivec2()
+/// What the model of a group is called in scene files.
+pub fn model_name(group: &Group) -> Option<String> {
+    let said = serde_json::to_value(group.local_model()).ok()?;
+    said.as_object()?.keys().next().cloned()
 }
 
-fn cells(frame: &Frame) -> HashMap<IVec2, Vec<DVec2>> {
-    let mut cells: HashMap<IVec2, Vec<DVec2>> = HashMap::new();
-    frame.bodies.iter().for_each(|body| cells.entry(cell(body.position)).or_default().push(body.position));
-    cells
-}
-
-/// The number of each group's model among those that the scene has.
-fn models(shown: &Shown) -> Vec<usize> {
-    let kinds: Vec<_> =
-        shown.scene.groups.iter().map(|group| group.avoid.as_ref().map(std::mem::discriminant)).collect();
-    let mut known = Vec::new();
-    let number = |kind| {
-        known.iter().position(|other| *other == kind).unwrap_or_else(|| {
-            known.push(kind);
+/// The number of each group's model among those that the scene has, and what those are called.
+fn models(shown: &Shown) -> (Vec<usize>, Vec<String>) {
+    let mut known: Vec<String> = Vec::new();
+    let number = |group| {
+        let name = model_name(group).unwrap_or_default();
+        known.iter().position(|other| *other == name).unwrap_or_else(|| {
+            known.push(name);
             known.len() - 1
         })
     };
-    kinds.into_iter().map(number).collect()
+    (shown.scene.groups.iter().map(number).collect(), known)
 }

@@ -2,17 +2,19 @@
 
 use super::colors::Colors;
 use super::geometry::{Disc, Figure, Geometry};
+use super::key::{self, Row};
+use super::moment::pairs;
 use crate::play::Shown;
 use crate::settings::Settings;
-use std::collections::BTreeMap;
 use std::sync::Arc;
 use throng_draw::Trails;
 use throng_record::Frame;
 
-/// Points of a trail are this far apart, in radii of a body.
+/// Points of a trail are this far apart, in radii of a body; of more agents than so many, farther.
 const SPACING: f64 = 0.6;
+const MANY: f64 = 5000.0;
 /// Of more agents than this no trails are drawn.
-const MOST_TRAILS: usize = 5000;
+const MOST_TRAILS: usize = 20_000;
 
 /// The agents as they were drawn last.
 #[derive(Default)]
@@ -20,8 +22,9 @@ pub struct Crowd {
     trails: Trails,
     of: Option<(Arc<Frame>, Settings, u64, bool)>,
     /// How far everybody has gone, metres, by number, and when.
-    ways: BTreeMap<u32, f32>,
+    ways: Vec<(u32, f32)>,
     layers: [Arc<Geometry>; 2],
+    key: Vec<Row>,
 }
 
 impl Crowd {
@@ -38,9 +41,10 @@ impl Crowd {
         };
         if !self.of.as_ref().is_some_and(same) {
             if self.of.as_ref().is_some_and(|(_, _, run, _)| *run != shown.run) {
-                (self.trails, self.ways) = (Trails::default(), BTreeMap::new());
+                (self.trails, self.ways) = (Trails::default(), Vec::new());
             }
             let colors = colors();
+            self.key = key::of_agents(&colors, settings.coloring, shown);
             let trails = self.trails(shown, settings, &colors);
             self.layers =
                 [Arc::new(Geometry { deep: !plan, ..trails }), Arc::new(self.agents(shown, settings, plan, &colors))];
@@ -49,11 +53,17 @@ impl Crowd {
         self.layers.clone()
     }
 
+    /// What the colours of agents say.
+    pub fn key(&self) -> &[Row] {
+        &self.key
+    }
+
     fn trails(&mut self, shown: &Shown, settings: &Settings, colors: &Colors) -> Geometry {
         let mut ribbons = Geometry::default();
         let seconds = if shown.frame.bodies.len() > MOST_TRAILS { 0.0 } else { f64::from(settings.trails) };
         let radius = shown.frame.bodies.first().map_or(0.2, |body| f64::from(body.radius));
-        self.trails.follow(&shown.frame, seconds, SPACING * radius, |body| Some(colors.coat(body).fill));
+        let spacing = SPACING * radius * (shown.frame.bodies.len() as f64 / MANY).max(1.0);
+        self.trails.follow(&shown.frame, seconds, spacing, |body| Some(colors.coat(body).fill));
         if seconds <= 0.0 {
             return ribbons;
         }
@@ -69,34 +79,30 @@ impl Crowd {
     }
 
     fn agents(&mut self, shown: &Shown, settings: &Settings, plan: bool, colors: &Colors) -> Geometry {
-        let (before, now) = (&shown.before.bodies, &shown.frame.bodies);
         let new = self.of.as_ref().is_none_or(|(frame, ..)| !Arc::ptr_eq(frame, &shown.frame));
         let origin = shown.setting.origin;
         let mut agents = Geometry { deep: !plan, ..Geometry::default() };
-        let mut k = 0;
-        for body in now {
+        agents.discs.reserve(shown.frame.bodies.len());
+        let mut gone = std::mem::take(&mut self.ways).into_iter().peekable();
+        for (from, body) in pairs(shown) {
             // both are by number
-            while before.get(k).is_some_and(|other| other.number < body.number) {
-                k += 1;
-            }
-            let from = before.get(k).filter(|other| other.number == body.number).unwrap_or(body);
+            while gone.next_if(|(number, _)| *number < body.number).is_some() {}
+            let before = gone.next_if(|(number, _)| *number == body.number).map_or(0.0, |(_, way)| way);
             let coat = colors.coat(body);
             let Some(shape) = settings.marks.shape(body, colors.look().form(body), plan) else {
                 agents.discs.push(Disc::agent(from, body, coat, origin));
                 continue;
             };
-            if body.altitude > 0.0 {
+            if settings.layers.shadows {
                 agents.discs.push(Disc::shadow(from, body, coat, origin));
             }
-            let gone = from.position.distance(body.position) as f32;
-            let way = self.ways.entry(body.number).or_default();
-            if new {
-                *way += gone;
-            }
+            let last = from.position.distance(body.position) as f32;
+            let way = if new { before + last } else { before };
+            self.ways.push((body.number, way));
             // not all at once
             let own = 2.4 * body.number as f32;
             let phase = |time: f64, way: f32| own + shape.phase(time as f32, way, body.radius);
-            let phases = [phase(shown.before.time, *way - gone), phase(shown.frame.time, *way)];
+            let phases = [phase(shown.before.time, way - last), phase(shown.frame.time, way)];
             agents.figures[shape as usize].push(Figure::new(from, body, phases, coat.fill, origin));
         }
         if shown.setting.in_space {

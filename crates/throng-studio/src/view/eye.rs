@@ -121,6 +121,14 @@ impl Eye {
         self.arrive();
     }
 
+    /// Lets the ground turn clockwise on the picture, by radians; a plan stays as it is.
+    pub fn turn(&mut self, by: f64) {
+        if self.mode != Mode::Plan {
+            self.azimuth += by;
+            self.arrive();
+        }
+    }
+
     /// Comes nearer by a factor; from straight above what is at the pixel `at` stays there.
     pub fn zoom(&mut self, at: Vec2, factor: f64, size: Vec2) {
         match self.mode {
@@ -246,6 +254,20 @@ mod tests {
         assert!(ground(&eye.projector(SIZE), pointer).unwrap().distance(held) < 1e-6);
         eye.drag(Vec2::new(30.0, -20.0), false, SIZE);
         assert!(ground(&eye.projector(SIZE), pointer + Vec2::new(30.0, -20.0)).unwrap().distance(held) < 1e-6);
+    }
+
+    #[test]
+    fn the_ground_turns_with_the_fingers() {
+        let mut eye = eye(Mode::Orbit);
+        // from all but straight above
+        eye.drag(Vec2::new(0.0, 1000.0), true, SIZE);
+        let middle = SIZE * 0.5;
+        let pixel = middle + Vec2::new(100.0, 0.0);
+        let held = ground(&eye.projector(SIZE), pixel).unwrap();
+        eye.turn(0.5);
+        let turned = eye.projector(SIZE).pixel(held.extend(0.0)).unwrap() - middle;
+        // y goes down
+        assert!((turned - Vec2::from_angle(0.5) * 100.0).length() < 8.0, "{turned}");
     }
 
     #[test]

@@ -28,6 +28,14 @@ pub struct Line {
     stroke: Vec2,
 }
 
+#[cfg(test)]
+impl Line {
+    /// From where, and to where.
+    pub fn ends(&self) -> [Vec3; 2] {
+        [self.from, self.to]
+    }
+}
+
 /// A body that lies level, on its way from one state to the next.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
@@ -131,9 +139,42 @@ fn paint(color: Color) -> Paint {
     [color.r, color.g, color.b, color.a]
 }
 
-/// What one layer of a picture holds: areas, over them discs, over them lines.
+/// Where a picture lies: the corners with the least and the greatest coordinates.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+pub struct Tile {
+    from: Vec3,
+    to: Vec3,
+}
+
+/// A picture on the ground.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// Where it lies.
+    pub tile: Tile,
+    /// Pixels along x, and along y.
+    pub size: [usize; 2],
+    /// Row by row from the corner with the least coordinates; opacity multiplied in.
+    pub pixels: Vec<Paint>,
+}
+
+impl Picture {
+    /// A picture between two corners of the ground, relative to the world's origin.
+    pub fn new([low, high]: [DVec2; 2], size: [usize; 2], pixels: impl Iterator<Item = Color>) -> Self {
+        let [from, to] = [low, high].map(|corner| corner.as_vec2().extend(0.0));
+        let multiplied = |color: Color| {
+            let part = |channel: u8| (u16::from(channel) * u16::from(color.a) / 255) as u8;
+            [part(color.r), part(color.g), part(color.b), color.a]
+        };
+        Self { tile: Tile { from, to }, size, pixels: pixels.map(multiplied).collect() }
+    }
+}
+
+/// What one layer of a picture holds: a picture, over it areas, over them discs, over them lines.
 #[derive(Clone, Debug, Default)]
 pub struct Geometry {
+    /// What lies on the ground below the rest.
+    pub picture: Option<Picture>,
     /// Triangles, three corners each.
     pub areas: Vec<Corner>,
     /// Bodies and round things.
@@ -147,6 +188,14 @@ pub struct Geometry {
 }
 
 impl Geometry {
+    /// How large it is.
+    pub fn bytes(&self) -> usize {
+        let figures: usize = self.figures.iter().map(|figures| size_of_val(figures.as_slice())).sum();
+        let picture = self.picture.as_ref().map_or(0, |picture| size_of_val(picture.pixels.as_slice()));
+        let plain = picture + size_of_val(self.areas.as_slice()) + size_of_val(self.discs.as_slice());
+        plain + size_of_val(self.lines.as_slice()) + figures
+    }
+
     /// Adds a polygon with holes on the ground: rings of corners, the outer one first.
     pub fn area(&mut self, rings: &[Vec<DVec2>], origin: DVec2, color: Color) {
         self.area_at(rings, origin, 0.0, color);

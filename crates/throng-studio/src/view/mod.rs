@@ -1,35 +1,47 @@
 //! The view: the world as it is now, through an eye that people move.
 
+mod cells;
 mod colors;
 mod crowd;
 mod eye;
 mod geometry;
 mod gl;
+mod heat;
+mod kernel;
+mod key;
+mod layers;
+mod made;
+mod mesh;
 mod mode;
+mod moment;
 mod scenery;
 mod shape;
+mod streams;
 mod thoughts;
 
-pub use colors::Coloring;
+pub use colors::{Coloring, model_name};
 pub use eye::{Eye, Followed, ground};
+pub use heat::Heat;
+pub use key::{Row, Sign};
+pub use layers::{Ground, Layers};
 pub use mode::Mode;
+pub use moment::between;
 pub use shape::{Marks, Shape};
+pub use streams::Streams;
 
 use crate::play::Shown;
 use crate::settings::Settings;
 use colors::Colors;
 use crowd::Crowd;
-use eframe::egui::{self, PointerButton, Rect, Response, Sense, Ui};
+use eframe::egui::{self, InputState, PointerButton, Rect, Response, Sense, Ui};
 use eframe::{egui_glow, glow};
 use geometry::{Disc, Geometry};
 use gl::{Canvas, Lighting};
-use glam::{DVec3, Vec2};
+use glam::Vec2;
+use moment::{followed, interpolated, nearest, pair};
 use std::sync::{Arc, Mutex, PoisonError};
 use throng_draw::{Color, Projection, Projector, Style, Theme};
-use throng_record::{Body, Frame};
 
-/// How near to an agent one must point, points of the screen beyond its edge.
-const REACH: f32 = 12.0;
 /// How high the air is that flocks are seen in, at least, metres.
 const HEADROOM: f64 = 1.8;
 
@@ -48,7 +60,12 @@ pub struct View {
     /// The scene that the eye was fitted to.
     fitted: Option<Arc<str>>,
     scenery: Option<Scenery>,
+    ground: Ground,
     crowd: Crowd,
+    /// What was drawn last.
+    layers: Vec<Arc<Geometry>>,
+    /// Bytes of those of them that had changed.
+    handed_over: usize,
     canvas: Shared,
 }
 
@@ -77,7 +94,11 @@ impl View {
         let body = self.selected.and_then(|number| between(shown, number, share));
         self.eye.settle(body.as_ref().map(followed), f64::from(ui.input(|input| input.stable_dt.min(0.1))));
         let projector = self.eye.projector(size);
-        let pointer = response.hover_pos().map(|at| Vec2::new(at.x - rect.min.x, at.y - rect.min.y));
+        // a finger that has tapped is there no more
+        let pointer = response
+            .hover_pos()
+            .or(response.interact_pointer_pos())
+            .map(|at| Vec2::new(at.x - rect.min.x, at.y - rect.min.y));
         self.hovered = pointer.and_then(|at| nearest(shown, &projector, at, share));
         if response.clicked() && !self.lent {
             self.selected = self.hovered;
@@ -97,6 +118,16 @@ impl View {
         let tops = shown.first.bodies.iter().map(|body| f64::from(body.altitude + body.radius));
         let height = tops.fold(HEADROOM, f64::max);
         self.eye.fit(shown.bounds, if shown.setting.in_space { height } else { 0.0 }, size);
+    }
+
+    /// What the ground shows, as it was drawn last.
+    pub fn ground(&self) -> &Ground {
+        &self.ground
+    }
+
+    /// Bytes that the last moment handed over to the graphics processor: those of layers that had changed.
+    pub fn handed_over(&self) -> usize {
+        self.handed_over
     }
 
     /// Sees everything again, at the next moment.
@@ -136,6 +167,14 @@ impl View {
     }
 
     fn handle(&mut self, ui: &Ui, response: &Response, rect: Rect, size: Vec2) {
+        // two fingers take the ground along, whatever one of them would do
+        if let Some(touch) = ui.input(InputState::multi_touch).filter(|touch| rect.contains(touch.center_pos)) {
+            let (by, at) = (touch.translation_delta, touch.center_pos - rect.min);
+            self.eye.drag(Vec2::new(by.x, by.y), false, size);
+            self.eye.turn(touch.rotation_delta.into());
+            self.eye.zoom(Vec2::new(at.x, at.y), touch.zoom_delta.into(), size);
+            return;
+        }
         if response.dragged() && !(self.lent && response.dragged_by(PointerButton::Primary)) {
             let by = response.drag_delta();
             let shift = ui.input(|input| input.modifiers.shift);
@@ -160,13 +199,21 @@ impl View {
         let (floor, place, solids) = (scenery.floor.clone(), scenery.place.clone(), scenery.solids.clone());
         let solids = if matches!(projector, Projector::Plan(_)) { Arc::default() } else { solids };
         let size = Vec2::new(rect.width(), rect.height());
-        let grid = if settings.grid { grid(projector, size, shown, &theme) } else { Geometry::default() };
+        let grid = if settings.grid { scenery::grid_seen(projector, size, shown, &theme) } else { Geometry::default() };
         let plan = matches!(projector, Projector::Plan(_));
         let colors = || Colors::new(shown, settings.coloring, &theme);
         let [trails, agents] = self.crowd.layers(shown, settings, plan, &colors);
-        let layers = vec![floor, Arc::new(grid), place, solids, trails, agents, Arc::new(self.marked(shown, &theme))];
+        let [heat, streams, mesh] = self.ground.layers(shown, settings, (projector, size), self.selected, ui.ctx());
+        let marked = Arc::new(self.marked(shown, settings, &theme));
+        let layers = vec![floor, heat, streams, Arc::new(grid), place, mesh, solids, trails, agents, marked];
+        let new =
+            |(k, layer): &(usize, &Arc<Geometry>)| self.layers.get(*k).is_none_or(|before| !Arc::ptr_eq(before, layer));
+        self.handed_over = layers.iter().enumerate().filter(new).map(|(_, layer)| layer.bytes()).sum();
+        self.layers.clone_from(&layers);
         let unit = ui.ctx().pixels_per_point();
-        let lighting = Lighting { share, notch: theme.notch.alpha(0.92), ..lighting(projector, size, unit, shown) };
+        let shadows = settings.layers.shadows;
+        let lighting =
+            Lighting { share, shadows, notch: theme.notch.alpha(0.92), ..lighting(projector, size, unit, shown) };
         let canvas = self.canvas.clone();
         let draw = move |_: egui::PaintCallbackInfo, painter: &egui_glow::Painter| {
             draw(&canvas, painter.gl(), &layers, &lighting);
@@ -197,9 +244,10 @@ impl View {
         })
     }
 
-    /// Rings round who is selected and who is pointed at.
-    fn marked(&self, shown: &Shown, theme: &Theme) -> Geometry {
-        let mut marks = Geometry::default();
+    /// Rings round who is selected and who is pointed at, and the way of who is selected.
+    fn marked(&self, shown: &Shown, settings: &Settings, theme: &Theme) -> Geometry {
+        let way = self.selected.filter(|_| settings.layers.paths).map(|number| mesh::way(shown, number, theme));
+        let mut marks = way.unwrap_or_default();
         for (number, opacity) in [(self.hovered, 0.45), (self.selected, 0.95)] {
             let Some((before, now)) = number.and_then(|number| pair(shown, number)) else { continue };
             marks.discs.push(Disc::round_agent(before, now, theme.text.alpha(opacity), shown.setting.origin));
@@ -235,70 +283,14 @@ fn lighting(projector: &Projector, size: Vec2, unit: f32, shown: &Shown) -> Ligh
         Projector::Perspective(lens) => (lens.focal(), lens.near()),
     };
     let (focal, near) = (focal as f32, near as f32);
-    Lighting { clip, size: size * unit, unit, focal: focal * unit, near, share: 1.0, notch: Color::rgb(0) }
-}
-
-/// The grid on the ground that is seen.
-fn grid(projector: &Projector, size: Vec2, shown: &Shown, theme: &Theme) -> Geometry {
-    let color = theme.edge.alpha(0.28);
-    let origin = shown.setting.origin;
-    match projector {
-        Projector::Plan(camera) => {
-            let corners = [camera.point(Vec2::new(0.0, size.y)), camera.point(Vec2::new(size.x, 0.0))];
-            scenery::grid(corners, scenery::cell(camera.scale), origin, color)
-        }
-        Projector::Perspective(lens) => {
-            let bounds = shown.bounds;
-            let (middle, half) = ((bounds.min + bounds.max) * 0.5, (bounds.max - bounds.min).max_element().max(2.0));
-            let cell = scenery::cell(lens.scale(middle.extend(0.0)));
-            let corners = [middle - half, middle + half].map(|corner| (corner / cell).round() * cell);
-            scenery::grid(corners, cell, origin, color)
-        }
+    Lighting {
+        clip,
+        size: size * unit,
+        unit,
+        focal: focal * unit,
+        near,
+        share: 1.0,
+        shadows: true,
+        notch: Color::rgb(0),
     }
-}
-
-/// An agent in the state before and in the state now; one who has just entered is where it is.
-fn pair(shown: &Shown, number: u32) -> Option<(&Body, &Body)> {
-    let find = |bodies: &[Body]| bodies.binary_search_by_key(&number, |body| body.number).ok();
-    let now = &shown.frame.bodies[find(&shown.frame.bodies)?];
-    Some((find(&shown.before.bodies).map_or(now, |k| &shown.before.bodies[k]), now))
-}
-
-/// Everybody where they are shown, and what they told in the state now.
-fn interpolated(shown: &Shown, share: f32) -> Frame {
-    let bodies = shown.frame.bodies.iter().filter_map(|body| between(shown, body.number, share));
-    Frame { bodies: bodies.collect(), accounts: shown.frame.accounts.clone(), ..Frame::default() }
-}
-
-/// An agent where it is shown, a share of the way from the state before to the state now.
-pub fn between(shown: &Shown, number: u32, share: f32) -> Option<Body> {
-    let (before, now) = pair(shown, number)?;
-    let turn =
-        (now.heading - before.heading + std::f32::consts::PI).rem_euclid(std::f32::consts::TAU) - std::f32::consts::PI;
-    Some(Body {
-        position: before.position.lerp(now.position, share.into()),
-        altitude: before.altitude + (now.altitude - before.altitude) * share,
-        heading: before.heading + turn * share,
-        ..*now
-    })
-}
-
-fn followed(body: &Body) -> Followed {
-    let level = || Vec2::from_angle(body.heading).extend(0.0);
-    let forward = body.basis.map_or_else(level, |basis| basis.forward);
-    Followed { center: body.center(), forward: forward.as_dvec3(), radius: body.shape().bound().into() }
-}
-
-/// The agent that is nearest to a pixel.
-fn nearest(shown: &Shown, projector: &Projector, at: Vec2, share: f32) -> Option<u32> {
-    let away = |body: &Body| {
-        let center: DVec3 = body.center();
-        let edge = projector.scale(center) as f32 * body.shape().bound();
-        let beyond = projector.pixel(center)?.distance(at) - edge;
-        (beyond <= REACH).then_some(beyond)
-    };
-    // who is far from the pointer now was far a step ago
-    let near = shown.frame.bodies.iter().filter(|body| away(body).is_some());
-    let found = near.filter_map(|body| Some((away(&between(shown, body.number, share)?)?, body.number)));
-    found.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, number)| number)
 }

@@ -1,9 +1,10 @@
 //! What stays where it is: the ground, obstacles, paths, goals; and the grid on the ground.
 
 use super::geometry::{Disc, Geometry, Stroke};
-use glam::{DVec2, Vec3};
+use crate::play::Shown;
+use glam::{DVec2, Vec2, Vec3};
 use throng::Obstacle;
-use throng_draw::{Color, Theme, points_to_go};
+use throng_draw::{Color, Projector, Theme, points_to_go};
 use throng_record::{Frame, Setting};
 use throng_scene::Scene;
 
@@ -130,6 +131,25 @@ pub fn cell(scale: f64) -> f64 {
     let power = 10f64.powf(least.log10().floor());
     let steps = [1.0, 2.0, 5.0, 10.0].into_iter().map(|step| step * power);
     steps.filter(|&step| step >= least).fold(10.0 * power, f64::min)
+}
+
+/// The grid on the ground that is seen.
+pub fn grid_seen(projector: &Projector, size: Vec2, shown: &Shown, theme: &Theme) -> Geometry {
+    let color = theme.edge.alpha(0.28);
+    let origin = shown.setting.origin;
+    match projector {
+        Projector::Plan(camera) => {
+            let corners = [camera.point(Vec2::new(0.0, size.y)), camera.point(Vec2::new(size.x, 0.0))];
+            grid(corners, cell(camera.scale), origin, color)
+        }
+        Projector::Perspective(lens) => {
+            let bounds = shown.bounds;
+            let (middle, half) = ((bounds.min + bounds.max) * 0.5, (bounds.max - bounds.min).max_element().max(2.0));
+            let cell = cell(lens.scale(middle.extend(0.0)));
+            let corners = [middle - half, middle + half].map(|corner| (corner / cell).round() * cell);
+            grid(corners, cell, origin, color)
+        }
+    }
 }
 
 /// Lines `cell` apart, from one corner to another, every fifth a little stronger; relative to `origin`.

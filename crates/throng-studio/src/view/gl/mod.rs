@@ -6,6 +6,7 @@
 #![allow(unsafe_code)]
 
 mod program;
+mod texture;
 
 use super::geometry::{Corner, Disc, Figure, Geometry, Line};
 use super::shape::{Shape, Vertex};
@@ -14,6 +15,7 @@ use eframe::glow::{self, HasContext};
 use glam::{Mat4, Vec2};
 use program::{Attribute, Program};
 use std::sync::Arc;
+use texture::Texture;
 use throng_draw::Color;
 
 /// How the world is seen, for the shaders.
@@ -31,12 +33,14 @@ pub struct Lighting {
     pub near: f32,
     /// How far the clock is from the state before to the state now.
     pub share: f32,
+    /// Whether there are shadows on the ground.
+    pub shadows: bool,
     /// The colour of notches.
     pub notch: Color,
 }
 
 /// The opacity of shadows.
-const SHADE: f32 = 0.13;
+const SHADE: f32 = 0.2;
 
 /// What has been drawn with before: programs and buffers of the graphics processor.
 pub struct Canvas {
@@ -44,6 +48,7 @@ pub struct Canvas {
     discs: Program,
     lines: Program,
     figures: Program,
+    images: Program,
     /// The corners of each shape, and how many.
     meshes: Vec<(glow::Buffer, i32)>,
     layers: Vec<Layer>,
@@ -52,6 +57,7 @@ pub struct Canvas {
 /// The buffers of a layer, and what they hold.
 struct Layer {
     of: Option<Arc<Geometry>>,
+    image: Texture,
     areas: Buffer,
     discs: Buffer,
     lines: Buffer,
@@ -68,13 +74,14 @@ impl Canvas {
             discs: Program::new(gl, include_str!("shaders/disc.vert"), include_str!("shaders/disc.frag"))?,
             lines: Program::new(gl, include_str!("shaders/line.vert"), include_str!("shaders/line.frag"))?,
             figures: Program::new(gl, include_str!("shaders/figure.vert"), include_str!("shaders/figure.frag"))?,
+            images: Program::new(gl, include_str!("shaders/image.vert"), include_str!("shaders/image.frag"))?,
             meshes: Shape::ALL.iter().map(|shape| mesh(gl, &shape.mesh())).collect::<Result<_, _>>()?,
             layers: Vec::new(),
         })
     }
 
-    fn programs(&self) -> [&Program; 4] {
-        [&self.areas, &self.discs, &self.lines, &self.figures]
+    fn programs(&self) -> [&Program; 5] {
+        [&self.images, &self.areas, &self.discs, &self.lines, &self.figures]
     }
 
     /// Draws layers, the first below the others, into the current viewport. A layer that is the same as the last time is not
@@ -99,11 +106,14 @@ impl Canvas {
         for (layer, geometry) in self.layers.iter_mut().zip(layers) {
             layer.hold(gl, geometry);
             depth(gl, geometry.deep, geometry.deep);
+            layer.image.draw(gl, &self.images);
             self.areas.draw(gl, &layer.areas, glow::TRIANGLES);
             // what is smooth at its edges hides nothing
             depth(gl, geometry.deep, false);
-            self.discs.shadows(gl, Some(SHADE));
-            self.discs.draw(gl, &layer.discs, glow::TRIANGLE_STRIP);
+            if lighting.shadows {
+                self.discs.shadows(gl, Some(SHADE));
+                self.discs.draw(gl, &layer.discs, glow::TRIANGLE_STRIP);
+            }
             self.discs.shadows(gl, None);
             self.discs.draw(gl, &layer.discs, glow::TRIANGLE_STRIP);
             self.lines.draw(gl, &layer.lines, glow::TRIANGLE_STRIP);
@@ -122,13 +132,8 @@ impl Canvas {
             unsafe { gl.delete_buffer(mesh) }
         }
         let plain = self.layers.iter().flat_map(|layer| [&layer.areas, &layer.discs, &layer.lines]);
-        for buffer in plain.chain(self.layers.iter().flat_map(|layer| &layer.figures)) {
-            // SAFETY: both are of this context and not used again.
-            unsafe {
-                gl.delete_vertex_array(buffer.array);
-                gl.delete_buffer(buffer.buffer);
-            }
-        }
+        plain.chain(self.layers.iter().flat_map(|layer| &layer.figures)).for_each(|buffer| buffer.destroy(gl));
+        self.layers.iter().for_each(|layer| layer.image.destroy(gl));
     }
 }
 
@@ -178,6 +183,7 @@ impl Layer {
         });
         Ok(Self {
             of: None,
+            image: Texture::new(gl)?,
             figures: figures.collect::<Result<_, String>>()?,
             areas: Buffer::new(gl, &[("at", Floats(3)), ("color", Colour)], None)?,
             discs: Buffer::new(
@@ -204,6 +210,7 @@ impl Layer {
         if self.of.as_ref().is_some_and(|held| Arc::ptr_eq(held, geometry)) {
             return;
         }
+        self.image.upload(gl, geometry.picture.as_ref());
         self.areas.upload::<Corner>(gl, &geometry.areas);
         self.discs.upload::<Disc>(gl, &geometry.discs);
         self.lines.upload::<Line>(gl, &geometry.lines);
@@ -253,6 +260,14 @@ impl Buffer {
                 offset += field.bytes();
             }
             gl.bind_vertex_array(None);
+        }
+    }
+
+    fn destroy(&self, gl: &glow::Context) {
+        // SAFETY: both are of this context and not used again.
+        unsafe {
+            gl.delete_vertex_array(self.array);
+            gl.delete_buffer(self.buffer);
         }
     }
 

@@ -3,6 +3,7 @@ in vec4 inner;
 in vec4 outer;
 flat in vec4 shape;
 flat in float edge;
+flat in float soft;
 uniform vec4 notch;
 out vec4 pixel;
 
@@ -12,6 +13,7 @@ void main() {
     float fine = max(fwidth(away), 1e-6);
     vec4 color = mix(inner, outer, clamp((away - (shape.z - edge)) / fine + 0.5, 0.0, 1.0));
     float cover = clamp((shape.z - away) / fine + 0.5, 0.0, 1.0);
+    if (soft > 0.0) cover = 1.0 - smoothstep(shape.z - soft, shape.z, away);
     if (shape.w > 0.0) {
         // the notch runs from 0.36 to 0.82 radii of the disc that fills the front end
         float girth = shape.z + min(shape.x, shape.y);

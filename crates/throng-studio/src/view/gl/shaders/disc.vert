@@ -12,6 +12,7 @@ out vec4 inner;
 out vec4 outer;
 flat out vec4 shape;
 flat out float edge;
+flat out float soft;
 
 const float TURN = 6.283185307;
 
@@ -36,12 +37,18 @@ void main() {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         return;
     }
+    soft = 0.0;
     if (shadows) {
-        if (at.z <= 0.0) {
+        // what lies on the ground has none
+        if (at.z <= 0.0 && look.w < 0.5) {
             gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
             return;
         }
-        inner = outer = vec4(shade.rgb, shade.a * fill.a);
+        // the higher, the wider and the fainter: as much of the light is missing
+        soft = 0.6 * radius + 0.06 * at.z;
+        float spread = radius / (radius + 0.03 * at.z);
+        inner = outer = vec4(shade.rgb, shade.a * fill.a * spread);
+        radius += 0.5 * soft;
         at = vec3(at.xy + vec2(0.12, -0.12) * at.z, 0.0);
     }
     shape = vec4(body.yz, radius, shadows || girth * scale < 3.5 * unit ? 0.0 : look.z);

@@ -1,0 +1,46 @@
+//! Fields as shapes, for who draws them by other means than pictures.
+
+use super::Sheets;
+use crate::legend::Layout;
+use crate::look::Look;
+use crate::mark::Mark;
+use crate::{Camera, Style, WorldBox};
+use glam::Vec2;
+use throng_record::{Frame, Setting};
+
+/// The fields of a place at one moment, as shapes of a picture from straight above.
+///
+/// ```
+/// use glam::{DVec2, Vec3};
+/// use std::sync::Arc;
+/// use throng_draw::{FlowLayer, FlowMarks, FlowStyle, Style, WorldBox};
+/// use throng_record::{Flow, Frame, Setting};
+/// let whirl = |place: Vec3, _: f64| Vec3::Z.cross(place);
+/// let setting = Setting { flows: vec![Flow::of(Arc::new(whirl))], ..Setting::default() };
+/// let view = Some(WorldBox { min: DVec2::splat(-5.0), max: DVec2::splat(5.0) });
+/// let style = Style { flow: Some(FlowStyle::of([FlowLayer::Arrows])), view, ..Style::default() };
+/// let drawn = FlowMarks::new(&setting, &style, &Frame::default(), 0.0).unwrap();
+/// assert!(drawn.marks.len() > 50 && drawn.fastest.unwrap() > 5.0);
+/// ```
+#[derive(Clone, Debug)]
+pub struct FlowMarks {
+    /// Shapes in pixels of a picture of the style's size.
+    pub marks: Vec<Mark>,
+    /// From the world to that picture, which its [`view`](Style::view) fills.
+    pub camera: Camera,
+    /// The speed that is drawn as the fastest, m/s; `None` where nothing flows.
+    pub fastest: Option<f32>,
+}
+
+impl FlowMarks {
+    /// What a picture in this style would have of the fields at a time, in a recording that begins with `first`; `None` if there are
+    /// none, or the style does not want to see them.
+    pub fn new(setting: &Setting, style: &Style, first: &Frame, time: f64) -> Option<Self> {
+        let view = style.view.or_else(|| WorldBox::of(setting, first))?;
+        let camera = Camera::fit(view, Vec2::ZERO, Vec2::new(style.width as f32, style.height as f32));
+        let look = Look::new(setting, style, first);
+        let mut sheets = Sheets::new(setting, style, camera, &Layout::new(style), &look)?;
+        sheets.turn(time);
+        Some(Self { fastest: sheets.fastest(), marks: sheets.marks, camera })
+    }
+}

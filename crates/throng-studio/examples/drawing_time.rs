@@ -1,0 +1,107 @@
+//! Measures what drawing a crowd costs the processor, apart from its steps and from what the graphics processor does: in the worst
+//! case, of a new state in every frame.
+//!
+//! usage: cargo run --release -p throng-studio --example drawing_time [AGENTS ...]
+#![allow(clippy::print_stdout)]
+
+use eframe::egui::{Context, Event, RawInput, Rect, pos2};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use throng_scene::Scene;
+use throng_studio::play::{Command, Engine, Shown};
+use throng_studio::settings::Settings;
+use throng_studio::view::{Coloring, Mode, View};
+
+type Failure = Box<dyn std::error::Error>;
+
+/// States that are drawn, one a frame; the first of them only warm what is kept up.
+const STATES: usize = 60;
+const WARM: usize = 20;
+/// Points of the screen.
+const SIZE: [f32; 2] = [1280.0, 720.0];
+
+fn main() -> Result<(), Failure> {
+    let asked = std::env::args().skip(1).map(|count| count.parse()).collect::<Result<Vec<usize>, _>>()?;
+    let counts = if asked.is_empty() { vec![10_000, 100_000] } else { asked };
+    println!("{:>8}  {:<34} {:>8} {:>8} {:>10}", "agents", "drawn", "mean ms", "worst ms", "upload MB");
+    counts.into_iter().try_for_each(measure)
+}
+
+fn measure(count: usize) -> Result<(), Failure> {
+    let states = states(count)?;
+    let plain = Settings { coloring: Coloring::Speed, trails: 0.0, ..Settings::default() };
+    let trails = Settings { trails: 1.5, ..plain.clone() };
+    for (says, settings, mode, selected) in [
+        ("plan", &plain, Mode::Plan, None),
+        ("plan, trails", &trails, Mode::Plan, None),
+        ("plan, one selected", &plain, Mode::Plan, Some(count as u32 / 2)),
+        ("walking figures", &plain, Mode::Orbit, None),
+        ("walking figures, trails", &trails, Mode::Orbit, None),
+        ("density", &Settings { coloring: Coloring::Density, ..plain.clone() }, Mode::Plan, None),
+    ] {
+        let (mean, worst, bytes) = draw(&states, settings, mode, selected);
+        let [mean, worst] = [mean, worst].map(|time| time.as_secs_f64() * 1e3);
+        println!("{count:>8}  {says:<34} {mean:>8.2} {worst:>8.2} {:>10.2}", bytes as f64 / 1e6);
+    }
+    Ok(())
+}
+
+/// States of a crowd on its way, one after the other.
+fn states(count: usize) -> Result<Vec<Arc<Shown>>, Failure> {
+    let side = (count as f64).sqrt().ceil() as usize;
+    let text = format!(
+        "title = \"Crowd\"\n[[group]]\nname = \"crowd\"\ncount = {count}\n\
+         place.grid = {{ columns = {side}, rows = {side}, spacing = 1.0 }}\ngoal.shift = {{ by = [100.0, 0.0] }}\n"
+    );
+    let scene = Arc::new(Scene::parse("crowd.toml", text)?);
+    let mut engine = Engine::default();
+    engine.command(Command::Load { name: "crowd".into(), scene, run: false });
+    let mut states = Vec::new();
+    for _ in 0..STATES {
+        engine.command(Command::Step);
+        while engine.idle().is_some() {
+            engine.work(Duration::from_secs(1));
+        }
+        states.push(engine.shown().ok_or("nothing is shown")?);
+    }
+    Ok(states)
+}
+
+/// Frames in which all states are drawn: what one takes, the longest, and the bytes it hands over.
+fn draw(states: &[Arc<Shown>], settings: &Settings, mode: Mode, selected: Option<u32>) -> (Duration, Duration, usize) {
+    let (ctx, mut view) = (Context::default(), View::default());
+    let (mut begun, mut last, mut worst) = (used(), used(), Duration::ZERO);
+    for (frame, shown) in states.iter().enumerate() {
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(pos2(0.0, 0.0), SIZE.into())),
+            events: vec![Event::PointerMoved(pos2(640.0 + frame as f32, 360.0))],
+            ..RawInput::default()
+        };
+        let mut output = ctx.run_ui(input, |ui| {
+            view.ui(ui, shown, settings);
+        });
+        // there is no graphics processor to take them
+        output.textures_delta.clear();
+        std::hint::black_box(ctx.tessellate(std::mem::take(&mut output.shapes), output.pixels_per_point));
+        if frame == 0 {
+            view.eye.set_mode(mode);
+            view.selected = selected;
+        }
+        let now = used();
+        if frame == WARM {
+            begun = now;
+        } else if frame > WARM {
+            worst = worst.max(now - last);
+        }
+        last = now;
+    }
+    ((used() - begun) / (states.len() - 1 - WARM) as u32, worst, view.handed_over())
+}
+
+/// The time that this thread has had the processor; where the system does not tell, the time.
+fn used() -> Duration {
+    static BEGUN: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = told.and_then(|told| told.split_whitespace().next()?.parse().ok());
+    nanoseconds.map_or_else(|| BEGUN.get_or_init(Instant::now).elapsed(), Duration::from_nanos)
+}

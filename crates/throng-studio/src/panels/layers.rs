@@ -1,0 +1,81 @@
+//! What is seen: a menu.
+
+use crate::settings::Settings;
+use crate::view::{Heat, Streams};
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
+use eframe::egui::{Grid, PopupCloseBehavior, RichText, Ui};
+use throng_record::Setting;
+
+/// Windows that heat is the mean of, seconds.
+const WINDOWS: [f32; 5] = [0.0, 2.0, 5.0, 10.0, 60.0];
+
+/// Shows the button of the menu, and the menu while it is open. `setting` is the place that is shown, if one is.
+pub fn layers(ui: &mut Ui, settings: &mut Settings, setting: Option<&Setting>) {
+    let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    MenuButton::new("View").config(stays).ui(ui, |ui| {
+        ui.set_min_width(230.0);
+        switches(ui, settings);
+        ui.separator();
+        Grid::new("layers").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| choices(ui, settings, setting));
+    });
+}
+
+fn switches(ui: &mut Ui, settings: &mut Settings) {
+    ui.checkbox(&mut settings.dark, "dark (D)");
+    ui.checkbox(&mut settings.grid, "grid");
+    let mut trails = settings.trails > 0.0;
+    if ui.checkbox(&mut trails, "trails (T)").changed() {
+        settings.trails = if trails { 1.5 } else { 0.0 };
+    }
+    let layers = &mut settings.layers;
+    ui.checkbox(&mut layers.shadows, "shadows");
+    ui.checkbox(&mut settings.annotations, "what the selected agent has in mind (A)");
+    ui.checkbox(&mut layers.paths, "the way it has planned");
+    ui.checkbox(&mut layers.mesh, "navigation mesh")
+        .on_hover_text("the triangles that ways are planned on, for the selected agent's body; where there are walls");
+    ui.checkbox(&mut layers.key, "key: what colours and lines say");
+}
+
+/// A menu in a menu would close it: what can be chosen stands side by side.
+fn choices(ui: &mut Ui, settings: &mut Settings, setting: Option<&Setting>) {
+    let layers = &mut settings.layers;
+    ui.label("heat map").on_hover_text("density or speed of the crowd, as colour on the ground");
+    row(ui, &mut layers.heat, Heat::ALL.map(|heat| (heat, heat.label().to_owned())));
+    if layers.heat != Heat::None {
+        ui.label("mean of").on_hover_text("the last seconds");
+        let label = |window: f32| if window > 0.0 { format!("{window} s") } else { "now".into() };
+        row(ui, &mut layers.window, WINDOWS.map(|window| (window, label(window))));
+    }
+    let Some(setting) = setting.filter(|setting| !setting.flows.is_empty()) else {
+        ui.label(RichText::new("field").weak());
+        ui.label(RichText::new("no group follows one").weak());
+        ui.end_row();
+        return;
+    };
+    ui.label("field").on_hover_text("the velocities that groups follow");
+    row(ui, &mut layers.streams, Streams::ALL.map(|streams| (streams, streams.label().to_owned())));
+    ui.label("");
+    ui.checkbox(&mut layers.stream_speed, "its speed as colour");
+    ui.end_row();
+    if setting.flows.len() > 1 {
+        ui.label("of");
+        let whose = (0..).zip(&setting.flows).map(|(at, flow)| (Some(at), led(setting, &flow.groups)));
+        row(ui, &mut layers.field, std::iter::once((None, "all".to_owned())).chain(whose));
+    }
+}
+
+/// A row of the menu: one of some.
+fn row<T: PartialEq>(ui: &mut Ui, chosen: &mut T, all: impl IntoIterator<Item = (T, String)>) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        all.into_iter().for_each(|(one, label)| _ = ui.selectable_value(chosen, one, label));
+    });
+    ui.end_row();
+}
+
+/// The names of the groups that a field leads.
+fn led(setting: &Setting, groups: &[u32]) -> String {
+    let names: Vec<&str> =
+        groups.iter().filter_map(|&group| setting.groups.get(group as usize)).map(String::as_str).collect();
+    names.join(", ")
+}

@@ -1,0 +1,132 @@
+//! What colours and lines in the view say.
+
+use super::colors::Colors;
+use super::heat::Heat;
+use super::layers::Ground;
+use super::streams::Streams;
+use super::{Coloring, View};
+use crate::play::Shown;
+use crate::settings::Settings;
+use throng_draw::{Annotation, Annotations, Color, FlowStyle, Theme, palette, ramp};
+
+/// More rows than this of one kind are not told.
+const MOST: usize = 8;
+
+/// What a row of the key is about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sign {
+    /// Agents of one colour.
+    Spot(Color),
+    /// Agents whose colour goes from little to much.
+    Ramp,
+    /// Ground whose colour does, on dark ground or on light.
+    Heat(Heat, bool),
+    /// Ground whose colour does with the speed of a field, on dark ground or on light.
+    Tone(bool),
+    /// Lines, dashed or not.
+    Line(Color, bool),
+    /// Words alone.
+    None,
+}
+
+impl Sign {
+    /// The colour of a part of the most, 0 to 1, of what goes from little to much.
+    pub fn color(self, part: f32) -> Option<Color> {
+        match self {
+            Self::Ramp => Some(ramp(part)),
+            Self::Heat(heat, dark) => Some(heat.color(part, dark)),
+            Self::Tone(dark) => Some(FlowStyle::tone(part, &if dark { Theme::dark() } else { Theme::light() })),
+            _ => None,
+        }
+    }
+}
+
+/// A row of the key.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// What it is about.
+    pub sign: Sign,
+    /// What that says; of what goes from little to much, what it is and its unit.
+    pub says: String,
+    /// The most that colours tell apart.
+    pub most: f32,
+}
+
+impl Row {
+    fn new(sign: Sign, says: impl Into<String>) -> Self {
+        Self { sign, says: says.into(), most: 0.0 }
+    }
+
+    fn to(most: f32, sign: Sign, says: &str) -> Self {
+        Self { most, ..Self::new(sign, says) }
+    }
+}
+
+/// What the colours of agents say.
+pub(super) fn of_agents(colors: &Colors, by: Coloring, shown: &Shown) -> Vec<Row> {
+    let spots = |all: Vec<(Color, String)>| {
+        // of one there is nothing to tell apart
+        let told = if all.len() > 1 { all.len().min(MOST) } else { 0 };
+        let more =
+            (told < all.len() && told > 0).then(|| Row::new(Sign::None, format!("and {} more", all.len() - told)));
+        all.into_iter().take(told).map(|(color, says)| Row::new(Sign::Spot(color), says)).chain(more).collect()
+    };
+    let look = colors.look();
+    match by {
+        Coloring::Group => {
+            spots(shown.setting.groups.iter().enumerate().map(|(k, name)| (look.group(k), name.clone())).collect())
+        }
+        Coloring::Model => spots(colors.models().enumerate().map(|(k, name)| (palette(k), name.to_owned())).collect()),
+        Coloring::Goal => vec![Row::new(Sign::None, "a colour for each goal")],
+        Coloring::Speed | Coloring::Altitude => {
+            let says = |unit: &str| format!("{}, {unit}", by.label());
+            look.most().map(|(most, unit)| Row::to(most, Sign::Ramp, &says(unit))).into_iter().collect()
+        }
+        Coloring::Density => vec![Row::to(super::layers::DENSE, Sign::Ramp, "density within 1.5 m, 1/m²")],
+        Coloring::TimeToGoal => vec![Row::to(colors.longest(), Sign::Ramp, "time to goal, s")],
+    }
+}
+
+/// What the colours of the ground say, and its lines.
+fn of_ground(ground: &Ground, settings: &Settings, selected: bool) -> Vec<Row> {
+    let (layers, theme) = (&settings.layers, settings.theme());
+    let mut rows = Vec::new();
+    let sign = Sign::Heat(layers.heat, settings.dark);
+    let over = if layers.window > 0.0 { format!(", mean of {} s", layers.window) } else { String::new() };
+    match layers.heat {
+        Heat::None => {}
+        Heat::Density => rows.push(Row::to(ground.most(layers.heat), sign, &format!("density, 1/m²{over}"))),
+        Heat::Speed => rows.push(Row::to(ground.most(layers.heat), sign, &format!("speed of the crowd, m/s{over}"))),
+    }
+    if let Some(fastest) = ground.fastest() {
+        let color = theme.goal.mix(theme.text, 0.45);
+        if layers.stream_speed {
+            rows.push(Row::to(fastest, Sign::Tone(settings.dark), "speed of the field, m/s"));
+        }
+        if layers.streams != Streams::None {
+            rows.push(Row::new(Sign::Line(color, false), format!("field, up to {fastest:.2} m/s")));
+        }
+    }
+    if layers.paths && selected {
+        rows.push(Row::new(Sign::Line(theme.goal, false), "planned way"));
+    }
+    rows
+}
+
+/// What the lines beside the selected agent say.
+fn of_thoughts(shown: &Shown, settings: &Settings) -> Vec<Row> {
+    let annotations = Annotations { kinds: Annotation::ALL.to_vec(), agents: None };
+    let theme = settings.theme();
+    // the view has trails of its own
+    let kinds = annotations.in_frame(&shown.frame).filter(|kind| *kind != Annotation::Trails);
+    kinds.map(|kind| Row::new(Sign::Line(kind.color(&theme), kind.is_dashed()), kind.says())).collect()
+}
+
+impl View {
+    /// What colours and lines say at a moment, in parts.
+    pub fn key(&self, shown: &Shown, settings: &Settings) -> [Vec<Row>; 3] {
+        let thoughts =
+            if self.selected.is_some() && settings.annotations { of_thoughts(shown, settings) } else { vec![] };
+        [self.crowd.key().to_vec(), of_ground(&self.ground, settings, self.selected.is_some()), thoughts]
+    }
+}

@@ -1,0 +1,206 @@
+//! The fields that lead groups, on the ground: the lines and arrows of pictures.
+
+use super::geometry::{Disc, Geometry, Picture, Stroke};
+use super::made::Made;
+use crate::play::Shown;
+use eframe::egui::Context;
+use glam::{DVec2, Vec2};
+use std::sync::Arc;
+use throng_draw::{Camera, Color, FlowLayer, FlowMarks, FlowStyle, Image, Mark, Projector, Style, Theme, WorldBox};
+
+/// How fields are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub enum Streams {
+    /// Not at all.
+    #[default]
+    None,
+    /// As arrows on an even grid.
+    Arrows,
+    /// As streamlines.
+    Lines,
+}
+
+impl Streams {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::None, Self::Arrows, Self::Lines];
+
+    /// What it is called.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Arrows => "arrows",
+            Self::Lines => "streamlines",
+        }
+    }
+}
+
+/// What is seen of fields.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Currents {
+    /// How they are drawn.
+    pub streams: Streams,
+    /// Whether the ground's colour says how fast they are.
+    pub speed: bool,
+    /// Which one is seen; `None`: all.
+    pub only: Option<usize>,
+    /// The colours.
+    pub theme: Theme,
+}
+
+/// Pixels of the longer side of what is drawn.
+const SIDE: f64 = 1000.0;
+/// Fields that change are drawn anew so many times a second.
+const RATE: f64 = 4.0;
+
+/// Fields as they were drawn last.
+#[derive(Default)]
+pub struct StreamMap {
+    made: Made<(u64, u64, WorldBox, Currents), Sheet>,
+}
+
+/// What is made beside the window.
+struct Sheet {
+    layer: Arc<Geometry>,
+    fastest: Option<f32>,
+}
+
+impl StreamMap {
+    /// The fields of a moment on the ground that is seen, and the speed that is drawn as the fastest, m/s.
+    pub fn layer(
+        &mut self,
+        shown: &Shown,
+        currents: &Currents,
+        (projector, size): (&Projector, Vec2),
+        ctx: &Context,
+    ) -> (Arc<Geometry>, Option<f32>) {
+        let flows = &shown.setting.flows;
+        if (currents.streams == Streams::None && !currents.speed) || flows.is_empty() {
+            *self = Self::default();
+            return Default::default();
+        }
+        let only = currents.only.filter(|&at| at < flows.len());
+        let still = flows.iter().enumerate().all(|(at, flow)| flow.still || only.is_some_and(|only| only != at));
+        let turn = if still { 0 } else { (shown.time() * RATE) as u64 };
+        let seen = seen(projector, size, shown.bounds);
+        let (setting, first, dear) = (shown.setting.clone(), shown.first.clone(), currents.clone());
+        let make = move || {
+            let flows = setting.flows.iter().enumerate().filter(|(at, _)| only.is_none_or(|only| only == *at));
+            let setting =
+                throng_record::Setting { flows: flows.map(|(_, flow)| flow.clone()).collect(), ..(*setting).clone() };
+            let marks = FlowMarks::new(&setting, &style(&dear, seen), &first, turn as f64 / RATE);
+            let layer = marks.as_ref().map(|marks| Arc::new(geometry(marks, setting.origin)));
+            Sheet { layer: layer.unwrap_or_default(), fastest: marks.and_then(|marks| marks.fastest) }
+        };
+        let sheet = self.made.of((shown.run, turn, seen, currents.clone()), ctx, make);
+        sheet.map(|sheet| (sheet.layer.clone(), sheet.fastest)).unwrap_or_default()
+    }
+}
+
+fn style(currents: &Currents, seen: WorldBox) -> Style {
+    let size = seen.max - seen.min;
+    let [width, height] = (size * (SIDE / size.max_element())).to_array().map(|side| side.clamp(16.0, SIDE) as u32);
+    let lines = match currents.streams {
+        Streams::None => None,
+        Streams::Arrows => Some(FlowLayer::Arrows),
+        Streams::Lines => Some(FlowLayer::Streamlines),
+    };
+    let speed = currents.speed.then_some(FlowLayer::Speed);
+    let flow = Some(FlowStyle::of(lines.into_iter().chain(speed).collect::<Vec<_>>()));
+    Style { width, height, flow, view: Some(seen), legend: false, theme: currents.theme.clone(), ..Style::default() }
+}
+
+/// The ground that is looked at, in steps: of a plan what is seen and a little more, that it need not be drawn anew whenever the eye
+/// moves; in space all of the place.
+fn seen(projector: &Projector, size: Vec2, bounds: WorldBox) -> WorldBox {
+    let Projector::Plan(camera) = projector else { return bounds };
+    let [low, high] = [camera.point(Vec2::new(0.0, size.y)), camera.point(Vec2::new(size.x, 0.0))];
+    let step = 2f64.powf((high - low).max_element().max(1e-3).log2().floor() - 2.0);
+    let [low, high] = [(low / step).floor() * step, (high / step).ceil() * step];
+    // fields have no end: round the place some of them is enough
+    let room = 0.25 * (bounds.max - bounds.min).max_element().max(1.0);
+    let [near, far] = [low.max(bounds.min - room), high.min(bounds.max + room)];
+    if near.cmplt(far).all() { WorldBox { min: near, max: far } } else { bounds }
+}
+
+/// Shapes of a picture as geometry on the ground.
+fn geometry(marks: &FlowMarks, origin: DVec2) -> Geometry {
+    let camera = &marks.camera;
+    let point = |pixel: Vec2| camera.point(pixel);
+    let local = |pixel: Vec2| (point(pixel) - origin).as_vec2().extend(0.0);
+    let mut ground = Geometry::default();
+    for mark in &marks.marks {
+        match mark {
+            Mark::Area { rings, fill } => {
+                let rings: Vec<Vec<DVec2>> =
+                    rings.iter().map(|ring| ring.iter().map(|&at| point(at)).collect()).collect();
+                ground.area(&rings, origin, *fill);
+            }
+            Mark::Line { points, closed, stroke } => {
+                let points: Vec<_> = points.iter().map(|&at| local(at)).collect();
+                ground.line(&points, *closed, Stroke::plain(stroke.width, stroke.color));
+            }
+            Mark::Disc { center, radius, fill } => {
+                let radius = f64::from(*radius) / camera.scale;
+                ground.discs.push(Disc::round(local(*center), radius as f32, *fill, (0.0, *fill), 0.0));
+            }
+            Mark::Pixels(image) => ground.picture = Some(picture(image, camera, origin)),
+            _ => {}
+        }
+    }
+    ground
+}
+
+fn picture(image: &Image, camera: &Camera, origin: DVec2) -> Picture {
+    let size = [image.width(), image.height()].map(|side| side as usize);
+    let corners = [Vec2::new(0.0, size[1] as f32), Vec2::new(size[0] as f32, 0.0)];
+    let rows = image.data().chunks_exact(4 * size[0].max(1)).rev();
+    let pixels = rows.flat_map(|row| row.chunks_exact(4)).map(|c| Color { r: c[0], g: c[1], b: c[2], a: c[3] });
+    Picture::new(corners.map(|corner| camera.point(corner) - origin), size, pixels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+    use throng_record::{Flow, Frame, Setting};
+
+    const SIZE: Vec2 = Vec2::new(800.0, 600.0);
+
+    fn bounds() -> WorldBox {
+        WorldBox { min: DVec2::new(-1810.0, 3.0), max: DVec2::new(-1790.0, 13.0) }
+    }
+
+    #[test]
+    fn a_plan_has_fields_wherever_it_shows_the_place_and_keeps_them_while_the_eye_moves_a_little() {
+        for (scale, shift) in [(30.0, 0.0), (35.0, 1.3), (400.0, 4.0), (3.0, 0.0)] {
+            let camera = |by: f64| Camera { center: DVec2::new(-1801.0 + by, 8.0), anchor: SIZE * 0.5, scale };
+            let drawn = seen(&Projector::Plan(camera(shift)), SIZE, bounds());
+            let [low, high] = [Vec2::new(0.0, SIZE.y), Vec2::new(SIZE.x, 0.0)].map(|at| camera(shift).point(at));
+            assert!(drawn.min.cmple(low.max(bounds().min)).all() && drawn.max.cmpge(high.min(bounds().max)).all());
+            // of hundred small moves few draw it anew
+            let moves =
+                (0..100).map(|k| seen(&Projector::Plan(camera(shift + f64::from(k) * 0.5 / scale)), SIZE, bounds()));
+            let mut boxes: Vec<WorldBox> = moves.collect();
+            boxes.dedup();
+            assert!(boxes.len() <= 3, "{}", boxes.len());
+        }
+    }
+
+    #[test]
+    fn the_ground_is_fast_where_the_field_is() {
+        let origin = DVec2::new(-1800.0, 8.0);
+        // faster to the north and to the east
+        let field = |place: Vec3, _: f64| Vec3::X * (1.0 + 0.05 * place.x + 0.1 * place.y);
+        let setting = Setting { flows: vec![Flow::of(Arc::new(field))], origin, ..Setting::default() };
+        let theme = Theme::light();
+        let currents = Currents { streams: Streams::Arrows, speed: true, only: None, theme: theme.clone() };
+        let marks = FlowMarks::new(&setting, &style(&currents, bounds()), &Frame::default(), 0.0).unwrap();
+        let ground = geometry(&marks, origin);
+        let picture = ground.picture.as_ref().unwrap();
+        let [width, height] = picture.size;
+        let red = |x: usize, y: usize| picture.pixels[y * width + x][0];
+        // tones darken from the ground's own
+        assert!(red(width / 2, height - 2) < red(width / 2, 1) && red(width - 2, height / 2) < red(1, height / 2));
+        assert!(ground.areas.len() > 300 && ground.bytes() > 4 * width * height);
+    }
+}
