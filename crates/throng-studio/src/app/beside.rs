@@ -45,7 +45,7 @@ impl App {
     /// Lets tools work in the view that `response` is of.
     fn lend(&mut self, ui: &Ui, response: &egui::Response, shown: &Shown) {
         self.place = response.rect;
-        if self.meters.tool().is_none() {
+        if self.meters.tool().is_none() && shown.reel.is_none() {
             self.direct(ui, response, shown);
         }
         let asked = self.meters.ui(ui, response, &self.views[0].eye);

@@ -1,8 +1,8 @@
 //! Meters that people put on the ground: flow through a line, density in a rectangle.
 
+use super::observed::{Being, Observed};
 use glam::{DVec2, Vec2};
 use std::collections::HashMap;
-use throng::World;
 
 /// Seconds over which a flow is taken.
 const WINDOW: f64 = 5.0;
@@ -32,7 +32,7 @@ impl Meter {
 #[derive(Clone, Debug)]
 pub struct Gauge {
     meter: Meter,
-    /// Where everybody was a step ago, relative to the world's origin, by number.
+    /// Where everybody was a step ago, relative to [`Observed::origin`], by number.
     before: HashMap<u32, Vec2>,
     /// How many had crossed in all after each step at which somebody did: step, time, count.
     crossings: Vec<(u64, f64, u32)>,
@@ -42,10 +42,10 @@ pub struct Gauge {
 
 impl Gauge {
     /// A meter that is put up now.
-    pub(super) fn new(meter: Meter, world: &World) -> Self {
+    pub(super) fn new(meter: Meter, now: &Observed) -> Self {
         let mut gauge = Self { meter, before: HashMap::new(), crossings: Vec::new(), densities: Vec::new() };
-        gauge.crossings.push((world.steps(), world.time(), 0));
-        gauge.remember(world);
+        gauge.crossings.push((now.step, now.time, 0));
+        gauge.remember(now);
         gauge
     }
 
@@ -80,18 +80,16 @@ impl Gauge {
         self.densities.iter().map(|&(_, time, density)| [time, density])
     }
 
-    /// Looks at the world after a step.
-    pub(super) fn see(&mut self, world: &World) {
+    /// Looks at everybody after a step.
+    pub(super) fn see(&mut self, now: &Observed) {
         let Meter::Line(ends) = self.meter else { return };
-        let [a, b] = ends.map(|end| (end - world.settings().origin).as_vec2());
-        let agents = world.agents();
-        let crosses = |row: &usize| {
-            let now = agents.position[*row];
-            self.before.get(&agents.number[*row]).is_some_and(|&before| cross([before, now], [a, b]))
+        let [a, b] = ends.map(|end| (end - now.origin).as_vec2());
+        let crosses = |being: &&Being| {
+            self.before.get(&being.number).is_some_and(|&before| cross([before, being.position], [a, b]))
         };
-        let crossed = (0..agents.len()).filter(crosses).count() as u32;
+        let crossed = now.beings.iter().filter(crosses).count() as u32;
         if crossed > 0 {
-            self.crossings.push((world.steps(), world.time(), self.count() + crossed));
+            self.crossings.push((now.step, now.time, self.count() + crossed));
         }
         if self.crossings.len() > MOST {
             // the first and the last stay: counts in between become coarser
@@ -101,28 +99,28 @@ impl Gauge {
                 !odd
             });
         }
-        self.remember(world);
+        self.remember(now);
     }
 
     /// Takes a sample of what is not counted at every step.
-    pub(super) fn sample(&mut self, world: &World) {
+    pub(super) fn sample(&mut self, now: &Observed) {
         let Meter::Area(corners) = self.meter else { return };
-        let [a, b] = corners.map(|corner| (corner - world.settings().origin).as_vec2());
+        let [a, b] = corners.map(|corner| (corner - now.origin).as_vec2());
         let (low, high) = (a.min(b), a.max(b));
         let inside = |at: &&Vec2| at.cmpge(low).all() && at.cmple(high).all();
-        let count = world.agents().position.iter().filter(inside).count();
-        self.densities.push((world.steps(), world.time(), count as f64 / self.meter.extent()));
+        let count = now.beings.iter().map(|being| &being.position).filter(inside).count();
+        self.densities.push((now.step, now.time, count as f64 / self.meter.extent()));
     }
 
-    /// The run has gone back to where the world is now.
-    pub(super) fn back(&mut self, world: &World) {
-        let step = world.steps();
+    /// The run has gone back to where everybody is now.
+    pub(super) fn back(&mut self, now: &Observed) {
+        let step = now.step;
         self.crossings.truncate(self.crossings.partition_point(|&(at, ..)| at <= step));
         self.densities.truncate(self.densities.partition_point(|&(at, ..)| at <= step));
         if self.crossings.is_empty() {
-            self.crossings.push((step, world.time(), 0));
+            self.crossings.push((step, now.time, 0));
         }
-        self.remember(world);
+        self.remember(now);
     }
 
     /// Keeps the samples of every so many steps.
@@ -130,11 +128,10 @@ impl Gauge {
         self.densities.retain(|(step, ..)| step.is_multiple_of(stride));
     }
 
-    fn remember(&mut self, world: &World) {
+    fn remember(&mut self, now: &Observed) {
         if let Meter::Line(_) = self.meter {
-            let agents = world.agents();
             self.before.clear();
-            self.before.extend((0..agents.len()).map(|row| (agents.number[row], agents.position[row])));
+            self.before.extend(now.beings.iter().map(|being| (being.number, being.position)));
         }
     }
 }
@@ -154,14 +151,14 @@ mod tests {
     fn everybody_who_comes_through_is_counted_once() {
         let (mut world, _) = gallery::scene("headon").unwrap().build().unwrap();
         let x = DVec2::new(0.0, 50.0);
-        let mut gauge = Gauge::new(Meter::Line([-x, x]), &world);
-        let mut area = Gauge::new(Meter::Area([-DVec2::splat(50.0), DVec2::splat(50.0)]), &world);
-        area.sample(&world);
+        let mut gauge = Gauge::new(Meter::Line([-x, x]), &(&world).into());
+        let mut area = Gauge::new(Meter::Area([-DVec2::splat(50.0), DVec2::splat(50.0)]), &(&world).into());
+        area.sample(&(&world).into());
         assert_eq!(area.densities().next().map(|[_, density]| density), Some(world.agents().len() as f64 / 1e4));
         let mut saved = None;
         while !world.finished() && world.steps() < 1000 {
             world.step();
-            gauge.see(&world);
+            gauge.see(&(&world).into());
             if gauge.count() == 0 {
                 saved = Some(world.save());
             }
@@ -169,7 +166,7 @@ mod tests {
         assert_eq!(gauge.count() as usize, world.agents().len());
         assert_eq!(gauge.flow(world.time() + 60.0), 0.0);
         world.load(&saved.unwrap()).unwrap();
-        gauge.back(&world);
+        gauge.back(&(&world).into());
         assert_eq!(gauge.count(), 0);
     }
 

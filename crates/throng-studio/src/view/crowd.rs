@@ -1,12 +1,11 @@
 //! Agents and their trails as geometry, made anew when the state is.
 
-use super::colors::Colors;
 use super::geometry::{Disc, Figure, Geometry};
 use crate::play::Shown;
 use crate::settings::Settings;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use throng_draw::Trails;
+use throng_draw::{Look, Trails};
 use throng_record::Frame;
 
 /// Points of a trail are this far apart, in radii of a body.
@@ -31,7 +30,7 @@ impl Crowd {
         shown: &Shown,
         settings: &Settings,
         plan: bool,
-        colors: &dyn Fn() -> Colors,
+        look: &dyn Fn() -> Look,
     ) -> [Arc<Geometry>; 2] {
         let same = |(frame, with, run, flat): &(Arc<Frame>, Settings, u64, bool)| {
             Arc::ptr_eq(frame, &shown.frame) && with == settings && *run == shown.run && *flat == plan
@@ -40,20 +39,20 @@ impl Crowd {
             if self.of.as_ref().is_some_and(|(_, _, run, _)| *run != shown.run) {
                 (self.trails, self.ways) = (Trails::default(), BTreeMap::new());
             }
-            let colors = colors();
-            let trails = self.trails(shown, settings, &colors);
+            let look = look();
+            let trails = self.trails(shown, settings, &look);
             self.layers =
-                [Arc::new(Geometry { deep: !plan, ..trails }), Arc::new(self.agents(shown, settings, plan, &colors))];
+                [Arc::new(Geometry { deep: !plan, ..trails }), Arc::new(self.agents(shown, settings, plan, &look))];
             self.of = Some((shown.frame.clone(), settings.clone(), shown.run, plan));
         }
         self.layers.clone()
     }
 
-    fn trails(&mut self, shown: &Shown, settings: &Settings, colors: &Colors) -> Geometry {
+    fn trails(&mut self, shown: &Shown, settings: &Settings, look: &Look) -> Geometry {
         let mut ribbons = Geometry::default();
         let seconds = if shown.frame.bodies.len() > MOST_TRAILS { 0.0 } else { f64::from(settings.trails) };
         let radius = shown.frame.bodies.first().map_or(0.2, |body| f64::from(body.radius));
-        self.trails.follow(&shown.frame, seconds, SPACING * radius, |body| Some(colors.coat(body).fill));
+        self.trails.follow(&shown.frame, seconds, SPACING * radius, |body| Some(look.coat(body).fill));
         if seconds <= 0.0 {
             return ribbons;
         }
@@ -68,7 +67,7 @@ impl Crowd {
         ribbons
     }
 
-    fn agents(&mut self, shown: &Shown, settings: &Settings, plan: bool, colors: &Colors) -> Geometry {
+    fn agents(&mut self, shown: &Shown, settings: &Settings, plan: bool, look: &Look) -> Geometry {
         let (before, now) = (&shown.before.bodies, &shown.frame.bodies);
         let new = self.of.as_ref().is_none_or(|(frame, ..)| !Arc::ptr_eq(frame, &shown.frame));
         let origin = shown.setting.origin;
@@ -80,8 +79,8 @@ impl Crowd {
                 k += 1;
             }
             let from = before.get(k).filter(|other| other.number == body.number).unwrap_or(body);
-            let coat = colors.coat(body);
-            let Some(shape) = settings.marks.shape(body, colors.look().form(body), plan) else {
+            let coat = look.coat(body);
+            let Some(shape) = settings.marks.shape(body, look.form(body), plan) else {
                 agents.discs.push(Disc::agent(from, body, coat, origin));
                 continue;
             };

@@ -11,13 +11,12 @@ mod shape;
 mod thoughts;
 
 pub use colors::Coloring;
-pub use eye::{Eye, Followed, ground};
+pub use eye::{Eye, ground};
 pub use mode::Mode;
 pub use shape::{Marks, Shape};
 
 use crate::play::Shown;
 use crate::settings::Settings;
-use colors::Colors;
 use crowd::Crowd;
 use eframe::egui::{self, PointerButton, Rect, Response, Sense, Ui};
 use eframe::{egui_glow, glow};
@@ -25,7 +24,7 @@ use geometry::{Disc, Geometry};
 use gl::{Canvas, Lighting};
 use glam::{DVec3, Vec2};
 use std::sync::{Arc, Mutex, PoisonError};
-use throng_draw::{Color, Projection, Projector, Style, Theme};
+use throng_draw::{Annotation, Annotations, Color, Followed, Form, Projection, Projector, Style, Theme};
 use throng_record::{Body, Frame};
 
 /// How near to an agent one must point, points of the screen beyond its edge.
@@ -73,7 +72,7 @@ impl View {
         let share = shown.share();
         self.handle(ui, &response, rect, size);
         let body = self.selected.and_then(|number| between(shown, number, share));
-        self.eye.settle(body.as_ref().map(followed), f64::from(ui.input(|input| input.stable_dt.min(0.1))));
+        self.eye.settle(body.as_ref().map(Followed::from), f64::from(ui.input(|input| input.stable_dt.min(0.1))));
         let projector = self.eye.projector(size);
         let pointer = response.hover_pos().map(|at| Vec2::new(at.x - rect.min.x, at.y - rect.min.y));
         self.hovered = pointer.and_then(|at| nearest(shown, &projector, at, share));
@@ -95,6 +94,29 @@ impl View {
         let tops = shown.first.bodies.iter().map(|body| f64::from(body.altitude + body.radius));
         let height = tops.fold(HEADROOM, f64::max);
         self.eye.fit(shown.bounds, if shown.setting.in_space { height } else { 0.0 }, size);
+    }
+
+    /// What a film looks like that shows what this view shows, where it is so many points of the screen large.
+    pub fn style(&self, shown: &Shown, settings: &Settings, size: Vec2) -> Style {
+        let (plan, selected) = (self.eye.mode() == Mode::Plan, self.selected);
+        let coloring = settings.coloring.style(shown, &settings.theme());
+        let form = match settings.marks {
+            Marks::Fitting => None,
+            Marks::All(Shape::Insect) => Some(Form::Insect),
+            Marks::Discs | Marks::All(_) => Some(Form::Body),
+        };
+        Style {
+            view: plan.then(|| self.eye.seen(size)),
+            projection: Some(if plan { Projection::Plan } else { Projection::Perspective }),
+            viewpoint: self.eye.viewpoint(selected),
+            trails: settings.trails,
+            forms: form.map_or(coloring.forms, |form| vec![form; shown.setting.groups.len()]),
+            annotations: match selected.filter(|_| settings.annotations) {
+                Some(number) => Annotations { kinds: Annotation::ALL.to_vec(), agents: Some(vec![number]) },
+                None => Annotations::default(),
+            },
+            ..coloring
+        }
     }
 
     /// Sees everything again, at the next moment.
@@ -158,8 +180,8 @@ impl View {
         let size = Vec2::new(rect.width(), rect.height());
         let grid = if settings.grid { grid(projector, size, shown, &theme) } else { Geometry::default() };
         let plan = matches!(projector, Projector::Plan(_));
-        let colors = || Colors::new(shown, settings.coloring, &theme);
-        let [trails, agents] = self.crowd.layers(shown, settings, plan, &colors);
+        let look = || settings.coloring.look(shown, &theme);
+        let [trails, agents] = self.crowd.layers(shown, settings, plan, &look);
         let layers = vec![floor, Arc::new(grid), place, solids, trails, agents, Arc::new(self.marked(shown, &theme))];
         let unit = ui.ctx().pixels_per_point();
         let lighting = Lighting { share, notch: theme.notch.alpha(0.92), ..lighting(projector, size, unit, shown) };
@@ -169,9 +191,9 @@ impl View {
         };
         painter.add(egui::PaintCallback { rect, callback: Arc::new(egui_glow::CallbackFn::new(draw)) });
         if let Some(number) = self.selected.filter(|_| settings.annotations) {
-            let colors = Colors::new(shown, Coloring::Group, &theme);
-            let (origin, projector, colors, theme) = (shown.setting.origin, *projector, &colors, &theme);
-            let thinker = thoughts::Thinker { number, origin, projector, colors, theme };
+            let look = Coloring::Group.look(shown, &theme);
+            let (origin, projector, look, theme) = (shown.setting.origin, *projector, &look, &theme);
+            let thinker = thoughts::Thinker { number, origin, projector, look, theme };
             thoughts::draw(&painter, rect, &interpolated(shown, share), thinker);
         }
         if let Some(Err(says)) = self.canvas.lock().unwrap_or_else(PoisonError::into_inner).as_ref() {
@@ -277,12 +299,6 @@ pub fn between(shown: &Shown, number: u32, share: f32) -> Option<Body> {
         heading: before.heading + turn * share,
         ..*now
     })
-}
-
-fn followed(body: &Body) -> Followed {
-    let level = || Vec2::from_angle(body.heading).extend(0.0);
-    let forward = body.basis.map_or_else(level, |basis| basis.forward);
-    Followed { center: body.center(), forward: forward.as_dvec3(), radius: body.shape().bound().into() }
 }
 
 /// The agent that is nearest to a pixel.
