@@ -130,7 +130,14 @@ fn a_recording_is_asked_for_and_cancelled() {
     let (mut record, mut asked) = (Record::default(), Vec::new());
     record.toggle();
     for share in [None, Some(0.4)] {
-        let beside = Beside { shown: &shown, size: [640, 480], camera: "plan", share, unused: &unused };
+        let beside = Beside {
+            shown: &shown,
+            size: [640, 480],
+            corner: [1100.0, 40.0].into(),
+            camera: "plan",
+            share,
+            unused: &unused,
+        };
         let mut harness = Harness::builder().with_size([1200.0, 700.0]).build_ui(|ui| {
             asked.extend(record.ui(ui.ctx(), &beside));
         });

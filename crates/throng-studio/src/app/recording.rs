@@ -16,7 +16,8 @@ impl App {
         self.go_on_recording(ctx);
         let (size, camera) = (self.size_of_view(ctx), self.camera());
         let share = self.recording.as_ref().map(|(recording, _)| recording.share());
-        let beside = Beside { shown, size, camera: &camera, share, unused: &outside::unused };
+        let beside =
+            Beside { shown, size, corner: self.place.right_top(), camera: &camera, share, unused: &outside::unused };
         match self.record.ui(ctx, &beside) {
             Some(Recorded::Begin) => self.begin_recording(ctx, shown, size),
             Some(Recorded::Cancel) => {

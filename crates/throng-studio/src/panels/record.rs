@@ -3,8 +3,10 @@
 use super::bar::named;
 use crate::play::Shown;
 use crate::record::Format;
-use eframe::egui::{ComboBox, Context, DragValue, Grid, ProgressBar, Role, TextEdit, Ui, Window, pos2};
-use std::path::PathBuf;
+use eframe::egui::{
+    Align2, Button, ComboBox, Context, DragValue, Grid, Pos2, ProgressBar, RichText, Role, TextEdit, Ui, Window, vec2,
+};
+use std::path::{Path, PathBuf};
 
 /// The window.
 #[derive(Clone, Debug, Default)]
@@ -70,6 +72,8 @@ pub struct Beside<'a> {
     pub shown: &'a Shown,
     /// Width and height of the view, pixels.
     pub size: [u32; 2],
+    /// The upper right corner of the view.
+    pub corner: Pos2,
     /// What the camera does, in words.
     pub camera: &'a str,
     /// How much of the recording under way is done.
@@ -95,7 +99,7 @@ impl Record {
         }
         let mut open = self.open;
         let window = Window::new("Record").open(&mut open).collapsible(false).resizable(false);
-        let window = window.default_pos(pos2(ctx.content_rect().right() - 660.0, 60.0));
+        let window = window.pivot(Align2::RIGHT_TOP).default_pos(beside.corner + vec2(-12.0, 12.0));
         let asked = window.show(ctx, |ui| {
             ui.add_enabled_ui(beside.share.is_none(), |ui| self.fields(ui, beside));
             ui.add_space(6.0);
@@ -134,6 +138,9 @@ impl Record {
         });
         if self.wish.format != before {
             self.name(beside);
+        } else if let Ok(format) = Format::of(Path::new(self.wish.file.trim())) {
+            // who writes an ending means it
+            self.wish.format = format;
         }
     }
 
@@ -148,7 +155,9 @@ impl Record {
             Some(Err(says)) => _ = ui.colored_label(ui.visuals().error_fg_color, says),
             None => {}
         }
-        let ready = ui.add_enabled(!self.wish.file.trim().is_empty(), eframe::egui::Button::new("Record"));
+        let selection = ui.visuals().selection;
+        let button = Button::new(RichText::new("Record").color(selection.stroke.color)).fill(selection.bg_fill);
+        let ready = ui.add_enabled(!self.wish.file.trim().is_empty(), button);
         ready.on_hover_text("plays it once more from its start, and writes what it shows").clicked().then(|| {
             self.said = None;
             Recorded::Begin

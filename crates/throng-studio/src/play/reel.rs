@@ -60,7 +60,7 @@ impl Reel {
     fn new(name: &str, mut tracks: Tracks, place: Option<(Scene, Setting)>) -> Self {
         let in_space = tracks.spots.iter().any(|spot| spot.place.z != 0.0);
         let (mut scene, mut setting) = place.unwrap_or_else(|| {
-            let setting = Setting { groups: tracks.groups.clone(), in_space, ..Setting::default() };
+            let setting = Setting { title: name.into(), groups: tracks.groups.clone(), in_space, ..Setting::default() };
             (Scene { title: name.into(), ..Scene::default() }, setting)
         });
         setting.origin =
