@@ -62,6 +62,10 @@ pub enum ColorArg {
     Goal,
     /// How high it flies
     Altitude,
+    /// How many there are within a metre and a half
+    Density,
+    /// How long it has still to go on a straight line
+    TimeToGoal,
 }
 
 impl LookArgs {
@@ -94,6 +98,8 @@ impl LookArgs {
                 ColorArg::Speed => ColorBy::Speed { max: None },
                 ColorArg::Goal => ColorBy::Goal,
                 ColorArg::Altitude => ColorBy::Altitude,
+                ColorArg::Density => ColorBy::Density,
+                ColorArg::TimeToGoal => ColorBy::TimeToGoal,
             },
             flow: self.field.style(),
             headings: !self.no_headings,

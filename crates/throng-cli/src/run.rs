@@ -2,7 +2,7 @@
 
 use crate::args::RunArgs;
 use crate::failure::Failure;
-use crate::files::{Files, Plan};
+use crate::files;
 use crate::out::{Out, complain};
 use crate::progress::{Progress, share};
 use crate::report::Report;
@@ -13,6 +13,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use throng_bench::clock::process_time;
 use throng_draw::Style;
+use throng_draw::record::Plan;
 use throng_record::moment;
 use throng_scene::{Expect, Watch};
 
@@ -72,9 +73,10 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         rate: args.film.rate(scene),
         speed_up: args.film.speed_up,
         still: args.film.still(),
+        from: 0.0,
     };
-    let mut files = Files::create(&outputs(args, name), &plan)?;
-    let paths = files.paths().to_vec();
+    let paths = outputs(args, name);
+    let mut files = files::create(&paths, &plan)?;
 
     let step = scene.time.step;
     let mut watch = Watch::new(&scene.expect, &world, &built);

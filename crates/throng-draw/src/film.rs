@@ -59,15 +59,30 @@ impl Film {
     /// The ending of the name is unknown, the folder is missing or cannot be written to, the rate or the size of the
     /// picture is out of its limits, or ffmpeg is needed and not there.
     pub fn create(path: impl AsRef<Path>, sheet: impl Into<Sheet>, style: &Style, rate: f64) -> Result<Self, Error> {
-        let path = path.as_ref().to_path_buf();
+        let path = path.as_ref();
         Error::check_size(style.width, style.height)?;
-        let target = match Kind::of(&path)? {
-            kind @ (Kind::Png | Kind::Svg) => {
-                let output = Output::create(&path)?;
-                Target::Still { which: Still::Last, kind, picture: None, last: Vec::new(), output }
-            }
-            _ => Target::Moving(Box::new(Ahead::start(sink(&path, rate)?))),
-        };
+        let kind = Kind::of(path)?;
+        if !matches!(kind, Kind::Png | Kind::Svg) {
+            return Self::new(path, sink(path, rate)?, sheet, style);
+        }
+        let output = Output::create(path)?;
+        let target = Target::Still { which: Still::Last, kind, picture: None, last: Vec::new(), output };
+        Ok(Self { path: path.into(), sheet: sheet.into(), style: style.clone(), painter: None, target, count: 0 })
+    }
+
+    /// Begins a film that goes into a sink; `path` is what messages call it.
+    ///
+    /// # Errors
+    /// The size of the picture is out of its limits.
+    pub fn new(
+        path: impl AsRef<Path>,
+        sink: Box<dyn FrameSink>,
+        sheet: impl Into<Sheet>,
+        style: &Style,
+    ) -> Result<Self, Error> {
+        Error::check_size(style.width, style.height)?;
+        let target = Target::Moving(Box::new(Ahead::start(sink)));
+        let path = path.as_ref().to_path_buf();
         Ok(Self { path, sheet: sheet.into(), style: style.clone(), painter: None, target, count: 0 })
     }
 

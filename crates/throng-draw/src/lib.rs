@@ -4,11 +4,13 @@
 //! PNG files, or any other video that an installed ffmpeg writes; a [`Sheet`] shows several recordings side by side, and a
 //! [`Contact`] sheet a still of each of many.
 //! [`Painter`] paints single moments into memory, with the look that [`Style`] describes; [`Figure`] draws why one
-//! agent goes where it goes; [`sink`] holds the kinds of output for pictures of any origin.
+//! agent goes where it goes; [`sink`] holds the kinds of output for pictures of any origin, [`record`]
+//! writes all files of a run while it goes on.
 
 mod annotate;
 mod base64;
 mod camera;
+mod cells;
 mod color;
 mod contact;
 mod error;
@@ -26,6 +28,7 @@ mod place;
 mod plan;
 mod projector;
 mod raster;
+pub mod record;
 mod ribbon;
 mod rounded;
 mod said;
@@ -54,6 +57,6 @@ pub use place::points_to_go;
 pub use projector::Projector;
 pub use sheet::{Sheet, columns, title_height};
 pub use sink::FrameSink;
-pub use space::{Lens, Viewpoint};
+pub use space::{Chase, Followed, Following, Lens, Sight, Viewpoint};
 pub use style::{ColorBy, Form, Projection, Style, Theme};
 pub use trail::{Track, Trails};

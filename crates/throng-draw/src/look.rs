@@ -1,10 +1,16 @@
 //! What each agent looks like: the colour that says its group, speed or goal, and what its status makes of it.
 
+use crate::cells::Cells;
 use crate::color::{PALETTE, palette, ramp, wheel};
 use crate::{Color, ColorBy, Form, Style};
 use glam::DVec2;
 use throng::{Goal, Status};
 use throng_record::{Body, Frame, Setting};
+
+/// Who is nearer than this counts for the density, metres.
+const NEAR: f64 = 1.5;
+/// The density at the end of the ramp: one hardly moves any more, people a square metre.
+const DENSE: f32 = 4.0;
 
 /// The colours of agents.
 #[derive(Clone, Debug)]
@@ -19,8 +25,12 @@ pub struct Look {
     groups: Vec<Option<Color>>,
     /// What those of groups look like, where that is said.
     forms: Vec<Form>,
-    /// The colour of each goal.
-    goals: Vec<Color>,
+    /// The colour of each goal, and where it is.
+    goals: Vec<(Color, DVec2)>,
+    /// The longest way at first, seconds.
+    longest: f32,
+    /// Who was where at the moment that was seen, where that is asked for.
+    cells: Cells,
 }
 
 /// The colours of one agent.
@@ -45,7 +55,8 @@ impl Look {
         let goals = setting.goals.iter().filter_map(|goal| Some(goal.altitude()? as f32));
         let highest = starts.chain(goals).filter(|z| z.is_finite()).fold(0.0, f32::max);
         let highest = if highest > 0.0 { highest } else { 1.0 };
-        Self {
+        let middles = setting.goals.iter().map(Goal::middle);
+        let mut look = Self {
             by: style.color_by,
             ground: style.theme.ground,
             rim: style.theme.text,
@@ -53,8 +64,32 @@ impl Look {
             highest,
             groups: style.groups.clone(),
             forms: style.forms.clone(),
-            goals: goal_colors(&setting.goals),
+            goals: goal_colors(&setting.goals).into_iter().zip(middles).collect(),
+            longest: 1.0,
+            cells: Cells::default(),
+        };
+        look.longest = first.bodies.iter().filter_map(|body| look.time_to_goal(body)).fold(1e-3, f32::max);
+        look.see(first);
+        look
+    }
+
+    /// Looks at a moment, for the colours that say how dense it is.
+    pub fn see(&mut self, frame: &Frame) {
+        if self.by == ColorBy::Density {
+            self.cells = Cells::new(frame.bodies.iter().map(|body| body.position), NEAR);
         }
+    }
+
+    /// How many there are round a place at the moment that was seen, people a square metre.
+    fn density(&self, at: DVec2) -> f32 {
+        (self.cells.count(at, NEAR) as f64 / (std::f64::consts::PI * NEAR * NEAR)) as f32
+    }
+
+    /// How long it would take on a straight line, seconds.
+    fn time_to_goal(&self, body: &Body) -> Option<f32> {
+        let (_, goal) = self.goals.get(body.goal? as usize)?;
+        let time = goal.distance(body.position) / f64::from(body.preferred_speed).max(0.05);
+        Some(time as f32).filter(|time| time.is_finite())
     }
 
     /// What somebody looks like.
@@ -77,6 +112,8 @@ impl Look {
         match self.by {
             ColorBy::Speed { .. } => Some((self.fastest, "m/s")),
             ColorBy::Altitude => Some((self.highest, "m")),
+            ColorBy::Density => Some((DENSE, "/m²")),
+            ColorBy::TimeToGoal => Some((self.longest, "s")),
             ColorBy::Group | ColorBy::Goal => None,
         }
     }
@@ -87,8 +124,11 @@ impl Look {
             ColorBy::Group => self.group(body.group as usize),
             ColorBy::Altitude => ramp(body.altitude / self.highest),
             ColorBy::Speed { .. } => ramp(body.speed() / self.fastest),
+            ColorBy::Density => ramp(self.density(body.position) / DENSE),
+            ColorBy::TimeToGoal => ramp(self.time_to_goal(body).unwrap_or_default() / self.longest),
             ColorBy::Goal => {
-                body.goal.and_then(|goal| self.goals.get(goal as usize).copied()).unwrap_or(Color::rgb(0x8a9099))
+                let goal = body.goal.and_then(|goal| self.goals.get(goal as usize));
+                goal.map_or(Color::rgb(0x8a9099), |(color, _)| *color)
             }
         }
     }

@@ -153,10 +153,11 @@ impl Painter {
         let spacing = match &mut self.view {
             View::Plan(camera) => spacing / camera.scale,
             View::Space(stage) => {
-                stage.turn(frame.time);
+                stage.turn(frame);
                 spacing / stage.scale()
             }
         };
+        self.look.see(frame);
         let (look, wanted) = (&self.look, &self.style.annotations);
         let color = |body: &Body| look.color(body);
         let is = |form: Form| move |body: &Body| (look.form(body) == form).then(|| color(body));

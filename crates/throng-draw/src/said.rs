@@ -55,5 +55,6 @@ fn viewpoint(camera: Camera) -> Viewpoint {
         target: camera.target.map(Into::into),
         field_of_view: camera.field_of_view.unwrap_or(standard.field_of_view),
         orbit: camera.orbit.unwrap_or(standard.orbit),
+        follow: None,
     }
 }

@@ -102,6 +102,10 @@ pub enum ColorBy {
     },
     /// How high above the ground it is, up to the greatest altitude of the first frame and of all goals.
     Altitude,
+    /// How many there are within a metre and a half, over the area: up to 4 people a square metre.
+    Density,
+    /// How long it has still to go on a straight line at its preferred speed, up to the longest way of the first frame.
+    TimeToGoal,
     /// Where it is going: a colour for each goal, or, where there are more than the palette holds, for the direction
     /// in which the goal lies from the middle of all goals.
     Goal,

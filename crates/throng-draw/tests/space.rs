@@ -8,8 +8,10 @@ use std::sync::Arc;
 use throng::avoid::Unavoiding;
 use throng::motion::{Basis, Locomotion, Vehicle};
 use throng::steer::{Seek, Target};
-use throng::{Agent, Group, Obstacle, Settings, World};
-use throng_draw::{Color, Image, Painter, Projection, Style, Theme, Viewpoint, palette};
+use throng::{Agent, Goal, Group, Obstacle, Settings, World};
+use throng_draw::{
+    Chase, Color, ColorBy, Following, Image, Look, Painter, Projection, Style, Theme, Viewpoint, palette, ramp,
+};
 use throng_record::{Body, Frame, Setting};
 
 fn setting() -> Setting {
@@ -145,6 +147,49 @@ fn the_eye_goes_round_and_the_same_moments_make_the_same_picture() {
     assert!(start.x > 200.0 && (quarter.x - 160.0).abs() < 1e-2, "from the east it is in the middle: {quarter}");
     let svg = painter.svg(&moment(10));
     assert!(elements(&svg) > 50 && !svg.contains("NaN") && !svg.contains("inf"));
+}
+
+/// However it is followed, who is followed is ahead of the eye at every moment, and stays there where it is no more.
+#[test]
+fn an_eye_goes_with_whom_it_follows() {
+    let moment = |k: u32| {
+        let way = f64::from(k) * 0.2;
+        Frame { time: way, ..frame(&[body(0, DVec3::ZERO), body(7, DVec3::new(way, 30.0 + way, 0.0))]) }
+    };
+    for chase in [Chase::Distance, Chase::Offset, Chase::PointOfView, Chase::Down] {
+        let follow = Some(Following { number: 7, chase, aside: 30.0 });
+        let style = Style { viewpoint: Viewpoint { follow, ..style().viewpoint }, ..style() };
+        let mut painter = Painter::new(&setting(), &style, &moment(0)).unwrap();
+        for k in 0..40 {
+            let now = moment(k);
+            painter.paint(&now);
+            // with its own eyes it sees not itself, but what is ahead
+            let ahead = if chase == Chase::PointOfView { DVec3::X * 4.0 } else { DVec3::ZERO };
+            let pixel = painter.pixel(now.bodies[1].center() + ahead).expect("it is ahead");
+            assert!(pixel.distance(Vec2::new(160.0, 120.0)) < 90.0, "{chase:?} at {k}: {pixel}");
+        }
+        let before = painter.pixel(DVec3::new(8.0, 38.0, 0.0));
+        painter.paint(&Frame { time: 9.0, ..frame(&[body(0, DVec3::ZERO)]) });
+        assert_eq!(painter.pixel(DVec3::new(8.0, 38.0, 0.0)), before);
+    }
+}
+
+#[test]
+fn colours_say_how_dense_it_is_and_how_long_it_takes() {
+    let crowd: Vec<Body> = (0..5).map(|k| body(k, DVec3::new(0.3 * f64::from(k), 0.0, 0.0))).collect();
+    let lone = body(9, DVec3::new(20.0, 0.0, 0.0));
+    let all = Frame { bodies: [&crowd[..], &[lone]].concat(), ..Frame::default() };
+    let look = |color_by, frame: &Frame| Look::new(&setting(), &Style { color_by, ..style() }, frame);
+    let dense = look(ColorBy::Density, &all);
+    // five of them within a metre and a half
+    let area = std::f32::consts::PI * 1.5 * 1.5;
+    assert_eq!((dense.color(&crowd[2]), dense.color(&lone)), (ramp(5.0 / area / 4.0), ramp(1.0 / area / 4.0)));
+    let goals = vec![Goal::Point { at: DVec2::new(0.0, 10.0), tolerance: 0.1 }];
+    let to = |y: f64| Body { goal: Some(0), preferred_speed: 2.0, ..body(0, DVec3::new(0.0, y, 0.0)) };
+    let setting = Setting { goals, ..setting() };
+    let style = Style { color_by: ColorBy::TimeToGoal, ..style() };
+    let look = Look::new(&setting, &style, &frame(&[to(0.0)]));
+    assert_eq!((look.color(&to(0.0)), look.color(&to(5.0)), look.color(&to(10.0))), (ramp(1.0), ramp(0.5), ramp(0.0)));
 }
 
 #[test]

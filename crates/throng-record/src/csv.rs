@@ -56,7 +56,14 @@ impl CsvWriter {
     /// # Errors
     /// Those of [`Output::create`].
     pub fn create(path: impl AsRef<Path>, setting: &Setting) -> Result<Self, OutputError> {
-        let mut output = Output::create(path)?;
+        Self::new(Output::create(path)?, setting)
+    }
+
+    /// Begins with the line of names.
+    ///
+    /// # Errors
+    /// The system's, such as a full disk.
+    pub fn new(mut output: Output, setting: &Setting) -> Result<Self, OutputError> {
         let columns = if setting.in_space { &COLUMNS } else { &COLUMNS[..10] };
         output.put((columns.join(",") + "\n").as_bytes())?;
         let groups = setting.groups.iter().map(|name| field(name)).collect();
@@ -145,6 +152,13 @@ pub fn status_name(status: Status) -> &'static str {
         Status::Arrived => "arrived",
         Status::Stranded => "stranded",
     }
+}
+
+/// The status that is called so in files.
+pub(crate) fn status_of(name: &str) -> Option<Status> {
+    [Status::Walking, Status::Waiting, Status::Arrived, Status::Stranded]
+        .into_iter()
+        .find(|&status| status_name(status) == name)
 }
 
 #[cfg(test)]

@@ -18,5 +18,5 @@ mod tracks;
 pub use behind::{Behind, Pool};
 pub use flow::Flow;
 pub use frame::{Body, Frame, Setting, Shell};
-pub use output::{Output, OutputError};
+pub use output::{Hand, Output, OutputError};
 pub use tracks::{Spot, Tracks, TracksError};

@@ -1,5 +1,6 @@
 //! A file that appears under its name only when it is complete.
 
+use std::fmt;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -102,9 +103,36 @@ pub struct Output {
     path: PathBuf,
     /// Where the finished file goes: `path` with symbolic links followed.
     target: PathBuf,
-    file: BufWriter<File>,
+    file: Place,
     /// Removes the temporary file when dropped; `None`: `file` is the target itself.
     temporary: Option<TempPath>,
+}
+
+/// What takes a complete file, under its name, where there are no folders.
+pub type Hand = fn(&Path, Vec<u8>) -> io::Result<()>;
+
+/// Where bytes are until the file is complete.
+enum Place {
+    File(BufWriter<File>),
+    Memory(Vec<u8>, Hand),
+}
+
+impl fmt::Debug for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File(file) => file.fmt(f),
+            Self::Memory(bytes, _) => write!(f, "{} bytes", bytes.len()),
+        }
+    }
+}
+
+impl Place {
+    fn of(&mut self) -> &mut dyn Write {
+        match self {
+            Self::File(file) => file,
+            Self::Memory(bytes, _) => bytes,
+        }
+    }
 }
 
 impl Output {
@@ -121,7 +149,8 @@ impl Output {
         }
         if path.exists() && !path.is_file() {
             let file = File::options().write(true).open(&path).map_err(fail)?;
-            return Ok(Self { target: path.clone(), path, file: BufWriter::new(file), temporary: None });
+            let file = Place::File(BufWriter::new(file));
+            return Ok(Self { target: path.clone(), path, file, temporary: None });
         }
         let target = if path.exists() { path.canonicalize().map_err(fail)? } else { path.clone() };
         let folder = folder_of(&target);
@@ -132,7 +161,14 @@ impl Output {
         let suffix = target.extension().map(|e| format!(".{}", e.to_string_lossy())).unwrap_or_default();
         let file = temporary(&folder, &suffix).map_err(fail)?;
         let (file, temporary) = file.into_parts();
-        Ok(Self { path, target, file: BufWriter::with_capacity(1 << 16, file), temporary: Some(temporary) })
+        let file = Place::File(BufWriter::with_capacity(1 << 16, file));
+        Ok(Self { path, target, file, temporary: Some(temporary) })
+    }
+
+    /// Begins a file in memory, which is handed over when it is complete: for where there are no folders, as in a web page.
+    pub fn handed(path: impl AsRef<Path>, hand: Hand) -> Self {
+        let path = path.as_ref().to_path_buf();
+        Self { target: path.clone(), path, file: Place::Memory(Vec::new(), hand), temporary: None }
     }
 
     /// The name it will have.
@@ -155,7 +191,7 @@ impl Output {
     /// # Errors
     /// The system's, such as a full disk.
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), OutputError> {
-        self.file.write_all(bytes).map_err(|source| OutputError::new(&self.path, source))
+        self.file.of().write_all(bytes).map_err(|source| OutputError::new(&self.path, source))
     }
 
     /// Gives the complete file its name.
@@ -163,9 +199,12 @@ impl Output {
     /// # Errors
     /// The last bytes cannot be written, or the file cannot be renamed. Nothing is left behind then.
     pub fn finish(self) -> Result<(), OutputError> {
-        let Self { path, target, mut file, temporary } = self;
-        file.flush().map_err(|source| OutputError::new(&path, source))?;
-        drop(file);
+        let Self { path, target, file, temporary } = self;
+        let done = match file {
+            Place::File(mut file) => file.flush(),
+            Place::Memory(bytes, hand) => hand(&target, bytes),
+        };
+        done.map_err(|source| OutputError::new(&path, source))?;
         match temporary {
             Some(temporary) => temporary.persist(&target).map_err(|e| OutputError::new(&path, e.error)),
             None => Ok(()),
@@ -175,15 +214,15 @@ impl Output {
 
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.write(bytes)
+        self.file.of().write(bytes)
     }
 
     fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
-        self.file.write_all(bytes)
+        self.file.of().write_all(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
+        self.file.of().flush()
     }
 }
 
@@ -238,6 +277,21 @@ mod tests {
         output.finish().unwrap();
         assert_eq!(names(folder.path()), std::slice::from_ref(&path));
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "new");
+    }
+
+    #[test]
+    fn a_file_in_memory_is_handed_over_when_it_is_complete() {
+        let hand: Hand = |path, bytes| std::fs::write(path, bytes);
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("out.txt");
+        let mut output = Output::handed(&path, hand);
+        output.put(b"one ").unwrap();
+        output.write_all(b"two").unwrap();
+        assert!(names(folder.path()).is_empty());
+        output.finish().unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), b"one two");
+        let error = Output::handed("x", |_, _| Err(io::ErrorKind::StorageFull.into())).finish().unwrap_err();
+        assert!(matches!(error, OutputError::Full { .. }), "{error}");
     }
 
     #[test]

@@ -1,8 +1,17 @@
 //! Trajectories read back: tables as [`csv`](crate::csv) writes them, or another program's with the same names.
 
-use glam::DVec3;
+use crate::csv::status_of;
+use glam::{DVec3, Vec3};
 use std::borrow::Cow;
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+use throng::Status;
+
+/// What reads a kind of file: tracks, or the line of what is wrong and why.
+type Reader = fn(&[u8]) -> Result<Tracks, (usize, String)>;
+
+/// How the names of files of trajectories end, and what reads them.
+const READERS: [(&str, Reader); 1] = [("csv", Tracks::parse)];
 
 /// Who was where, and when.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,7 +33,18 @@ pub struct Spot {
     pub time: f64,
     /// Metres.
     pub place: DVec3,
+    /// Velocity, m/s.
+    pub velocity: Vec3,
+    /// Direction of the body, radians counter-clockwise from +x.
+    pub heading: f32,
+    /// Radius of the body, metres.
+    pub radius: f32,
+    /// What it is doing.
+    pub status: Status,
 }
+
+/// The radius of a body that the table says none of, metres.
+const RADIUS: f32 = 0.2;
 
 /// Why a table cannot be read.
 #[derive(Debug, thiserror::Error)]
@@ -51,7 +71,9 @@ pub enum TracksError {
 
 impl Tracks {
     /// Reads a table: a line of names, then a line an agent and moment. The columns `number`, `time`, `x` and `y` must
-    /// be there; without `group` all are of one without a name, without `z` all are on the ground; others do not count.
+    /// be there; without `group` all are of one without a name, without `z` all are on the ground. Without `vx` and `vy`
+    /// velocities are ways over time, without `heading` bodies face where they go, without `radius` they are 0.2 m large,
+    /// without `status` they walk; other columns do not count.
     ///
     /// ```
     /// # let folder = tempfile::tempdir()?;
@@ -68,17 +90,29 @@ impl Tracks {
     /// shorter than that of the names, or a field is no number.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, TracksError> {
         let path = path.as_ref();
-        let text = std::fs::read_to_string(path).map_err(|source| TracksError::File { path: path.into(), source })?;
-        Self::parse(&text).map_err(|(line, why)| TracksError::Content { path: path.into(), line, why })
+        let bytes = std::fs::read(path).map_err(|source| TracksError::File { path: path.into(), source })?;
+        let read = reader(path).unwrap_or(Self::parse);
+        read(&bytes).map_err(|(line, why)| TracksError::Content { path: path.into(), line, why })
     }
 
-    fn parse(text: &str) -> Result<Self, (usize, String)> {
+    /// Whether the name of a file is that of trajectories.
+    pub fn are_in(path: impl AsRef<Path>) -> bool {
+        reader(path.as_ref()).is_some()
+    }
+
+    fn parse(bytes: &[u8]) -> Result<Self, (usize, String)> {
+        let text = std::str::from_utf8(bytes).map_err(|error| {
+            let before = &bytes[..error.valid_up_to()];
+            (1 + before.iter().filter(|&&byte| byte == b'\n').count(), "it is no text".to_owned())
+        })?;
         let mut records = Records { rest: text.strip_prefix('\u{feff}').unwrap_or(text), line: 1 };
         let (_, names) = records.next().ok_or((1, "it is empty".to_owned()))?;
         let column = |name: &str| names.iter().position(|other| other.trim() == name);
         let needed = |name: &str| column(name).ok_or_else(|| (1, format!("there is no column `{name}`")));
         let [number, time, x, y] = [needed("number")?, needed("time")?, needed("x")?, needed("y")?];
         let (group, z) = (column("group"), column("z"));
+        let [vx, vy, vz] = ["vx", "vy", "vz"].map(column);
+        let [heading, radius, status] = ["heading", "radius", "status"].map(column);
         let mut tracks = Self::default();
         for (line, fields) in records {
             if fields.len() < names.len() {
@@ -98,10 +132,42 @@ impl Tracks {
                 .trim()
                 .parse()
                 .map_err(|_| (line, format!("`{}` is no number of an agent", fields[number])))?;
-            tracks.spots.push(Spot { number: of, group: group as u32, time: value(time)?, place });
+            let or = |column: Option<usize>, or: f32| column.map_or(Ok(or), |at| value(at).map(|value| value as f32));
+            let status = status.map_or(Ok(Status::Walking), |at| {
+                let found = status_of(fields[at].trim());
+                found.ok_or_else(|| (line, format!("`{}` is no status", fields[at])))
+            })?;
+            tracks.spots.push(Spot {
+                number: of,
+                group: group as u32,
+                time: value(time)?,
+                place,
+                velocity: Vec3::new(or(vx, 0.0)?, or(vy, 0.0)?, or(vz, 0.0)?),
+                heading: or(heading, 0.0)?,
+                radius: or(radius, RADIUS)?,
+                status,
+            });
         }
         tracks.spots.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.number.cmp(&b.number)));
+        tracks.complete(vx.is_none() || vy.is_none(), heading.is_none());
         Ok(tracks)
+    }
+
+    /// Makes velocities of ways, and headings of velocities, where the table says none.
+    fn complete(&mut self, velocities: bool, headings: bool) {
+        let mut last: HashMap<u32, usize> = HashMap::new();
+        for at in 0..if velocities || headings { self.spots.len() } else { 0 } {
+            let before = last.insert(self.spots[at].number, at).map(|before| self.spots[before]);
+            let spot = &mut self.spots[at];
+            if velocities && let Some(before) = before {
+                spot.velocity = ((spot.place - before.place) / (spot.time - before.time).max(1e-6)).as_vec3();
+            }
+            if headings {
+                let moves = spot.velocity.truncate().length_squared() > 1e-6;
+                let stays = before.map_or(0.0, |before| before.heading);
+                spot.heading = if moves { spot.velocity.y.atan2(spot.velocity.x) } else { stays };
+            }
+        }
     }
 
     /// The moments, in order, with who of a group was where, by number.
@@ -111,6 +177,11 @@ impl Tracks {
             (spots[0].time, members.map(|spot| (spot.number, spot.place)).collect())
         })
     }
+}
+
+fn reader(path: &Path) -> Option<Reader> {
+    let extension = path.extension()?;
+    READERS.iter().find(|(ending, _)| extension.eq_ignore_ascii_case(ending)).map(|&(_, read)| read)
 }
 
 /// The records of a text of comma-separated values, with the lines on which they begin; empty lines are none.
@@ -201,19 +272,33 @@ mod tests {
     }
 
     #[test]
+    fn what_a_table_does_not_say_is_made_of_what_it_says() {
+        let tracks = Tracks::parse(b"number,time,x,y\n3,0,0,0\n3,0.5,0,1\n3,1,0,1\n").unwrap();
+        let said: Vec<_> = tracks.spots.iter().map(|spot| (spot.velocity, spot.heading)).collect();
+        let north = std::f32::consts::FRAC_PI_2;
+        assert_eq!(said, [(Vec3::ZERO, 0.0), (Vec3::Y * 2.0, north), (Vec3::ZERO, north)]);
+        assert_eq!((tracks.spots[0].radius, tracks.spots[0].status), (RADIUS, Status::Walking));
+        let tracks = Tracks::parse(b"number,time,x,y,status,radius\n3,0,0,0,arrived,0.3\n").unwrap();
+        assert_eq!((tracks.spots[0].radius, tracks.spots[0].status), (0.3, Status::Arrived));
+        assert!(Tracks::are_in("a/b.CSV") && !Tracks::are_in("a.toml") && !Tracks::are_in("csv"));
+    }
+
+    #[test]
     fn mistakes_are_named_with_their_lines() {
-        let wrong = |text: &str| Tracks::parse(text).unwrap_err();
+        let wrong = |text: &str| Tracks::parse(text.as_bytes()).unwrap_err();
         assert_eq!(wrong(""), (1, "it is empty".into()));
         assert_eq!(wrong("number,time,x\n"), (1, "there is no column `y`".into()));
         assert_eq!(wrong("number,time,x,y\r\n1,0,0\r\n"), (2, "3 fields, but 4 names".into()));
         assert_eq!(wrong("number,time,x,y\n\n1,0,0,0\n1,nan,0,0\n").0, 4);
         assert!(wrong("number,time,x,y\n-1,0,0,0\n").1.contains("`-1` is no number of an agent"));
         let text = "\u{feff}x , y,time,number,group\n1,2,3,4,\"a\nb\"\n5,6,1,4,c";
-        let tracks = Tracks::parse(text).unwrap();
+        let tracks = Tracks::parse(text.as_bytes()).unwrap();
         assert_eq!(tracks.groups, ["a\nb", "c"]);
         assert_eq!((tracks.spots[0].place, tracks.spots[0].group), (DVec3::new(5.0, 6.0, 0.0), 1));
         assert_eq!(wrong(&format!("{text},,,\n\"x\",1,1,1,1")).0, 5);
-        assert!(Tracks::parse("number,time,x,y\n\"").is_err());
+        assert!(Tracks::parse(b"number,time,x,y\n\"").is_err());
+        assert_eq!(Tracks::parse(b"number,time,x,y\n1,0,0,\xff\n"), Err((2, "it is no text".into())));
+        assert!(wrong("number,time,x,y,status\n1,0,0,0,lost\n").1.contains("`lost` is no status"));
         let missing = Tracks::read("no/such/file.csv").unwrap_err().to_string();
         assert!(missing.starts_with("cannot read no/such/file.csv: "), "{missing}");
     }

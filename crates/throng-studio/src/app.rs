@@ -3,6 +3,7 @@
 mod beside;
 mod directing;
 mod keeping;
+mod recording;
 mod sharing;
 mod telling;
 
@@ -12,6 +13,7 @@ use crate::keep::{Draft, Leaving, remember, remembered};
 use crate::keys::{self, Action};
 use crate::panels::{self, Asked, Gallery, Meters, Tuned, Tuning, Why};
 use crate::play::{Command, Player, Shown, Speed, Trouble};
+use crate::record::Recording;
 use crate::settings::Settings;
 use crate::Options;
 use crate::style;
@@ -32,8 +34,14 @@ pub struct App {
     why: Why,
     tuning: Tuning,
     director: Director,
-    save_as: panels::SaveAs,
+    save_as: panels::Naming,
+    open: panels::Naming,
     meters: Meters,
+    record: panels::Record,
+    /// What is being recorded, and where to.
+    recording: Option<(Recording, PathBuf)>,
+    /// The run that is still shown while a film is read.
+    reading: Option<u64>,
     /// Who explains itself.
     explained: Option<u32>,
     help: bool,
@@ -63,7 +71,12 @@ impl App {
         options.adjust(&mut settings)?;
         let wanted = options.scene.clone().unwrap_or_else(|| settings.scene.clone());
         let (document, notice, leaving) = keeping::begin(storage, &wanted, options.scene.is_some())?;
-        settings.scene = document.origin();
+        // a draft that comes back is looked at first
+        if notice.is_some() || leaving.is_some() || !crate::outside::is_film(&wanted) {
+            settings.scene = document.origin();
+        } else {
+            settings.scene = wanted;
+        }
         let mut app = Self {
             player: crate::outside::player(ctx)?,
             outside: crate::outside::Outside::new(&document),
@@ -74,8 +87,12 @@ impl App {
             why: Why::default(),
             tuning: Tuning::default(),
             director: Director::default(),
-            save_as: panels::SaveAs::default(),
+            save_as: panels::Naming::new("Save as", "Save", "name.toml"),
+            open: panels::Naming::new("Open", "Open", "a scene (.toml) or trajectories (.csv)"),
             meters: Meters::default(),
+            record: panels::Record::default(),
+            recording: None,
+            reading: None,
             explained: None,
             help: false,
             actions: Vec::new(),
@@ -92,11 +109,22 @@ impl App {
         let still = app.options.at_step;
         app.player.command(Command::Speed(app.settings.speed));
         app.put_beside();
-        app.play(still.is_none());
+        app.begin(still.is_none());
         if let Some(step) = still {
             app.player.command(Command::Seek(step));
         }
         Ok(app)
+    }
+
+    /// Plays what was opened: a film, or what the text says.
+    fn begin(&mut self, run: bool) {
+        if crate::outside::is_film(&self.settings.scene) {
+            self.director.take(Tool::Hand);
+            self.reading = Some(self.player.shown().map_or(0, |shown| shown.run));
+            self.player.command(Command::Replay { path: self.settings.scene.clone().into(), run });
+        } else {
+            self.play(run);
+        }
     }
 
     /// Plays what the text says.
@@ -149,10 +177,12 @@ impl App {
                 self.director.take(Tool::Hand);
                 self.meters.take_up(None);
             }
+            // what has happened is not directed
+            Action::Take(_) | Action::Remove if shown.is_some_and(|shown| shown.reel.is_some()) => {}
             Action::Take(tool) => self.director.take(tool),
             Action::Remove => self.remove(shown),
             Action::New => self.leave(Leaving::New),
-            Action::SaveAs => self.save_as.open(&self.document.name),
+            Action::SaveAs => self.save_as.open(&format!("{}.toml", self.document.name)),
             Action::Save => self.save(),
             Action::Undo | Action::Redo => {
                 let changed = if action == Action::Undo { self.document.undo() } else { self.document.redo() };
@@ -179,9 +209,11 @@ impl App {
             });
         }
         let plain = Frame::new().fill(frame.fill).inner_margin(Margin::symmetric(6, 8));
-        Panel::left("tools").frame(plain).show_separator_line(false).resizable(false).exact_size(40.0).show(ui, |ui| {
-            panels::tools(ui, &mut self.director);
-        });
+        let film = shown.is_some_and(|shown| shown.reel.is_some());
+        if !film {
+            let panel = Panel::left("tools").frame(plain).show_separator_line(false).resizable(false);
+            panel.exact_size(40.0).show(ui, |ui| panels::tools(ui, &mut self.director));
+        }
         if self.settings.panels.gallery {
             Panel::left("gallery").frame(frame).show_separator_line(false).min_size(234.0).default_size(242.0).show(
                 ui,
@@ -201,7 +233,7 @@ impl App {
                 }
             });
         }
-        if self.settings.panels.tuning {
+        if self.settings.panels.tuning && !film {
             Panel::right("tuning").frame(frame).show_separator_line(false).default_size(330.0).show(
                 ui,
                 |ui| match self.tuning.ui(ui, &mut self.document) {
@@ -242,6 +274,11 @@ impl App {
             if ui.button("New").on_hover_text("an empty scene (Ctrl N)").clicked() {
                 self.actions.push(Action::New);
             }
+            if cfg!(not(target_arch = "wasm32"))
+                && ui.button("Open…").on_hover_text("a scene file, or trajectories to replay").clicked()
+            {
+                self.open.open("");
+            }
             if ui.button("Save as…").clicked() {
                 self.actions.push(Action::SaveAs);
             }
@@ -253,6 +290,13 @@ impl App {
             ui.toggle_value(&mut self.help, "?");
             if ui.button("Picture").on_hover_text("a picture of the view, as a file").clicked() {
                 self.picture(self.place);
+            }
+            let record = match &self.recording {
+                Some((recording, _)) => format!("Recording {:.0} %", 100.0 * recording.share()),
+                None => "Record".into(),
+            };
+            if ui.button(record).on_hover_text("a film or a table of this scene, as a file").clicked() {
+                self.record.toggle();
             }
             if cfg!(target_arch = "wasm32")
                 && ui.button("Share").on_hover_text("an address that opens this scene as it is now").clicked()
@@ -291,6 +335,8 @@ impl eframe::App for App {
         }
         crate::outside::work(&mut self.player, &ctx);
         self.keep(&ctx);
+        let run = self.player.shown().map_or(0, |shown| shown.run);
+        self.reading = self.reading.filter(|before| *before == run && self.player.trouble().is_none());
         self.notice = self.news.1.try_iter().last().or(self.notice.take());
         let (shown, trouble): (Option<Arc<Shown>>, _) = (self.player.shown(), self.player.trouble());
         let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
@@ -317,6 +363,7 @@ impl eframe::App for App {
             let mut open = self.settings.panels.why;
             self.why.ui(&ctx, &mut open, shown, &self.settings);
             self.settings.panels.why = open;
+            self.record(&ctx, shown);
             self.tell(shown, trouble.as_ref());
             self.outside.screenshot(&ctx, &self.options, shown);
         }

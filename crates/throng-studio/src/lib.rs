@@ -9,6 +9,7 @@
 //! | [`view`] | cameras, and what is drawn by the graphics processor |
 //! | [`tune`] | what can be tuned: the schema of scene files, and what the scene says |
 //! | [`panels`] | what stands round the view |
+//! | [`record`] | films and tables of what is played |
 //! | [`picture`], [`share`] | what people take along |
 //! | [`start`] | command lines and addresses |
 //! | [`keys`], [`settings`], [`state`] | the keyboard; what is remembered; what tests read |
@@ -27,6 +28,7 @@ pub mod page;
 pub mod panels;
 pub mod picture;
 pub mod play;
+pub mod record;
 pub mod settings;
 pub mod share;
 pub mod start;

@@ -24,15 +24,19 @@ pub struct State {
     pub over: bool,
     /// The selected agent.
     pub selected: Option<u32>,
-    /// Whether the text has changes that are not saved.
-    pub unsaved: bool,
+    /// The scene's title.
+    pub title: String,
     /// What is wrong.
     pub trouble: Option<String>,
+    /// Whether the text has changes that are not saved.
+    pub unsaved: bool,
+    /// What people are asked before changes would be lost.
+    pub asks: Option<String>,
 }
 
 impl State {
-    /// Of a moment, where `trouble` is what is wrong.
-    pub fn new(shown: &Shown, selected: Option<u32>, unsaved: bool, trouble: Option<String>) -> Self {
+    /// Of a moment: nothing is selected, wrong, or unsaved.
+    pub fn new(shown: &Shown) -> Self {
         Self {
             scene: shown.name.to_string(),
             step: shown.step,
@@ -42,9 +46,11 @@ impl State {
             hash: format!("{:016x}", shown.hash),
             playing: shown.playing,
             over: shown.over,
-            selected,
-            unsaved,
-            trouble,
+            selected: None,
+            title: shown.setting.title.clone(),
+            trouble: None,
+            unsaved: false,
+            asks: None,
         }
     }
 

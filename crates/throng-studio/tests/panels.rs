@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use throng_scene::gallery;
 use throng_studio::document::Document;
-use throng_studio::panels::{self, Asked, Gallery, Tuned, Tuning};
+use throng_studio::panels::{self, Asked, Beside, Gallery, Record, Recorded, Tuned, Tuning};
 use throng_studio::play::{Command, Engine, Shown, Speed, Trouble};
 use throng_studio::settings::Settings;
 use throng_studio::view::{Coloring, Heat, Mode, View};
@@ -164,4 +164,36 @@ fn the_key_says_what_colours_mean() {
         };
         assert!(harness.query_by_label_contains(expected).is_some(), "{expected}");
     }
+}
+
+#[test]
+fn a_recording_is_asked_for_and_cancelled() {
+    let shown = shown(50);
+    let unused = |name: &str, ending: &str| std::path::PathBuf::from(format!("{name}{ending}"));
+    let (mut record, mut asked) = (Record::default(), Vec::new());
+    record.toggle();
+    for share in [None, Some(0.4)] {
+        let beside = Beside {
+            shown: &shown,
+            size: [640, 480],
+            corner: [1100.0, 40.0].into(),
+            camera: "plan",
+            share,
+            unused: &unused,
+        };
+        let mut harness = Harness::builder().with_size([1200.0, 700.0]).build_ui(|ui| {
+            asked.extend(record.ui(ui.ctx(), &beside));
+        });
+        harness.run();
+        if share.is_none() {
+            harness.get_by_label("now").click();
+            harness.run();
+            harness.get_by_role_and_label(eframe::egui::Role::Button, "Record").click();
+        } else {
+            harness.get_by_label("Cancel").click();
+        }
+        harness.run();
+    }
+    assert_eq!(asked, [Recorded::Begin, Recorded::Cancel]);
+    assert_eq!((record.wish.file.as_str(), record.wish.from), ("circle.mp4", shown.frame.time));
 }

@@ -6,9 +6,8 @@ use super::race::{Plan, Run};
 use super::{CompareArgs, sheet, table};
 use crate::failure::Failure;
 use crate::files::{self, distinct, is};
-use crate::pace::Pace;
-use crate::recorder::{Moment, Recorder};
 use std::path::PathBuf;
+use throng_draw::record::{Moment, Pace, Recorder};
 use throng_record::Output;
 
 /// A way to write the table.
@@ -50,7 +49,7 @@ impl Outputs {
                 films.push(Recorder::film(film.still(args.film.still())));
             }
         }
-        Ok(Self { paths, films, pages, tables, pace: Pace::new(args.film.speed_up / rate), last: None })
+        Ok(Self { paths, films, pages, tables, pace: Pace::new(0.0, args.film.speed_up / rate), last: None })
     }
 
     /// Whether the runs' moments are wanted, or only what comes of them.
@@ -88,7 +87,7 @@ impl Outputs {
     fn show(&mut self, runs: &[Run], time: f64, pictures: u64) -> Result<(), Failure> {
         let frames = runs.iter().map(|run| run.frame.clone()).collect();
         self.last = Some(time);
-        Recorder::push_all(&mut self.films, &Moment { frames, pictures, rows: false })
+        Ok(Recorder::push_all(&mut self.films, &Moment { frames, pictures, rows: false })?)
     }
 
     /// Completes all files; their names.

@@ -7,11 +7,15 @@ use throng_record::{Output, OutputError};
 
 /// Writes every picture as a file of its own: `frame_000000.png`, `frame_000001.png` and so on.
 ///
-/// Each file is complete when it appears. Files of these names from an earlier, longer film are removed at the end, so
+/// Each file is complete when it appears; dropped before the film is finished, it takes its pictures away again. Files of these names from an earlier, longer film are removed at the end, so
 /// that the folder holds one film.
 #[derive(Debug)]
 pub struct FolderSink {
     folder: PathBuf,
+    /// Whether the folder was not there before.
+    new: bool,
+    /// Whether the film is complete.
+    complete: bool,
     count: usize,
     size: SameSize,
 }
@@ -23,10 +27,11 @@ impl FolderSink {
     /// It cannot be created.
     pub fn create(folder: impl AsRef<Path>) -> Result<Self, Error> {
         let folder = folder.as_ref().to_path_buf();
-        if !folder.is_dir() {
+        let new = !folder.is_dir();
+        if new {
             std::fs::create_dir(&folder).map_err(|source| OutputError::new(&folder, source))?;
         }
-        Ok(Self { count: 0, size: SameSize::new(&folder), folder })
+        Ok(Self { new, complete: false, count: 0, size: SameSize::new(&folder), folder })
     }
 
     fn file(&self, index: usize) -> PathBuf {
@@ -42,8 +47,9 @@ impl FrameSink for FolderSink {
         encode(output, image, ::png::Compression::Fast)
     }
 
-    fn finish(self: Box<Self>) -> Result<(), Error> {
+    fn finish(mut self: Box<Self>) -> Result<(), Error> {
         self.size.known()?;
+        self.complete = true;
         for index in self.count.. {
             let stale = self.file(index);
             if !stale.is_file() {
@@ -52,5 +58,18 @@ impl FrameSink for FolderSink {
             std::fs::remove_file(&stale).map_err(|source| OutputError::new(&stale, source))?;
         }
         Ok(())
+    }
+}
+
+impl Drop for FolderSink {
+    /// An unfinished film leaves none of its pictures.
+    fn drop(&mut self) {
+        if !self.complete {
+            // what cannot be removed cannot be helped
+            (0..self.count).for_each(|index| drop(std::fs::remove_file(self.file(index))));
+            if self.new {
+                let _ = std::fs::remove_dir(&self.folder);
+            }
+        }
     }
 }

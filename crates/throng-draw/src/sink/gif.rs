@@ -42,9 +42,18 @@ impl GifSink {
     /// The folder is missing or cannot be written to, or the rate is no rate.
     pub fn create(path: impl AsRef<Path>, rate: f64) -> Result<Self, Error> {
         check_rate(rate)?;
-        let path = path.as_ref().to_path_buf();
+        Self::new(Output::create(path)?, rate)
+    }
+
+    /// Writes to `output`, at `rate` pictures a second.
+    ///
+    /// # Errors
+    /// The rate is no rate.
+    pub fn new(output: Output, rate: f64) -> Result<Self, Error> {
+        check_rate(rate)?;
+        let path = output.path().to_path_buf();
         Ok(Self {
-            output: Some(Output::create(&path)?),
+            output: Some(output),
             encoder: None,
             size: SameSize::new(&path),
             path,

@@ -1,5 +1,6 @@
 //! A moment in perspective: everything far to near, over a ground with a grid.
 
+mod chase;
 mod dart;
 mod ground;
 mod lens;
@@ -7,6 +8,7 @@ mod shell;
 mod solid;
 mod viewpoint;
 
+pub use chase::{Chase, Followed, Following, Sight};
 pub use lens::Lens;
 pub use viewpoint::Viewpoint;
 
@@ -61,8 +63,8 @@ impl Stage {
         room: (Vec2, Vec2),
     ) -> Self {
         let extent = Extent::of(view, setting, first);
-        let orbit = Orbit::new(&style.viewpoint, &extent, style.height, room);
-        let lens = orbit.lens(first.time);
+        let mut orbit = Orbit::new(&style.viewpoint, &extent, style.height, room);
+        let lens = orbit.turn(first);
         let theme = &style.theme;
         let height = extent.height.max(LEAST_HEIGHT);
         let holes = setting.walkable.iter().flat_map(|area| &area.holes);
@@ -90,14 +92,14 @@ impl Stage {
         growth(crowd.least, self.shown)
     }
 
-    /// Takes the eye to where it is at a time.
-    pub(crate) fn turn(&mut self, time: f64) {
-        self.lens = self.orbit.lens(time);
+    /// Takes the eye to where it is at a moment.
+    pub(crate) fn turn(&mut self, frame: &Frame) {
+        self.lens = self.orbit.turn(frame);
     }
 
     /// Pixels a metre in the middle of the picture.
     pub(crate) fn scale(&self) -> f64 {
-        self.lens.scale(self.orbit.target)
+        self.lens.scale(self.orbit.middle())
     }
 
     /// The width of the cells of the grid, metres.

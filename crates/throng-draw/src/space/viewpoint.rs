@@ -1,6 +1,6 @@
 //! Where the eye is, and where it looks.
 
-use super::Lens;
+use super::{Followed, Following, Lens, Sight};
 use crate::WorldBox;
 use glam::{DVec2, DVec3, Vec2};
 use throng_record::{Frame, Setting};
@@ -26,11 +26,13 @@ pub struct Viewpoint {
     pub field_of_view: f64,
     /// How fast the eye goes round its target, degrees a second, counter-clockwise from above.
     pub orbit: f64,
+    /// Whom it goes with instead of going round: it begins where it would be after a while, seen from [`eye`](Self::eye).
+    pub follow: Option<Following>,
 }
 
 impl Default for Viewpoint {
     fn default() -> Self {
-        Self { eye: None, target: None, field_of_view: 35.0, orbit: 0.0 }
+        Self { eye: None, target: None, field_of_view: 35.0, orbit: 0.0, follow: None }
     }
 }
 
@@ -91,6 +93,9 @@ pub(crate) struct Orbit {
     focal: f64,
     anchor: Vec2,
     reach: f64,
+    /// Whom it goes with; and from where it sees it, since when.
+    follow: Option<Following>,
+    sight: Option<(Sight, f64)>,
 }
 
 impl Orbit {
@@ -109,6 +114,8 @@ impl Orbit {
             focal,
             anchor: (low + high) * 0.5,
             reach: extent.reach(),
+            follow: viewpoint.follow,
+            sight: None,
         };
         if let Some(eye) = viewpoint.eye {
             orbit.from = eye - orbit.target;
@@ -133,13 +140,36 @@ impl Orbit {
         orbit
     }
 
+    /// What is in the middle of the picture.
+    pub(crate) fn middle(&self) -> DVec3 {
+        self.sight.map_or(self.target, |(sight, _)| sight.target)
+    }
+
     /// Whether the eye moves.
     pub(crate) fn moves(&self) -> bool {
-        self.rate != 0.0
+        self.rate != 0.0 || self.follow.is_some()
+    }
+
+    /// Lets the eye go where it goes by the time of a frame.
+    pub(crate) fn turn(&mut self, frame: &Frame) -> Lens {
+        if let Some(follow) = self.follow
+            && let Ok(at) = frame.bodies.binary_search_by_key(&follow.number, |body| body.number)
+        {
+            let followed = Followed::from(&frame.bodies[at]);
+            let from = self.sight.map_or(self.target + self.from, |(sight, _)| sight.eye);
+            let wanted = follow.chase.sight(&followed, follow.aside, from);
+            let (sight, since) = self.sight.get_or_insert((wanted, frame.time));
+            sight.approach(wanted, frame.time - *since);
+            *since = frame.time;
+        }
+        self.lens(frame.time)
     }
 
     /// The eye at a time.
-    pub(crate) fn lens(&self, time: f64) -> Lens {
+    fn lens(&self, time: f64) -> Lens {
+        if let Some((Sight { eye, target }, _)) = self.sight {
+            return Lens::new(eye, target, self.focal, self.anchor, self.reach);
+        }
         let turn = DVec2::from_angle(self.rate * time);
         let eye = self.target + turn.rotate(self.from.truncate()).extend(self.from.z);
         Lens::new(eye, self.target, self.focal, self.anchor, self.reach)

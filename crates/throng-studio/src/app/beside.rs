@@ -57,7 +57,7 @@ impl App {
         if ui.input(|input| input.multi_touch().is_some()) {
             // what the first finger has begun is not what the two do
             self.director.cancel();
-        } else if self.meters.tool().is_none() {
+        } else if self.meters.tool().is_none() && shown.reel.is_none() {
             self.direct(ui, response, shown);
         }
         let asked = self.meters.ui(ui, response, &self.views[0].eye);

@@ -2,6 +2,7 @@
 
 use super::{App, frame_of};
 use crate::direct::{Sight, Stage};
+use crate::keep::Leaving;
 use crate::panels;
 use crate::play::Shown;
 use eframe::egui::{self, Context, Ui};
@@ -42,8 +43,16 @@ impl App {
         }
     }
 
-    /// Saves under another name, once it is said.
+    /// Saves under another name, or opens a file, once it is said.
     pub(super) fn ask_name(&mut self, ctx: &Context) {
+        if let Some(name) = self.open.ui(ctx) {
+            let opened = crate::outside::open(&name).map(|_| ());
+            let good = opened.is_ok();
+            self.open.answer(opened);
+            if good {
+                self.leave(Leaving::Open(name));
+            }
+        }
         if let Some(name) = self.save_as.ui(ctx) {
             let saved = self.outside.save_as(&mut self.document, &name);
             if saved.is_ok() {

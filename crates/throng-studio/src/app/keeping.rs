@@ -47,7 +47,7 @@ impl App {
                 Ok(document) => {
                     self.show(document);
                     self.settings.scene = scene;
-                    self.play(true);
+                    self.begin(true);
                 }
                 Err(says) => self.notice = Some(says),
             },

@@ -10,7 +10,8 @@ impl App {
     pub(super) fn said(&mut self, ui: &mut Ui, trouble: Option<&Trouble>) {
         let wrong = self.wrong(trouble);
         let color = if wrong.is_some() { ui.visuals().error_fg_color } else { ui.visuals().hyperlink_color };
-        let Some(says) = wrong.or_else(|| self.notice.clone()) else { return };
+        let reading = || self.reading.map(|_| format!("reading {} …", self.settings.scene));
+        let Some(says) = wrong.or_else(reading).or_else(|| self.notice.clone()) else { return };
         let line = RichText::new(says.lines().next().unwrap_or_default()).color(color);
         if ui.add(Label::new(line).truncate().sense(Sense::click())).on_hover_text(&says).clicked() {
             self.notice = None;
@@ -34,7 +35,14 @@ impl App {
     }
 
     pub(super) fn tell(&mut self, shown: &Shown, trouble: Option<&Trouble>) {
-        let told = State::new(shown, self.views[0].selected, self.document.changed(), self.wrong(trouble)).json();
+        let state = State {
+            selected: self.views[0].selected,
+            trouble: self.wrong(trouble),
+            unsaved: self.document.changed(),
+            asks: self.leaving.as_ref().map(|to| to.says(&self.document.name)),
+            ..State::new(shown)
+        };
+        let told = state.json();
         if told != self.told {
             crate::outside::tell(&self.options, &told);
             self.told = told;

@@ -3,13 +3,15 @@
 use crate::Options;
 use crate::document::{Document, Watched};
 use crate::play::{Player, Shown, Threaded};
+use crate::record::{Recording, Subject, Take};
 use eframe::egui::{Context, ViewportCommand};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
+use throng_draw::record::{Plan, Recorder};
 use throng_scene::gallery;
 
-/// A name of the gallery or a file, as a document.
+/// A name of the gallery or a file, as a document: that of a film is of the scene it has the place of, as far as that is known.
 ///
 /// # Errors
 /// It is neither; what to do about it.
@@ -18,11 +20,23 @@ pub fn open(scene: &str) -> Result<Document, String> {
         return Ok(document);
     }
     let path = Path::new(scene);
+    if is_film(scene) {
+        let beside = path.with_extension("toml");
+        let stem = path.file_stem().map(|stem| stem.to_string_lossy());
+        let place = if beside.is_file() { open(&beside.display().to_string()).ok() } else { None };
+        let place = place.or_else(|| Document::gallery(&stem?));
+        return Ok(place.unwrap_or_else(Document::empty));
+    }
     if path.exists() {
         let text = std::fs::read_to_string(path).map_err(|error| format!("{scene} cannot be read: {error}"))?;
         return Ok(Document::of_file(path, text));
     }
     Err(gallery::scene(scene).err().map_or_else(String::new, |error| error.to_string()))
+}
+
+/// Whether it is a file of trajectories, to be replayed.
+pub fn is_film(scene: &str) -> bool {
+    throng_record::Tracks::are_in(scene) && Path::new(scene).is_file()
 }
 
 /// A player that wakes the window.
@@ -78,7 +92,7 @@ impl Outside {
     /// # Errors
     /// It cannot be written.
     pub fn save(&mut self, document: &mut Document) -> Result<(), String> {
-        let path = document.path.clone().unwrap_or_else(|| unused(&document.name, "toml"));
+        let path = document.path.clone().unwrap_or_else(|| unused(&document.name, ".toml"));
         write(&path, document.text().as_bytes())?;
         document.path = Some(path.clone());
         document.mark_saved();
@@ -124,10 +138,40 @@ impl Outside {
     }
 }
 
-/// A file of a name that there is not yet: `name.kind`, or else `name-2.kind` and so on.
-fn unused(name: &str, kind: &str) -> PathBuf {
-    let numbered = (2..).map(|k| PathBuf::from(format!("{name}-{k}.{kind}")));
-    let mut paths = std::iter::once(PathBuf::from(format!("{name}.{kind}"))).chain(numbered);
+/// Begins to record.
+///
+/// # Errors
+/// The system starts no thread.
+pub fn record(subject: Subject, take: Take, ctx: &Context) -> Result<Recording, String> {
+    let ctx = ctx.clone();
+    Recording::start(subject, take, begin, move || ctx.request_repaint())
+}
+
+/// Begins the file of a recording, which may not be there yet.
+fn begin(path: &Path, plan: &Plan) -> Result<Recorder, String> {
+    if path.exists() {
+        return Err(format!("there is {} already: choose another name", path.display()));
+    }
+    Recorder::create(path, plan).map_err(|error| error.to_string())
+}
+
+/// Whether the recording is done.
+///
+/// # Errors
+/// There will be none; why.
+pub fn go_on(recording: &mut Recording, _: &Context) -> Result<bool, String> {
+    recording.done()
+}
+
+/// What there is to say of a recording that is done.
+pub fn recorded(path: &Path) -> String {
+    format!("recorded: {}", std::path::absolute(path).unwrap_or_else(|_| path.into()).display())
+}
+
+/// A file of a name that there is not yet, where `ending` is `.mp4` or the like: of the name, or else `name-2` and so on.
+pub fn unused(name: &str, ending: &str) -> PathBuf {
+    let numbered = (2..).map(|k| PathBuf::from(format!("{name}-{k}{ending}")));
+    let mut paths = std::iter::once(PathBuf::from(format!("{name}{ending}"))).chain(numbered);
     paths.find(|path| !path.exists()).unwrap_or_default()
 }
 
@@ -144,7 +188,7 @@ pub fn tell(options: &Options, state: &str) {
 /// # Errors
 /// It cannot be written.
 pub fn hand_over(name: &str, kind: &str, bytes: &[u8]) -> Result<String, String> {
-    let path = unused(name, kind);
+    let path = unused(name, &format!(".{kind}"));
     write(&path, bytes)?;
     Ok(format!("saved: {}", path.display()))
 }

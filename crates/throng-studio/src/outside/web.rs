@@ -3,9 +3,13 @@
 use crate::Options;
 use crate::document::Document;
 use crate::play::{Player, Shown};
+use crate::record::{Recording, Subject, Take};
 use eframe::egui::Context;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
+use throng_draw::record::{Plan, Recorder};
+use throng_record::Output;
 use throng_scene::gallery;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -20,6 +24,11 @@ pub fn open(scene: &str) -> Result<Document, String> {
     crate::share::open(scene)
         .or_else(|| Document::gallery(scene))
         .ok_or_else(|| gallery::scene(scene).err().map_or_else(String::new, |error| error.to_string()))
+}
+
+/// A page has no files.
+pub fn is_film(_: &str) -> bool {
+    false
 }
 
 /// A player that works while the page draws.
@@ -92,6 +101,41 @@ pub fn tell(_: &Options, state: &str) {
         // a page whose global object is frozen has no tests
         let _ = js_sys::Reflect::set(&js_sys::global(), &JsValue::from_str("throng"), &value);
     }
+}
+
+/// Begins to record.
+///
+/// # Errors
+/// The scene cannot be built.
+pub fn record(subject: Subject, take: Take, _: &Context) -> Result<Recording, String> {
+    Recording::new(&subject, &take, begin)
+}
+
+/// Begins the file of a recording, which is downloaded when it is complete.
+fn begin(path: &Path, plan: &Plan) -> Result<Recorder, String> {
+    let hand = |path: &Path, bytes: Vec<u8>| {
+        download(&path.display().to_string(), &bytes).map_err(|error| std::io::Error::other(format!("{error:?}")))
+    };
+    Recorder::to(Output::handed(path, hand), plan).map_err(|error| error.to_string())
+}
+
+/// Gives the recording its slice; whether it is done.
+///
+/// # Errors
+/// There will be none; why.
+pub fn go_on(recording: &mut Recording, ctx: &Context) -> Result<bool, String> {
+    ctx.request_repaint();
+    recording.work(SLICE)
+}
+
+/// What there is to say of a recording that is done.
+pub fn recorded(path: &Path) -> String {
+    format!("downloaded: {}", path.display())
+}
+
+/// Browsers find a name that there is not yet.
+pub fn unused(name: &str, ending: &str) -> PathBuf {
+    PathBuf::from(format!("{name}{ending}"))
 }
 
 /// Downloads a file; what there is to say of it.

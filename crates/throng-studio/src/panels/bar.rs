@@ -30,11 +30,9 @@ pub fn bar(ui: &mut Ui, shown: &Shown, settings: &mut Settings, view: &mut View)
         timeline(ui, shown, &mut asked);
         ui.separator();
         speeds(ui, settings, &mut asked);
-        let mut seed = shown.seed;
-        let label = ui.label("seed");
-        let field = DragValue::new(&mut seed).range(0..=i64::MAX as u64).update_while_editing(false);
-        if ui.add(field).labelled_by(label.id).on_hover_text("of everything random").changed() {
-            asked.push(Command::Seed(seed));
+        match &shown.reel {
+            Some(_) => _ = ui.label("replay").on_hover_text("of a file: what has happened"),
+            None => seed(ui, shown, &mut asked),
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| looks(ui, settings, view));
     });
@@ -53,6 +51,15 @@ fn timeline(ui: &mut Ui, shown: &Shown, asked: &mut Vec<Command>) {
     named(&slider, Role::Slider, "step");
     if slider.on_hover_text(format!("step {} of at most {last}", shown.step)).changed() {
         asked.push(Command::Seek(step));
+    }
+}
+
+fn seed(ui: &mut Ui, shown: &Shown, asked: &mut Vec<Command>) {
+    let mut seed = shown.seed;
+    let label = ui.label("seed");
+    let field = DragValue::new(&mut seed).range(0..=i64::MAX as u64).update_while_editing(false);
+    if ui.add(field).labelled_by(label.id).on_hover_text("of everything random").changed() {
+        asked.push(Command::Seed(seed));
     }
 }
 

@@ -22,7 +22,9 @@ pub fn plots(ui: &mut Ui, shown: &Shown, meters: &mut Meters) -> Option<Command>
         for (index, gauge) in shown.series.gauges().iter().enumerate() {
             metered(ui, shown, index, gauge);
         }
-        for (index, quantity) in Quantity::ALL.into_iter().enumerate() {
+        // a film does not say what the guard did
+        let known = |quantity: &Quantity| shown.reel.is_none() || *quantity != Quantity::Guarded;
+        for (index, quantity) in Quantity::ALL.into_iter().enumerate().filter(|(_, quantity)| known(quantity)) {
             let value = |sample: &crate::play::Sample| [sample.time, f64::from(sample.values[index])];
             let points: Vec<_> = shown.series.samples().iter().map(value).collect();
             let now = points.last().map_or(f64::NAN, |&[_, value]| value);

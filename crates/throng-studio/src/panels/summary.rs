@@ -33,9 +33,14 @@ pub fn summary(ui: &mut Ui, shown: &Shown) {
         ),
         ("heading change", format!("{:.1} °/s", summary.heading_change_deg_per_s), "mean turning of headings"),
     ];
-    figures(ui, "figures", rows.into_iter());
+    // of a film nobody knows more than how many there were
+    let known = if shown.reel.is_some() { 2 } else { rows.len() };
+    figures(ui, "figures", rows.into_iter().take(known));
     if !shown.frame.standing.is_empty() {
         ui.label(&shown.frame.standing);
+    }
+    if shown.reel.is_some() {
+        return;
     }
     ui.add_space(8.0);
     ui.label(RichText::new("Steps").strong());

@@ -2,8 +2,10 @@
 
 use super::meter::Meter;
 use super::pace::{Pace, Speed};
+use super::reel::Reel;
 use super::run::Run;
 use super::shown::{Shown, Trouble};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 use throng_scene::{Model, Scene};
@@ -27,6 +29,13 @@ pub enum Command {
         name: Arc<str>,
         /// The scene.
         scene: Arc<Scene>,
+    },
+    /// Replays a file of trajectories from its start, paused or not; if it cannot be read, what was there before goes on.
+    Replay {
+        /// The file.
+        path: PathBuf,
+        /// Whether it begins to run.
+        run: bool,
     },
     /// Goes on; after the end, from the start.
     Run,
@@ -91,6 +100,10 @@ impl Engine {
     pub fn command(&mut self, command: Command) {
         match command {
             Command::Load { name, scene, run } => self.load(name, scene, run),
+            Command::Replay { path, run } => match Reel::open(&path) {
+                Ok(reel) => self.begin(Run::replay(Arc::new(reel), &self.meters), run),
+                Err(says) => self.trouble = Some(Trouble::Film(says)),
+            },
             Command::Change { name, scene } => self.change(name, scene),
             Command::Run if self.over() => {
                 self.restart(None);
@@ -106,13 +119,13 @@ impl Engine {
             Command::Speed(speed) => self.pace = Pace::new(speed, Instant::now()),
             Command::Meters(meters) => {
                 if let Some(run) = &mut self.run {
-                    Arc::make_mut(&mut run.series).meter(&run.world, &meters);
+                    Arc::make_mut(&mut run.series).meter(&run.stage.observe(), &meters);
                 }
                 self.meters = meters;
             }
             Command::Explain(number) => {
                 self.explained = number;
-                self.run.iter_mut().chain(&mut self.beside).for_each(|run| run.explain(number));
+                self.run.iter_mut().chain(&mut self.beside).for_each(|run| run.stage.explain(number));
             }
             Command::Beside(model) => {
                 self.model = model;
@@ -123,14 +136,16 @@ impl Engine {
 
     fn load(&mut self, name: Arc<str>, scene: Arc<Scene>, go: bool) {
         match Run::new(name, scene, &self.meters) {
-            Ok(mut run) => {
-                run.explain(self.explained);
-                self.runs += 1;
-                (self.run, self.trouble, self.goal, self.playing) = (Some(run), None, None, go);
-                self.put_beside();
-            }
+            Ok(run) => self.begin(run, go),
             Err(trouble) => self.trouble = Some(trouble),
         }
+    }
+
+    fn begin(&mut self, mut run: Run, go: bool) {
+        run.stage.explain(self.explained);
+        self.runs += 1;
+        (self.run, self.trouble, self.goal, self.playing) = (Some(run), None, None, go);
+        self.put_beside();
     }
 
     fn change(&mut self, name: Arc<str>, scene: Arc<Scene>) {
@@ -149,10 +164,13 @@ impl Engine {
     fn put_beside(&mut self) {
         self.beside = None;
         let (Some(run), Some(model)) = (&self.run, &self.model) else { return };
+        if run.stage.reel().is_some() {
+            return;
+        }
         let scene = run.scene.with_model(model).map_err(|error| Trouble::Scene(Box::new(error)));
         match scene.and_then(|scene| Run::new(run.name.clone(), Arc::new(scene), &self.meters)) {
             Ok(mut beside) => {
-                beside.explain(self.explained);
+                beside.stage.explain(self.explained);
                 self.beside = Some(beside);
             }
             Err(trouble) => self.trouble = Some(trouble),
@@ -161,6 +179,9 @@ impl Engine {
 
     fn restart(&mut self, seed: Option<u64>) {
         let Some(run) = &self.run else { return };
+        if let Some(reel) = run.stage.reel() {
+            return self.begin(Run::replay(reel, &self.meters), self.playing);
+        }
         let mut scene = run.scene.clone();
         if let Some(seed) = seed.filter(|seed| *seed != scene.seed) {
             Arc::make_mut(&mut scene).seed = seed;
@@ -171,18 +192,18 @@ impl Engine {
     fn seek(&mut self, step: u64) {
         self.playing = false;
         self.goal = Some(step);
-        for run in self.run.iter_mut().chain(&mut self.beside).filter(|run| step < run.world.steps()) {
+        for run in self.run.iter_mut().chain(&mut self.beside).filter(|run| step < run.stage.steps()) {
             run.back_to(step);
             self.trouble = None;
         }
     }
 
     fn step(&self) -> u64 {
-        self.run.as_ref().map_or(0, |run| run.world.steps())
+        self.run.as_ref().map_or(0, |run| run.stage.steps())
     }
 
     fn over(&self) -> bool {
-        self.run.is_some() && self.run.iter().chain(&self.beside).all(Run::over)
+        self.run.is_some() && self.run.iter().chain(&self.beside).all(|run| run.stage.over())
     }
 
     /// Makes the steps that are due, for as long as `budget` at most, or until one more is made than fits; whether there is
@@ -199,13 +220,13 @@ impl Engine {
                 return true;
             }
             made += 1;
-            let step = run.world.steps();
+            let step = run.stage.steps();
             // on the way to a step only the last two are looked at
             if self.goal.is_none_or(|goal| step + 1 >= goal) {
                 run.see();
             }
         }
-        for run in self.run.iter_mut().chain(&mut self.beside).filter(|run| run.frame.time != run.world.time()) {
+        for run in self.run.iter_mut().chain(&mut self.beside).filter(|run| run.frame.time != run.stage.time()) {
             run.see();
         }
         let (over, lags) = (self.over(), self.lags());
@@ -220,7 +241,8 @@ impl Engine {
             }
         };
         run.cost.usage = if self.playing { usage } else { 0.0 };
-        let arrived = !lags && self.goal.is_some_and(|goal| run.world.steps() >= goal);
+        let last = run.stage.reel().is_some() && run.stage.over();
+        let arrived = !lags && self.goal.is_some_and(|goal| last || run.stage.steps() >= goal);
         if arrived {
             self.goal = None;
         }
@@ -233,7 +255,7 @@ impl Engine {
 
     /// Whether what is beside is behind.
     fn lags(&self) -> bool {
-        self.beside.as_ref().is_some_and(|beside| beside.world.steps() < self.step())
+        self.beside.as_ref().is_some_and(|beside| beside.stage.steps() < self.step())
     }
 
     /// Whether a step is to be made now.
@@ -241,7 +263,8 @@ impl Engine {
         let over = self.over();
         let Some(run) = &self.run else { return false };
         match self.goal {
-            Some(goal) => run.world.steps() < goal,
+            // a film ends
+            Some(goal) => run.stage.steps() < goal && !(run.stage.over() && run.stage.reel().is_some()),
             None => self.playing && !over && self.pace.take(run.scene.time.step),
         }
     }
@@ -275,16 +298,17 @@ impl Engine {
             run: runs,
             frame: run.frame.clone(),
             before: run.before.clone(),
-            step: run.world.steps(),
+            step: run.stage.steps(),
             seed: run.scene.seed,
             playing,
-            over: run.over(),
+            over: run.stage.over(),
             cost: run.cost,
             series: run.series.clone(),
-            summary: run.summary(!playing),
-            explanation: run.explanation(!playing),
-            hash: run.world.state_hash(),
-            kept: run.history.bytes(),
+            summary: run.stage.summary(!playing),
+            explanation: run.stage.explanation(!playing, run.cost.step),
+            hash: run.stage.hash(),
+            kept: run.stage.kept(),
+            reel: run.stage.reel(),
             pace,
             beside,
         }

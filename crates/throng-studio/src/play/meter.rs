@@ -1,7 +1,7 @@
 //! Meters that people put on the ground: flow through a line, density in a rectangle.
 
+use super::observed::Observed;
 use glam::{DVec2, Vec2};
-use throng::World;
 
 /// Seconds over which a flow is taken.
 const WINDOW: f64 = 5.0;
@@ -33,7 +33,7 @@ impl Meter {
 #[derive(Clone, Debug)]
 pub struct Gauge {
     meter: Meter,
-    /// Where those near the line were a step ago, relative to the world's origin, by number.
+    /// Where those near the line were a step ago, relative to [`Observed::origin`], by number.
     before: Vec<(u32, Vec2)>,
     /// How many had crossed in all after each step at which somebody did: step, time, count.
     crossings: Vec<(u64, f64, u32)>,
@@ -43,10 +43,10 @@ pub struct Gauge {
 
 impl Gauge {
     /// A meter that is put up now.
-    pub(super) fn new(meter: Meter, world: &World) -> Self {
+    pub(super) fn new(meter: Meter, now: &Observed) -> Self {
         let mut gauge = Self { meter, before: Vec::new(), crossings: Vec::new(), densities: Vec::new() };
-        gauge.crossings.push((world.steps(), world.time(), 0));
-        gauge.remember(world);
+        gauge.crossings.push((now.step, now.time, 0));
+        gauge.remember(now);
         gauge
     }
 
@@ -81,18 +81,18 @@ impl Gauge {
         self.densities.iter().map(|&(_, time, density)| [time, density])
     }
 
-    /// Looks at the world after a step.
-    pub(super) fn see(&mut self, world: &World) {
+    /// Looks at everybody after a step.
+    pub(super) fn see(&mut self, now: &Observed) {
         let Meter::Line(ends) = self.meter else { return };
-        let [a, b] = ends.map(|end| (end - world.settings().origin).as_vec2());
-        let near = near(world, [a, b]);
-        let crosses = |&&(number, now): &&(u32, Vec2)| {
+        let [a, b] = ends.map(|end| (end - now.origin).as_vec2());
+        let near = near(now, [a, b]);
+        let crosses = |&&(number, at): &&(u32, Vec2)| {
             let known = self.before.binary_search_by_key(&number, |(number, _)| *number);
-            known.is_ok_and(|at| cross([self.before[at].1, now], [a, b]))
+            known.is_ok_and(|before| cross([self.before[before].1, at], [a, b]))
         };
         let crossed = near.iter().filter(crosses).count() as u32;
         if crossed > 0 {
-            self.crossings.push((world.steps(), world.time(), self.count() + crossed));
+            self.crossings.push((now.step, now.time, self.count() + crossed));
         }
         if self.crossings.len() > MOST {
             // the first and the last stay: counts in between become coarser
@@ -106,24 +106,24 @@ impl Gauge {
     }
 
     /// Takes a sample of what is not counted at every step.
-    pub(super) fn sample(&mut self, world: &World) {
+    pub(super) fn sample(&mut self, now: &Observed) {
         let Meter::Area(corners) = self.meter else { return };
-        let [a, b] = corners.map(|corner| (corner - world.settings().origin).as_vec2());
+        let [a, b] = corners.map(|corner| (corner - now.origin).as_vec2());
         let (low, high) = (a.min(b), a.max(b));
         let inside = |at: &&Vec2| at.cmpge(low).all() && at.cmple(high).all();
-        let count = world.agents().position.iter().filter(inside).count();
-        self.densities.push((world.steps(), world.time(), count as f64 / self.meter.extent()));
+        let count = now.beings.iter().map(|being| &being.position).filter(inside).count();
+        self.densities.push((now.step, now.time, count as f64 / self.meter.extent()));
     }
 
-    /// The run has gone back to where the world is now.
-    pub(super) fn back(&mut self, world: &World) {
-        let step = world.steps();
+    /// The run has gone back to where everybody is now.
+    pub(super) fn back(&mut self, now: &Observed) {
+        let step = now.step;
         self.crossings.truncate(self.crossings.partition_point(|&(at, ..)| at <= step));
         self.densities.truncate(self.densities.partition_point(|&(at, ..)| at <= step));
         if self.crossings.is_empty() {
-            self.crossings.push((step, world.time(), 0));
+            self.crossings.push((step, now.time, 0));
         }
-        self.remember(world);
+        self.remember(now);
     }
 
     /// Keeps the samples of every so many steps.
@@ -131,19 +131,18 @@ impl Gauge {
         self.densities.retain(|(step, ..)| step.is_multiple_of(stride));
     }
 
-    fn remember(&mut self, world: &World) {
+    fn remember(&mut self, now: &Observed) {
         if let Meter::Line(ends) = self.meter {
-            self.before = near(world, ends.map(|end| (end - world.settings().origin).as_vec2()));
+            self.before = near(now, ends.map(|end| (end - now.origin).as_vec2()));
         }
     }
 }
 
 /// Who is so near to a line that a step may lead across it, by number.
-fn near(world: &World, [a, b]: [Vec2; 2]) -> Vec<(u32, Vec2)> {
+fn near(now: &Observed, [a, b]: [Vec2; 2]) -> Vec<(u32, Vec2)> {
     let (low, high) = (a.min(b) - FARTHEST, a.max(b) + FARTHEST);
-    let agents = world.agents();
-    let rows = (0..agents.len()).map(|row| (agents.number[row], agents.position[row]));
-    let mut near: Vec<(u32, Vec2)> = rows.filter(|(_, at)| at.cmpge(low).all() && at.cmple(high).all()).collect();
+    let beings = now.beings.iter().map(|being| (being.number, being.position));
+    let mut near: Vec<(u32, Vec2)> = beings.filter(|(_, at)| at.cmpge(low).all() && at.cmple(high).all()).collect();
     near.sort_unstable_by_key(|(number, _)| *number);
     near
 }
@@ -163,14 +162,14 @@ mod tests {
     fn everybody_who_comes_through_is_counted_once() {
         let (mut world, _) = gallery::scene("headon").unwrap().build().unwrap();
         let x = DVec2::new(0.0, 50.0);
-        let mut gauge = Gauge::new(Meter::Line([-x, x]), &world);
-        let mut area = Gauge::new(Meter::Area([-DVec2::splat(50.0), DVec2::splat(50.0)]), &world);
-        area.sample(&world);
+        let mut gauge = Gauge::new(Meter::Line([-x, x]), &(&world).into());
+        let mut area = Gauge::new(Meter::Area([-DVec2::splat(50.0), DVec2::splat(50.0)]), &(&world).into());
+        area.sample(&(&world).into());
         assert_eq!(area.densities().next().map(|[_, density]| density), Some(world.agents().len() as f64 / 1e4));
         let mut saved = None;
         while !world.finished() && world.steps() < 1000 {
             world.step();
-            gauge.see(&world);
+            gauge.see(&(&world).into());
             if gauge.count() == 0 {
                 saved = Some(world.save());
             }
@@ -178,14 +177,14 @@ mod tests {
         assert_eq!(gauge.count() as usize, world.agents().len());
         assert_eq!(gauge.flow(world.time() + 60.0), 0.0);
         world.load(&saved.unwrap()).unwrap();
-        gauge.back(&world);
+        gauge.back(&(&world).into());
         assert_eq!(gauge.count(), 0);
     }
 
     #[test]
     fn only_who_is_near_is_remembered() {
         let (world, _) = gallery::scene("ring-1000").unwrap().build().unwrap();
-        let gauge = Gauge::new(Meter::Line([DVec2::new(100.0, -1.0), DVec2::new(110.0, 1.0)]), &world);
+        let gauge = Gauge::new(Meter::Line([DVec2::new(100.0, -1.0), DVec2::new(110.0, 1.0)]), &Observed::from(&world));
         // a ring of 103.5 m, 0.65 m for each
         assert!((20..60).contains(&gauge.before.len()), "{}", gauge.before.len());
         assert!(gauge.before.is_sorted_by_key(|(number, _)| *number));

@@ -1,7 +1,7 @@
-//! What is measured of a world, now and then.
+//! What is measured of a run, now and then.
 
+use super::observed::Observed;
 use std::collections::HashMap;
-use throng::{Status, World};
 
 /// A figure of a moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,26 +58,23 @@ impl Quantity {
     }
 }
 
-/// The figures of a world now, where `before` is how far everybody had turned a step ago.
-pub(super) fn measure(world: &World, before: &[(u32, f64)]) -> [f32; Quantity::ALL.len()] {
-    let agents = world.agents();
-    let walking = || (0..agents.len()).filter(|&row| agents.status[row] == Status::Walking);
+/// The figures of a moment, where `before` is how far everybody had turned a step ago.
+pub(super) fn measure(now: &Observed, before: &[(u32, f64)]) -> [f32; Quantity::ALL.len()] {
+    let walking = || now.beings.iter().filter(|being| being.walking);
     let before: HashMap<u32, f64> = before.iter().copied().collect();
-    let turns = walking().filter_map(|row| Some(agents.trip(row).turned - before.get(&agents.number[row])?));
-    let summary = world.summary();
+    let turns = walking().filter_map(|being| Some(being.turned - before.get(&being.number)?));
     Quantity::ALL.map(|quantity| match quantity {
-        Quantity::Arrived => summary.arrived as f32,
-        Quantity::Separation => least_separation(world),
-        Quantity::Speed => mean(walking().map(|row| f64::from(agents.speed(row)))),
-        Quantity::Turning => mean(turns.clone()).to_degrees() / world.settings().step as f32,
-        Quantity::Guarded => 100.0 * summary.guard_share as f32,
+        Quantity::Arrived => now.arrived as f32,
+        Quantity::Separation => least_separation(now),
+        Quantity::Speed => mean(walking().map(|being| f64::from(being.speed))),
+        Quantity::Turning => mean(turns.clone()).to_degrees() / now.period as f32,
+        Quantity::Guarded => 100.0 * now.guarded as f32,
     })
 }
 
 /// How far everybody has turned so far, by number.
-pub(super) fn turned(world: &World) -> impl Iterator<Item = (u32, f64)> {
-    let agents = world.agents();
-    (0..agents.len()).map(|row| (agents.number[row], agents.trip(row).turned))
+pub(super) fn turned(now: &Observed) -> impl Iterator<Item = (u32, f64)> {
+    now.beings.iter().map(|being| (being.number, being.turned))
 }
 
 /// Not a number for none.
@@ -88,11 +85,9 @@ fn mean(values: impl Iterator<Item = f64>) -> f32 {
 
 /// The least distance of two centres over the sum of their radii: along x, only those are looked at who can be nearer than the
 /// nearest so far.
-fn least_separation(world: &World) -> f32 {
-    let agents = world.agents();
-    let center = |row: usize| agents.position[row].extend(agents.altitude[row]);
+fn least_separation(now: &Observed) -> f32 {
     let mut all: Vec<(glam::Vec3, f32)> =
-        (0..agents.len()).map(|row| (center(row), agents.body(row).bound())).collect();
+        now.beings.iter().map(|being| (being.position.extend(being.altitude), being.radius)).collect();
     all.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));
     let largest = all.iter().map(|&(_, radius)| radius).fold(0.0, f32::max);
     let mut least = f32::INFINITY;

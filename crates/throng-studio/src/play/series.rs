@@ -1,9 +1,9 @@
 //! Figures of a run against its time.
 
 use super::meter::{Gauge, Meter};
+use super::observed::Observed;
 use super::quantity::{Quantity, measure, turned};
 use std::sync::Arc;
-use throng::World;
 
 /// So many samples at most: enough for a plot as wide as a screen.
 const MOST: usize = 1000;
@@ -34,12 +34,12 @@ pub struct Series {
 }
 
 impl Series {
-    /// Of a world at its start, with nothing but meters for now.
-    pub fn new(world: &World, meters: &Arc<[Meter]>) -> Self {
-        let stride = (PERIOD / world.settings().step).round().max(1.0) as u64;
+    /// Of a run at its start, with nothing but meters for now.
+    pub fn new(now: &Observed, meters: &Arc<[Meter]>) -> Self {
+        let stride = (PERIOD / now.period).round().max(1.0) as u64;
         let mut series = Self { samples: Vec::new(), stride, turned: Vec::new(), gauges: Vec::new() };
-        series.meter(world, meters);
-        series.see(world);
+        series.meter(now, meters);
+        series.see(now);
         series
     }
 
@@ -54,41 +54,40 @@ impl Series {
     }
 
     /// Reads these meters from now on; one that is read already goes on.
-    pub fn meter(&mut self, world: &World, meters: &Arc<[Meter]>) {
+    pub fn meter(&mut self, now: &Observed, meters: &Arc<[Meter]>) {
         let mut before = std::mem::take(&mut self.gauges);
         let mut gauge = |meter: &Meter| {
             let known = before.iter().position(|gauge| gauge.meter() == *meter);
-            known.map_or_else(|| Gauge::new(*meter, world), |at| before.swap_remove(at))
+            known.map_or_else(|| Gauge::new(*meter, now), |at| before.swap_remove(at))
         };
         self.gauges = meters.iter().map(&mut gauge).collect();
     }
 
-    /// Whether there is something to see at this step of the world.
-    pub fn wants(&self, world: &World) -> bool {
-        let step = world.steps();
+    /// Whether there is something to see at this step.
+    pub fn wants(&self, step: u64) -> bool {
         !self.gauges.is_empty() || step.is_multiple_of(self.stride) || (step + 1).is_multiple_of(self.stride)
     }
 
-    /// Looks at the world after a step.
-    pub fn see(&mut self, world: &World) {
-        let step = world.steps();
-        self.gauges.iter_mut().for_each(|gauge| gauge.see(world));
+    /// Looks at everybody after a step.
+    pub fn see(&mut self, now: &Observed) {
+        let step = now.step;
+        self.gauges.iter_mut().for_each(|gauge| gauge.see(now));
         if step.is_multiple_of(self.stride) && self.samples.last().is_none_or(|last| last.step < step) {
-            self.samples.push(Sample { step, time: world.time(), values: measure(world, &self.turned) });
-            self.gauges.iter_mut().for_each(|gauge| gauge.sample(world));
+            self.samples.push(Sample { step, time: now.time, values: measure(now, &self.turned) });
+            self.gauges.iter_mut().for_each(|gauge| gauge.sample(now));
             self.thin();
         }
         if (step + 1).is_multiple_of(self.stride) {
-            self.turned = turned(world).collect();
+            self.turned = turned(now).collect();
         }
     }
 
-    /// The run has gone back to where the world is now.
-    pub fn back(&mut self, world: &World) {
-        let step = world.steps();
+    /// The run has gone back to where everybody is now.
+    pub fn back(&mut self, now: &Observed) {
+        let step = now.step;
         self.samples.truncate(self.samples.partition_point(|sample| sample.step <= step));
-        self.gauges.iter_mut().for_each(|gauge| gauge.back(world));
-        self.turned = turned(world).collect();
+        self.gauges.iter_mut().for_each(|gauge| gauge.back(now));
+        self.turned = turned(now).collect();
     }
 
     fn thin(&mut self) {
@@ -109,10 +108,10 @@ mod tests {
     #[test]
     fn a_run_of_any_length_stays_small() {
         let (mut world, _) = gallery::scene("headon").unwrap().build().unwrap();
-        let mut series = Series::new(&world, &Arc::from([]));
+        let mut series = Series::new(&(&world).into(), &Arc::from([]));
         for _ in 0..6 * MOST {
             world.step();
-            series.see(&world);
+            series.see(&(&world).into());
         }
         assert!((MOST / 2..=MOST).contains(&series.samples().len()), "{}", series.samples().len());
         assert!(series.samples().is_sorted_by(|a, b| b.step - a.step == series.stride));
@@ -121,22 +120,22 @@ mod tests {
     #[test]
     fn back_and_on_again_gives_the_same_figures() {
         let (mut world, _) = gallery::scene("circle").unwrap().build().unwrap();
-        let mut series = Series::new(&world, &Arc::from([]));
+        let mut series = Series::new(&(&world).into(), &Arc::from([]));
         let mut saved = Vec::new();
         for step in 1..=200 {
             world.step();
-            series.see(&world);
+            series.see(&(&world).into());
             if step == 104 {
                 saved = world.save();
             }
         }
         let all = series.samples().to_vec();
         world.load(&saved).unwrap();
-        series.back(&world);
+        series.back(&(&world).into());
         assert_eq!(series.samples().last().map(|sample| sample.step), Some(100));
         while world.steps() < 200 {
             world.step();
-            series.see(&world);
+            series.see(&(&world).into());
         }
         let bits = |samples: &[Sample]| format!("{samples:?}");
         assert_eq!(bits(series.samples()), bits(&all));

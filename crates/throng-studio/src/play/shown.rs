@@ -1,6 +1,7 @@
 //! What there is to see of a run.
 
 use super::pace::Pace;
+use super::reel::Reel;
 use super::series::Series;
 use std::sync::Arc;
 use throng::{Explanation, Summary};
@@ -50,6 +51,8 @@ pub struct Shown {
     pub kept: usize,
     /// The same scene with another model, at the same step.
     pub beside: Option<Arc<Shown>>,
+    /// The film that this is a moment of, if it is replayed.
+    pub reel: Option<Arc<Reel>>,
     pub(super) pace: Pace,
 }
 
@@ -84,12 +87,15 @@ pub enum Trouble {
     Scene(Box<throng_scene::Error>),
     /// Code of a scene panicked: it says so.
     Panic(String),
+    /// A file of trajectories cannot be replayed.
+    Film(String),
 }
 
 impl std::fmt::Display for Trouble {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Scene(error) => error.fmt(f),
+            Self::Film(says) => f.write_str(says),
             Self::Panic(says) => write!(f, "the scene's code panicked: {says}"),
         }
     }

@@ -1,11 +1,7 @@
 //! What the colour of an agent says.
 
-use super::cells::Cells;
-use super::layers::DENSE;
 use crate::play::Shown;
-use glam::DVec2;
-use throng_draw::{Coat, ColorBy, Look, Style, Theme, palette, ramp};
-use throng_record::Body;
+use throng_draw::{ColorBy, Look, Style, Theme, palette};
 use throng_scene::Group;
 
 /// What the colour of an agent says.
@@ -47,92 +43,33 @@ impl Coloring {
     }
 }
 
-/// Who is nearer than this counts for the density, metres.
-const NEAR: f64 = 1.5;
-
-/// The colours of the agents of one moment.
-pub struct Colors {
-    look: Look,
-    by: Coloring,
-    /// Who is where, where that is asked for.
-    cells: Cells,
-    /// The model of each group, as the number of its colour.
-    models: Vec<usize>,
-    /// What each of those models is called.
-    names: Vec<String>,
-    goals: Vec<DVec2>,
-    /// The longest way at first, seconds.
-    longest: f64,
-}
-
-impl Colors {
-    /// The colours of a moment.
-    pub fn new(shown: &Shown, by: Coloring, theme: &Theme) -> Self {
-        let style = Style {
-            color_by: match by {
-                Coloring::Speed => ColorBy::Speed { max: None },
-                Coloring::Goal => ColorBy::Goal,
-                Coloring::Altitude => ColorBy::Altitude,
-                _ => ColorBy::Group,
+impl Coloring {
+    /// The colours as pictures have them, of a scene as it is shown now.
+    pub fn style(self, shown: &Shown, theme: &Theme) -> Style {
+        let said = Style::said(&shown.scene);
+        Style {
+            color_by: match self {
+                Self::Speed => ColorBy::Speed { max: None },
+                Self::Goal => ColorBy::Goal,
+                Self::Altitude => ColorBy::Altitude,
+                Self::Density => ColorBy::Density,
+                Self::TimeToGoal => ColorBy::TimeToGoal,
+                Self::Group | Self::Model => ColorBy::Group,
+            },
+            groups: match self {
+                Self::Model => models(shown).0.into_iter().map(|model| Some(palette(model))).collect(),
+                _ => said.groups,
             },
             theme: theme.clone(),
-            ..Style::said(&shown.scene)
-        };
-        let (models, names) = if by == Coloring::Model { models(shown) } else { Default::default() };
-        let mut colors = Self {
-            look: Look::new(&shown.setting, &style, &shown.first),
-            by,
-            cells: Cells::default(),
-            models,
-            names,
-            goals: shown.setting.goals.iter().map(throng::Goal::middle).collect(),
-            longest: 1.0,
-        };
-        match by {
-            Coloring::Density => colors.cells = Cells::new(shown.frame.bodies.iter().map(|body| body.position), NEAR),
-            Coloring::TimeToGoal => {
-                let times = shown.first.bodies.iter().filter_map(|body| colors.time_to_goal(body));
-                colors.longest = times.fold(1e-3, f64::max);
-            }
-            _ => {}
+            ..said
         }
-        colors
     }
 
-    /// The colours by group, speed, goal and altitude.
-    pub fn look(&self) -> &Look {
-        &self.look
-    }
-
-    /// What the models are called that colours tell apart, in the order of the palette.
-    pub fn models(&self) -> impl Iterator<Item = &str> {
-        self.names.iter().map(String::as_str)
-    }
-
-    /// The time to the goal at the end of the ramp, seconds.
-    pub fn longest(&self) -> f32 {
-        self.longest as f32
-    }
-
-    /// The colours of an agent.
-    pub fn coat(&self, body: &Body) -> Coat {
-        let color = match self.by {
-            Coloring::Density => ramp(self.density(body.position) as f32 / DENSE),
-            Coloring::Model => palette(self.models.get(body.group as usize).copied().unwrap_or_default()),
-            Coloring::TimeToGoal => ramp(self.time_to_goal(body).map_or(0.0, |time| (time / self.longest) as f32)),
-            _ => return self.look.coat(body),
-        };
-        self.look.coat_of(color, body.status)
-    }
-
-    fn time_to_goal(&self, body: &Body) -> Option<f64> {
-        let goal = self.goals.get(body.goal? as usize)?;
-        let time = goal.distance(body.position) / f64::from(body.preferred_speed).max(0.05);
-        Some(time).filter(|time| time.is_finite())
-    }
-
-    fn density(&self, at: DVec2) -> f64 {
-        self.cells.count(at, NEAR) as f64 / (std::f64::consts::PI * NEAR * NEAR)
+    /// The colours of agents at the moment that is shown.
+    pub(super) fn look(self, shown: &Shown, theme: &Theme) -> Look {
+        let mut look = Look::new(&shown.setting, &self.style(shown, theme), &shown.first);
+        look.see(&shown.frame);
+        look
     }
 }
 
@@ -143,7 +80,7 @@ pub fn model_name(group: &Group) -> Option<String> {
 }
 
 /// The number of each group's model among those that the scene has, and what those are called.
-fn models(shown: &Shown) -> (Vec<usize>, Vec<String>) {
+pub(super) fn models(shown: &Shown) -> (Vec<usize>, Vec<String>) {
     let mut known: Vec<String> = Vec::new();
     let number = |group| {
         let name = model_name(group).unwrap_or_default();

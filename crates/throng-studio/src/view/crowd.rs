@@ -1,13 +1,12 @@
 //! Agents and their trails as geometry, made anew when the state is.
 
-use super::colors::Colors;
 use super::geometry::{Disc, Figure, Geometry};
 use super::key::{self, Row};
 use super::moment::pairs;
 use crate::play::Shown;
 use crate::settings::Settings;
 use std::sync::Arc;
-use throng_draw::Trails;
+use throng_draw::{Look, Trails};
 use throng_record::Frame;
 
 /// Points of a trail are this far apart, in radii of a body; of more agents than so many, farther.
@@ -34,7 +33,7 @@ impl Crowd {
         shown: &Shown,
         settings: &Settings,
         plan: bool,
-        colors: &dyn Fn() -> Colors,
+        look: &dyn Fn() -> Look,
     ) -> [Arc<Geometry>; 2] {
         let same = |(frame, with, run, flat): &(Arc<Frame>, Settings, u64, bool)| {
             Arc::ptr_eq(frame, &shown.frame) && with == settings && *run == shown.run && *flat == plan
@@ -43,11 +42,11 @@ impl Crowd {
             if self.of.as_ref().is_some_and(|(_, _, run, _)| *run != shown.run) {
                 (self.trails, self.ways) = (Trails::default(), Vec::new());
             }
-            let colors = colors();
-            self.key = key::of_agents(&colors, settings.coloring, shown);
-            let trails = self.trails(shown, settings, &colors);
+            let look = look();
+            self.key = key::of_agents(&look, settings.coloring, shown);
+            let trails = self.trails(shown, settings, &look);
             self.layers =
-                [Arc::new(Geometry { deep: !plan, ..trails }), Arc::new(self.agents(shown, settings, plan, &colors))];
+                [Arc::new(Geometry { deep: !plan, ..trails }), Arc::new(self.agents(shown, settings, plan, &look))];
             self.of = Some((shown.frame.clone(), settings.clone(), shown.run, plan));
         }
         self.layers.clone()
@@ -58,12 +57,12 @@ impl Crowd {
         &self.key
     }
 
-    fn trails(&mut self, shown: &Shown, settings: &Settings, colors: &Colors) -> Geometry {
+    fn trails(&mut self, shown: &Shown, settings: &Settings, look: &Look) -> Geometry {
         let mut ribbons = Geometry::default();
         let seconds = if shown.frame.bodies.len() > MOST_TRAILS { 0.0 } else { f64::from(settings.trails) };
         let radius = shown.frame.bodies.first().map_or(0.2, |body| f64::from(body.radius));
         let spacing = SPACING * radius * (shown.frame.bodies.len() as f64 / MANY).max(1.0);
-        self.trails.follow(&shown.frame, seconds, spacing, |body| Some(colors.coat(body).fill));
+        self.trails.follow(&shown.frame, seconds, spacing, |body| Some(look.coat(body).fill));
         if seconds <= 0.0 {
             return ribbons;
         }
@@ -78,7 +77,7 @@ impl Crowd {
         ribbons
     }
 
-    fn agents(&mut self, shown: &Shown, settings: &Settings, plan: bool, colors: &Colors) -> Geometry {
+    fn agents(&mut self, shown: &Shown, settings: &Settings, plan: bool, look: &Look) -> Geometry {
         let new = self.of.as_ref().is_none_or(|(frame, ..)| !Arc::ptr_eq(frame, &shown.frame));
         let origin = shown.setting.origin;
         let mut agents = Geometry { deep: !plan, ..Geometry::default() };
@@ -88,8 +87,8 @@ impl Crowd {
             // both are by number
             while gone.next_if(|(number, _)| *number < body.number).is_some() {}
             let before = gone.next_if(|(number, _)| *number == body.number).map_or(0.0, |(_, way)| way);
-            let coat = colors.coat(body);
-            let Some(shape) = settings.marks.shape(body, colors.look().form(body), plan) else {
+            let coat = look.coat(body);
+            let Some(shape) = settings.marks.shape(body, look.form(body), plan) else {
                 agents.discs.push(Disc::agent(from, body, coat, origin));
                 continue;
             };

@@ -2,18 +2,7 @@
 
 use super::mode::Mode;
 use glam::{DVec2, DVec3, Vec2};
-use throng_draw::{Camera, Lens, Projector, WorldBox};
-
-/// Whom an eye follows.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Followed {
-    /// Its middle.
-    pub center: DVec3,
-    /// Where it faces, of length 1.
-    pub forward: DVec3,
-    /// Its radius, metres.
-    pub radius: f64,
-}
+use throng_draw::{Camera, Followed, Following, Lens, Projector, Sight, Viewpoint, WorldBox};
 
 /// The angle between the top and the bottom of a picture in perspective, radians.
 const FIELD_OF_VIEW: f64 = 0.66;
@@ -24,17 +13,8 @@ const ELEVATION: f64 = 0.6;
 const DISTANCES: (f64, f64) = (0.5, 20_000.0);
 /// Points of the screen a metre takes, least and most.
 const SCALES: (f64, f64) = (0.005, 5_000.0);
-/// How fast an eye gets where it wants to be, a second.
-const HASTE: f64 = 7.0;
 /// Radians that a point of the screen turns an orbit.
 const TURN: f64 = 0.006;
-
-/// From where one looks, and to where.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Sight {
-    eye: DVec3,
-    target: DVec3,
-}
 
 /// An eye: what it is told to look at, and where it is on its way there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -146,9 +126,7 @@ impl Eye {
     /// Lets `seconds` pass beside who is followed.
     pub fn settle(&mut self, followed: Option<Followed>, seconds: f64) {
         self.followed = followed.or(self.followed);
-        let (wanted, part) = (self.wanted(), 1.0 - (-HASTE * seconds).exp());
-        self.shown.eye = self.shown.eye.lerp(wanted.eye, part);
-        self.shown.target = self.shown.target.lerp(wanted.target, part);
+        self.shown.approach(self.wanted(), seconds);
     }
 
     /// Whether it is still on its way.
@@ -167,25 +145,9 @@ impl Eye {
 
     fn wanted(&self) -> Sight {
         let out = DVec2::from_angle(self.azimuth).extend(0.0) * self.elevation.cos() + DVec3::Z * self.elevation.sin();
-        let orbit = Sight { eye: self.target + out * self.distance, target: self.target };
-        let Some(Followed { center, forward, radius }) = self.followed.filter(|_| self.mode.follows()) else {
-            return orbit;
-        };
-        let away = self.aside * radius;
-        let level = forward.with_z(0.0).normalize_or(DVec3::X);
-        let left = DVec3::Z.cross(level);
-        match self.mode {
-            // drawn along: it keeps the side it is on
-            Mode::Distance => {
-                let behind = (self.shown.eye - center).with_z(0.0).normalize_or(-level);
-                Sight { eye: center + (behind * 0.85 + DVec3::Z * 0.5) * away, target: center }
-            }
-            Mode::Offset => Sight { eye: center + (level * -0.6 + left * 0.6 + DVec3::Z * 0.5) * away, target: center },
-            Mode::PointOfView => {
-                let eye = center + DVec3::Z * 4.0 * radius;
-                Sight { eye, target: eye + forward * 20.0 * radius - DVec3::Z * 2.0 * radius }
-            }
-            _ => Sight { eye: center + DVec3::Z * away * 1.5, target: center },
+        match (self.mode.chase(), &self.followed) {
+            (Some(chase), Some(followed)) => chase.sight(followed, self.aside, self.shown.eye),
+            _ => Sight { eye: self.target + out * self.distance, target: self.target },
         }
     }
 
@@ -195,6 +157,24 @@ impl Eye {
 
     fn plan(&self, size: Vec2) -> Camera {
         Camera { center: self.center, anchor: size * 0.5, scale: self.scale }
+    }
+
+    /// From where a film in perspective sees what is seen now; it goes with the agent `number` where the eye follows.
+    pub fn viewpoint(&self, number: Option<u32>) -> Viewpoint {
+        let follow = self.mode.chase().zip(number);
+        Viewpoint {
+            eye: Some(self.shown.eye),
+            target: Some(self.shown.target),
+            field_of_view: FIELD_OF_VIEW.to_degrees(),
+            orbit: 0.0,
+            follow: follow.map(|(chase, number)| Following { number, chase, aside: self.aside }),
+        }
+    }
+
+    /// The part of the ground that is seen from straight above in a view of this size, points of the screen.
+    pub fn seen(&self, size: Vec2) -> WorldBox {
+        let half = size.as_dvec2() * 0.5 / self.scale;
+        WorldBox { min: self.center - half, max: self.center + half }
     }
 
     /// From the world to a picture of this size, points of the screen.

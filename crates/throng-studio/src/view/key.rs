@@ -1,13 +1,13 @@
 //! What colours and lines in the view say.
 
-use super::colors::Colors;
+use super::colors::models;
 use super::heat::Heat;
 use super::layers::Ground;
 use super::streams::Streams;
 use super::{Coloring, View};
 use crate::play::Shown;
 use crate::settings::Settings;
-use throng_draw::{Annotation, Annotations, Color, FlowStyle, Theme, palette, ramp};
+use throng_draw::{Annotation, Annotations, Color, FlowStyle, Look, Theme, palette, ramp};
 
 /// More rows than this of one kind are not told.
 const MOST: usize = 8;
@@ -63,7 +63,7 @@ impl Row {
 }
 
 /// What the colours of agents say.
-pub(super) fn of_agents(colors: &Colors, by: Coloring, shown: &Shown) -> Vec<Row> {
+pub(super) fn of_agents(look: &Look, by: Coloring, shown: &Shown) -> Vec<Row> {
     let spots = |all: Vec<(Color, String)>| {
         // of one there is nothing to tell apart
         let told = if all.len() > 1 { all.len().min(MOST) } else { 0 };
@@ -71,19 +71,15 @@ pub(super) fn of_agents(colors: &Colors, by: Coloring, shown: &Shown) -> Vec<Row
             (told < all.len() && told > 0).then(|| Row::new(Sign::None, format!("and {} more", all.len() - told)));
         all.into_iter().take(told).map(|(color, says)| Row::new(Sign::Spot(color), says)).chain(more).collect()
     };
-    let look = colors.look();
     match by {
         Coloring::Group => {
             spots(shown.setting.groups.iter().enumerate().map(|(k, name)| (look.group(k), name.clone())).collect())
         }
-        Coloring::Model => spots(colors.models().enumerate().map(|(k, name)| (palette(k), name.to_owned())).collect()),
+        Coloring::Model => spots(models(shown).1.into_iter().enumerate().map(|(k, name)| (palette(k), name)).collect()),
         Coloring::Goal => vec![Row::new(Sign::None, "a colour for each goal")],
-        Coloring::Speed | Coloring::Altitude => {
-            let says = |unit: &str| format!("{}, {unit}", by.label());
-            look.most().map(|(most, unit)| Row::to(most, Sign::Ramp, &says(unit))).into_iter().collect()
+        Coloring::Speed | Coloring::Altitude | Coloring::Density | Coloring::TimeToGoal => {
+            look.most().map(|(most, unit)| Row::to(most, Sign::Ramp, &format!("{}, {unit}", by.label()))).into_iter().collect()
         }
-        Coloring::Density => vec![Row::to(super::layers::DENSE, Sign::Ramp, "density within 1.5 m, 1/m²")],
-        Coloring::TimeToGoal => vec![Row::to(colors.longest(), Sign::Ramp, "time to goal, s")],
     }
 }
 

@@ -1,6 +1,5 @@
 //! The view: the world as it is now, through an eye that people move.
 
-mod cells;
 mod colors;
 mod crowd;
 mod eye;
@@ -20,7 +19,7 @@ mod streams;
 mod thoughts;
 
 pub use colors::{Coloring, model_name};
-pub use eye::{Eye, Followed, ground};
+pub use eye::{Eye, ground};
 pub use heat::Heat;
 pub use key::{Row, Sign};
 pub use layers::{Ground, Layers};
@@ -31,16 +30,15 @@ pub use streams::Streams;
 
 use crate::play::Shown;
 use crate::settings::Settings;
-use colors::Colors;
 use crowd::Crowd;
 use eframe::egui::{self, InputState, PointerButton, Rect, Response, Sense, Ui};
 use eframe::{egui_glow, glow};
 use geometry::{Disc, Geometry};
 use gl::{Canvas, Lighting};
 use glam::Vec2;
-use moment::{followed, interpolated, nearest, pair};
+use moment::{interpolated, nearest, pair};
 use std::sync::{Arc, Mutex, PoisonError};
-use throng_draw::{Color, Projection, Projector, Style, Theme};
+use throng_draw::{Annotation, Annotations, Color, Followed, Form, Projection, Projector, Style, Theme};
 
 /// How high the air is that flocks are seen in, at least, metres.
 const HEADROOM: f64 = 1.8;
@@ -92,7 +90,7 @@ impl View {
         let share = shown.share();
         self.handle(ui, &response, rect, size);
         let body = self.selected.and_then(|number| between(shown, number, share));
-        self.eye.settle(body.as_ref().map(followed), f64::from(ui.input(|input| input.stable_dt.min(0.1))));
+        self.eye.settle(body.as_ref().map(Followed::from), f64::from(ui.input(|input| input.stable_dt.min(0.1))));
         let projector = self.eye.projector(size);
         // a finger that has tapped is there no more
         let pointer = response
@@ -128,6 +126,29 @@ impl View {
     /// Bytes that the last moment handed over to the graphics processor: those of layers that had changed.
     pub fn handed_over(&self) -> usize {
         self.handed_over
+    }
+
+    /// What a film looks like that shows what this view shows, where it is so many points of the screen large.
+    pub fn style(&self, shown: &Shown, settings: &Settings, size: Vec2) -> Style {
+        let (plan, selected) = (self.eye.mode() == Mode::Plan, self.selected);
+        let coloring = settings.coloring.style(shown, &settings.theme());
+        let form = match settings.marks {
+            Marks::Fitting => None,
+            Marks::All(Shape::Insect) => Some(Form::Insect),
+            Marks::Discs | Marks::All(_) => Some(Form::Body),
+        };
+        Style {
+            view: plan.then(|| self.eye.seen(size)),
+            projection: Some(if plan { Projection::Plan } else { Projection::Perspective }),
+            viewpoint: self.eye.viewpoint(selected),
+            trails: settings.trails,
+            forms: form.map_or(coloring.forms, |form| vec![form; shown.setting.groups.len()]),
+            annotations: match selected.filter(|_| settings.annotations) {
+                Some(number) => Annotations { kinds: Annotation::ALL.to_vec(), agents: Some(vec![number]) },
+                None => Annotations::default(),
+            },
+            ..coloring
+        }
     }
 
     /// Sees everything again, at the next moment.
@@ -201,8 +222,8 @@ impl View {
         let size = Vec2::new(rect.width(), rect.height());
         let grid = if settings.grid { scenery::grid_seen(projector, size, shown, &theme) } else { Geometry::default() };
         let plan = matches!(projector, Projector::Plan(_));
-        let colors = || Colors::new(shown, settings.coloring, &theme);
-        let [trails, agents] = self.crowd.layers(shown, settings, plan, &colors);
+        let look = || settings.coloring.look(shown, &theme);
+        let [trails, agents] = self.crowd.layers(shown, settings, plan, &look);
         let [heat, streams, mesh] = self.ground.layers(shown, settings, (projector, size), self.selected, ui.ctx());
         let marked = Arc::new(self.marked(shown, settings, &theme));
         let layers = vec![floor, heat, streams, Arc::new(grid), place, mesh, solids, trails, agents, marked];
@@ -220,9 +241,9 @@ impl View {
         };
         painter.add(egui::PaintCallback { rect, callback: Arc::new(egui_glow::CallbackFn::new(draw)) });
         if let Some(number) = self.selected.filter(|_| settings.annotations) {
-            let colors = Colors::new(shown, Coloring::Group, &theme);
-            let (origin, projector, colors, theme) = (shown.setting.origin, *projector, &colors, &theme);
-            let thinker = thoughts::Thinker { number, origin, projector, colors, theme };
+            let look = Coloring::Group.look(shown, &theme);
+            let (origin, projector, look, theme) = (shown.setting.origin, *projector, &look, &theme);
+            let thinker = thoughts::Thinker { number, origin, projector, look, theme };
             thoughts::draw(&painter, rect, &interpolated(shown, share), thinker);
         }
         if let Some(Err(says)) = self.canvas.lock().unwrap_or_else(PoisonError::into_inner).as_ref() {

@@ -1,5 +1,7 @@
 //! Ways of looking at the world.
 
+use throng_draw::Chase;
+
 /// How the world is looked at.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Mode {
@@ -34,9 +36,20 @@ impl Mode {
         }
     }
 
+    /// How it goes with an agent; `None` where it looks at no one.
+    pub fn chase(self) -> Option<Chase> {
+        match self {
+            Self::Plan | Self::Orbit => None,
+            Self::Distance => Some(Chase::Distance),
+            Self::Offset => Some(Chase::Offset),
+            Self::PointOfView => Some(Chase::PointOfView),
+            Self::Down => Some(Chase::Down),
+        }
+    }
+
     /// Whether it looks at an agent.
     pub fn follows(self) -> bool {
-        !matches!(self, Self::Plan | Self::Orbit)
+        self.chase().is_some()
     }
 
     /// The next one.

@@ -1,6 +1,5 @@
 //! Everybody at the moment that is shown, between two states.
 
-use super::Followed;
 use crate::play::Shown;
 use glam::{DVec3, Vec2};
 use throng_draw::Projector;
@@ -51,12 +50,6 @@ fn mixed(before: &Body, now: &Body, share: f32) -> Body {
         ..*now
     }
 }
-
-/// An agent as an eye follows it.
-pub fn followed(body: &Body) -> Followed {
-    let level = || Vec2::from_angle(body.heading).extend(0.0);
-    let forward = body.basis.map_or_else(level, |basis| basis.forward);
-    Followed { center: body.center(), forward: forward.as_dvec3(), radius: body.shape().bound().into() }
 }
 
 /// The agent that is nearest to a pixel.

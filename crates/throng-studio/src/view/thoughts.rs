@@ -1,9 +1,8 @@
 //! What the selected agent has in mind: the lines of pictures, laid over the view.
 
-use super::colors::Colors;
 use eframe::egui::{Painter, Rect, Shape, Stroke, pos2};
 use glam::{DVec2, Vec2};
-use throng_draw::{Annotation, Annotations, Annotator, Mark, Projector, Theme, Trails};
+use throng_draw::{Annotation, Annotations, Annotator, Look, Mark, Projector, Theme, Trails};
 use throng_record::Frame;
 
 /// Who has something in mind, and how it is seen.
@@ -15,19 +14,19 @@ pub struct Thinker<'a> {
     /// From the world to points of the screen.
     pub projector: Projector,
     /// The colours of agents.
-    pub colors: &'a Colors,
+    pub look: &'a Look,
     /// The colours of lines.
     pub theme: &'a Theme,
 }
 
 /// Draws what an agent has in mind at a moment over the view in `rect`.
 pub fn draw(painter: &Painter, rect: Rect, frame: &Frame, thinker: Thinker<'_>) {
-    let Thinker { number, origin, projector, colors, theme } = thinker;
+    let Thinker { number, origin, projector, look, theme } = thinker;
     let annotations = Annotations { kinds: Annotation::ALL.to_vec(), agents: Some(vec![number]) };
     let annotator = Annotator {
         annotations: &annotations,
         theme,
-        look: colors.look(),
+        look,
         // the view has trails of its own
         ways: &Trails::default(),
         projector,

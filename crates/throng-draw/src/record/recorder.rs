@@ -1,10 +1,12 @@
 //! Films and tables that grow while the world goes on: another thread writes each.
 
-use crate::failure::Failure;
+use super::Plan;
+use crate::sink::{GifSink, Kind};
+use crate::{Error, Film};
+use std::path::Path;
 use std::sync::Arc;
-use throng_draw::Film;
 use throng_record::csv::CsvWriter;
-use throng_record::{Behind, Frame, OutputError};
+use throng_record::{Behind, Frame, Output, OutputError};
 
 /// A moment of all runs that are recorded together.
 #[derive(Clone)]
@@ -20,12 +22,42 @@ pub struct Moment {
 /// A file being written. Dropped before it is finished, it leaves nothing.
 pub enum Recorder {
     /// A picture or a video.
-    Film(Box<Behind<Film, Moment, throng_draw::Error>>),
+    Film(Box<Behind<Film, Moment, Error>>),
     /// Trajectories.
     Table(Behind<CsvWriter, Moment, OutputError>),
 }
 
 impl Recorder {
+    /// Begins the file `path` of a run: trajectories where its name ends in `.csv`, else what a [`Film`] makes of the name.
+    ///
+    /// # Errors
+    /// Those of [`Film::create`].
+    pub fn create(path: impl AsRef<Path>, plan: &Plan) -> Result<Self, Error> {
+        let path = path.as_ref();
+        if is_table(path) {
+            return Ok(Self::table(CsvWriter::create(path, plan.setting)?));
+        }
+        Ok(Self::film(Film::create(path, plan.setting, plan.style, plan.rate)?.still(plan.still)))
+    }
+
+    /// Begins a file of a run that goes somewhere else than to a folder ([`Output::handed`]): trajectories or a GIF.
+    ///
+    /// # Errors
+    /// The name of the output ends neither in `.csv` nor in `.gif`, or rate or size are out of their limits.
+    pub fn to(output: Output, plan: &Plan) -> Result<Self, Error> {
+        let path = output.path().to_path_buf();
+        if is_table(&path) {
+            return Ok(Self::table(CsvWriter::new(output, plan.setting)?));
+        }
+        match Kind::of(&path)? {
+            Kind::Gif => {
+                let sink = Box::new(GifSink::new(output, plan.rate)?);
+                Ok(Self::film(Film::new(&path, sink, plan.setting, plan.style)?))
+            }
+            _ => Err(Error::Extension { path }),
+        }
+    }
+
     /// Lets a film be written.
     pub fn film(film: Film) -> Self {
         Self::Film(Box::new(Behind::start("throng-film", film, |film, moment| {
@@ -50,7 +82,7 @@ impl Recorder {
     ///
     /// # Errors
     /// A file cannot be written. It may come out a few moments after the one that could not be written.
-    pub fn push_all(recorders: &mut Vec<Self>, moment: &Moment) -> Result<(), Failure> {
+    pub fn push_all(recorders: &mut Vec<Self>, moment: &Moment) -> Result<(), Error> {
         match recorders.iter_mut().position(|recorder| !recorder.push(moment)) {
             Some(failed) => recorders.swap_remove(failed).finish(),
             None => Ok(()),
@@ -68,11 +100,16 @@ impl Recorder {
     ///
     /// # Errors
     /// It cannot be written or completed.
-    pub fn finish(self) -> Result<(), Failure> {
+    pub fn finish(self) -> Result<(), Error> {
         match self {
             Self::Film(film) => film.finish()?.finish()?,
             Self::Table(table) => table.finish()?.finish()?,
         }
         Ok(())
     }
+}
+
+/// Whether a name is that of trajectories; folders may be called anything.
+fn is_table(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) && !path.is_dir()
 }

@@ -1,0 +1,82 @@
+//! The studio while it records.
+
+use super::App;
+use crate::outside;
+use crate::panels::{Beside, Recorded};
+use crate::play::Shown;
+use crate::record::{Format, Subject, Take};
+use eframe::egui::Context;
+use glam::Vec2;
+use std::path::PathBuf;
+use throng_draw::Style;
+
+impl App {
+    /// Lets the recording go on, and shows the window that asks for one.
+    pub(super) fn record(&mut self, ctx: &Context, shown: &Shown) {
+        self.go_on_recording(ctx);
+        let (size, camera) = (self.size_of_view(ctx), self.camera());
+        let share = self.recording.as_ref().map(|(recording, _)| recording.share());
+        let beside =
+            Beside { shown, size, corner: self.place.right_top(), camera: &camera, share, unused: &outside::unused };
+        match self.record.ui(ctx, &beside) {
+            Some(Recorded::Begin) => self.begin_recording(ctx, shown, size),
+            Some(Recorded::Cancel) => {
+                self.recording = None;
+                self.record.said = Some(Ok("cancelled: nothing was written".into()));
+            }
+            None => {}
+        }
+    }
+
+    fn go_on_recording(&mut self, ctx: &Context) {
+        let Some((recording, path)) = &mut self.recording else { return };
+        let said = match outside::go_on(recording, ctx) {
+            Ok(false) => return,
+            Ok(true) => {
+                self.record.wish.file.clear();
+                Ok(outside::recorded(path))
+            }
+            Err(says) => Err(format!("nothing was recorded: {says}")),
+        };
+        self.recording = None;
+        if !self.record.open {
+            self.notice = Some(said.clone().unwrap_or_else(|says| says));
+        }
+        self.record.said = Some(said);
+    }
+
+    fn begin_recording(&mut self, ctx: &Context, shown: &Shown, size: [u32; 2]) {
+        let wish = &self.record.wish;
+        let path = PathBuf::from(wish.file.trim());
+        let begun = Format::of(&path).and_then(|_| {
+            let [width, height] = wish.size.unwrap_or(size);
+            let view = Vec2::new(self.place.width(), self.place.height());
+            let style = self.views[0].style(shown, &self.settings, view);
+            let style = Style { width, height, legend: wish.legend, ..style };
+            let (from, to, rate, speed_up) = (wish.from, wish.to, wish.rate, wish.speed_up);
+            let take = Take { path: path.clone(), from, to, rate, speed_up, style };
+            outside::record(Subject::of(shown), take, ctx)
+        });
+        match begun {
+            Ok(recording) => self.recording = Some((recording, path)),
+            Err(says) => self.record.said = Some(Err(says)),
+        }
+    }
+
+    /// Width and height of the view, pixels: even, as video wants them.
+    fn size_of_view(&self, ctx: &Context) -> [u32; 2] {
+        [self.place.width(), self.place.height()].map(|side| {
+            let pixels = (side * ctx.pixels_per_point()).clamp(16.0, 3840.0);
+            pixels as u32 / 2 * 2
+        })
+    }
+
+    /// What the camera does, in words.
+    fn camera(&self) -> String {
+        let (mode, selected) = (self.views[0].eye.mode(), self.views[0].selected);
+        match selected.filter(|_| mode.follows()) {
+            Some(number) => format!("{}, with agent {number}", mode.label()),
+            None => format!("{}, as it is now", mode.label()),
+        }
+    }
+}

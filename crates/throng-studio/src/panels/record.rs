@@ -1,0 +1,243 @@
+//! What is to be recorded, and how far that is: a small window beside which people go on.
+
+use super::bar::named;
+use crate::play::Shown;
+use crate::record::Format;
+use eframe::egui::{
+    Align2, Button, ComboBox, Context, DragValue, Grid, Pos2, ProgressBar, RichText, Role, TextEdit, Ui, Window, vec2,
+};
+use std::path::{Path, PathBuf};
+
+/// The window.
+#[derive(Clone, Debug, Default)]
+pub struct Record {
+    /// Whether it is open.
+    pub open: bool,
+    /// What is in its fields, once it has been open.
+    pub wish: Wish,
+    /// The scene that the fields are about.
+    of: String,
+    /// Why the last recording is not there, or where it is.
+    pub said: Option<Result<String, String>>,
+}
+
+/// What people want to have recorded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wish {
+    /// What it becomes.
+    pub format: Format,
+    /// The name of the file.
+    pub file: String,
+    /// From when on, seconds of the scene.
+    pub from: f64,
+    /// Until when; `None`: to the end.
+    pub to: Option<f64>,
+    /// Pictures a second.
+    pub rate: f64,
+    /// Seconds of the scene in a second of video.
+    pub speed_up: f64,
+    /// Width and height, pixels; `None`: as large as the view.
+    pub size: Option<[u32; 2]>,
+    /// Whether title, time, counts and the key of the colours are drawn.
+    pub legend: bool,
+}
+
+impl Default for Wish {
+    fn default() -> Self {
+        Self {
+            format: Format::default(),
+            file: String::new(),
+            from: 0.0,
+            to: None,
+            rate: 25.0,
+            speed_up: 1.0,
+            size: None,
+            legend: true,
+        }
+    }
+}
+
+/// What people ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Recorded {
+    /// Records what is wished for.
+    Begin,
+    /// Stops the recording; nothing is left of it.
+    Cancel,
+}
+
+/// What the window is shown beside.
+pub struct Beside<'a> {
+    /// What is shown.
+    pub shown: &'a Shown,
+    /// Width and height of the view, pixels.
+    pub size: [u32; 2],
+    /// The upper right corner of the view.
+    pub corner: Pos2,
+    /// What the camera does, in words.
+    pub camera: &'a str,
+    /// How much of the recording under way is done.
+    pub share: Option<f32>,
+    /// A name that no file has yet, of this name and ending.
+    pub unused: &'a dyn Fn(&str, &str) -> PathBuf,
+}
+
+impl Record {
+    /// Opens it, or closes it.
+    pub fn toggle(&mut self) {
+        self.open = !self.open;
+        self.said = None;
+    }
+
+    /// Shows it while it is open; what people ask for.
+    pub fn ui(&mut self, ctx: &Context, beside: &Beside<'_>) -> Option<Recorded> {
+        if *self.of != *beside.shown.name || (self.open && self.wish.file.is_empty()) {
+            let rate = beside.shown.scene.view.fps.unwrap_or(self.wish.rate);
+            self.wish = Wish { from: 0.0, to: None, rate, ..self.wish.clone() };
+            self.of = beside.shown.name.to_string();
+            self.name(beside);
+        }
+        let mut open = self.open;
+        let window = Window::new("Record").open(&mut open).collapsible(false).resizable(false);
+        let window = window.pivot(Align2::RIGHT_TOP).default_pos(beside.corner + vec2(-12.0, 12.0));
+        let asked = window.show(ctx, |ui| {
+            ui.add_enabled_ui(beside.share.is_none(), |ui| self.fields(ui, beside));
+            ui.add_space(6.0);
+            self.below(ui, beside)
+        });
+        self.open &= open;
+        asked.and_then(|asked| asked.inner.flatten())
+    }
+
+    /// A new name for the file.
+    fn name(&mut self, beside: &Beside<'_>) {
+        let path = (beside.unused)(&beside.shown.name, self.wish.format.ending());
+        self.wish.file = path.display().to_string();
+    }
+
+    fn fields(&mut self, ui: &mut Ui, beside: &Beside<'_>) {
+        let before = self.wish.format;
+        Grid::new("record").num_columns(2).spacing([14.0, 6.0]).show(ui, |ui| {
+            let wish = &mut self.wish;
+            ui.label("as");
+            let combo =
+                ComboBox::from_id_salt("format").width(206.0).selected_text(wish.format.label()).show_ui(ui, |ui| {
+                    for &format in Format::ALL {
+                        ui.selectable_value(&mut wish.format, format, format.label());
+                    }
+                });
+            named(&combo.response, Role::ComboBox, "format");
+            ui.end_row();
+            let label = ui.label("file");
+            ui.add(TextEdit::singleline(&mut wish.file).desired_width(206.0)).labelled_by(label.id);
+            ui.end_row();
+            span(ui, wish, beside);
+            if wish.format != Format::Trajectories {
+                pictures(ui, wish, beside);
+            }
+        });
+        if self.wish.format != before {
+            self.name(beside);
+        } else if let Ok(format) = Format::of(Path::new(self.wish.file.trim())) {
+            // who writes an ending means it
+            self.wish.format = format;
+        }
+    }
+
+    fn below(&mut self, ui: &mut Ui, beside: &Beside<'_>) -> Option<Recorded> {
+        if let Some(share) = beside.share {
+            ui.add(ProgressBar::new(share).desired_width(262.0).show_percentage());
+            return ui.button("Cancel").clicked().then_some(Recorded::Cancel);
+        }
+        ui.set_max_width(262.0);
+        match &self.said {
+            Some(Ok(says)) => _ = ui.label(says),
+            Some(Err(says)) => _ = ui.colored_label(ui.visuals().error_fg_color, says),
+            None => {}
+        }
+        let selection = ui.visuals().selection;
+        let button = Button::new(RichText::new("Record").color(selection.stroke.color)).fill(selection.bg_fill);
+        let ready = ui.add_enabled(!self.wish.file.trim().is_empty(), button);
+        ready.on_hover_text("plays it once more from its start, and writes what it shows").clicked().then(|| {
+            self.said = None;
+            Recorded::Begin
+        })
+    }
+}
+
+/// A field for seconds.
+fn seconds(value: &mut f64) -> DragValue<'_> {
+    DragValue::new(value).speed(0.05).max_decimals(2).suffix(" s")
+}
+
+/// From when to when.
+fn span(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
+    let (now, limit) = (beside.shown.frame.time, beside.shown.scene.time.limit);
+    let label = ui.label("from");
+    ui.horizontal(|ui| {
+        ui.add(seconds(&mut wish.from).range(0.0..=limit)).labelled_by(label.id);
+        if ui.button("start").clicked() {
+            wish.from = 0.0;
+        }
+        if ui.button("now").on_hover_text("the time that is shown").clicked() {
+            wish.from = now;
+        }
+    });
+    ui.end_row();
+    let label = ui.label("to");
+    ui.horizontal(|ui| {
+        match &mut wish.to {
+            Some(to) => _ = ui.add(seconds(to).range(wish.from..=limit)).labelled_by(label.id),
+            None => _ = ui.label("the end"),
+        }
+        if wish.to.is_some() && ui.button("end").clicked() {
+            wish.to = None;
+        }
+        if ui.button("now ").on_hover_text("the time that is shown").clicked() {
+            wish.to = Some(now.max(wish.from));
+        }
+        if wish.to.is_none() && ui.button("after 10 s").clicked() {
+            wish.to = Some((wish.from + 10.0).min(limit));
+        }
+    });
+    ui.end_row();
+}
+
+/// How many pictures, how large, and what they look like.
+fn pictures(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
+    let label = ui.label("pictures a second");
+    ui.add(DragValue::new(&mut wish.rate).speed(0.2).range(0.1..=120.0)).labelled_by(label.id);
+    ui.end_row();
+    let label = ui.label("speed");
+    ui.add(DragValue::new(&mut wish.speed_up).speed(0.05).range(0.01..=1000.0).suffix(" ×"))
+        .labelled_by(label.id)
+        .on_hover_text("seconds of the scene in a second of the film");
+    ui.end_row();
+    ui.label("size");
+    ui.horizontal(|ui| {
+        let mut size = wish.size.unwrap_or(beside.size);
+        let [width, height] = &mut size;
+        let field = |ui: &mut Ui, side, name| {
+            let field = ui.add(DragValue::new(side).range(16..=3840));
+            named(&field, Role::SpinButton, name);
+            field.changed()
+        };
+        let changed = field(ui, width, "width") | {
+            ui.label("×");
+            field(ui, height, "height")
+        };
+        if changed {
+            wish.size = Some(size);
+        }
+        if wish.size.is_some() && ui.button("as the view").clicked() {
+            wish.size = None;
+        }
+    });
+    ui.end_row();
+    ui.label("camera");
+    ui.label(beside.camera).on_hover_text("the view as it is when the recording begins");
+    ui.end_row();
+    ui.label("");
+    ui.checkbox(&mut wish.legend, "title, time and key");
+    ui.end_row();
+}

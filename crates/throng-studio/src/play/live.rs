@@ -1,0 +1,160 @@
+//! A world that is played: its steps, and where it has been.
+
+use super::history::History;
+use super::observed::Observed;
+use super::shown::{Cost, Trouble};
+use super::stage::Stage;
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use throng::{Asked, Explanation, Stage as Part, Summary, World};
+use throng_record::{Frame, Setting, moment};
+use throng_scene::{Built, Scene, Time};
+use web_time::Instant;
+
+/// Bytes of states that are kept to go back to.
+const MEMORY: usize = 256 << 20;
+/// How much of the cost of a step is the last one's.
+const FRESH: f64 = 0.1;
+
+/// The world of a scene.
+pub(super) struct Live {
+    world: World,
+    built: Built,
+    time: Time,
+    history: History,
+    summary: (Instant, Arc<Summary>),
+    /// Who is to explain itself, and what it said last, when.
+    explained: Option<u32>,
+    explanation: Option<(Instant, Arc<Explanation>)>,
+}
+
+impl Live {
+    /// Builds the scene's world; what stays the same in it.
+    pub fn new(scene: &Scene, title: &str) -> Result<(Self, Setting), Trouble> {
+        let built = guarded(|| scene.build())?;
+        let (world, built) = built.map_err(|error| Trouble::Scene(Box::new(error)))?;
+        let setting = moment::setting(&world, &built, title);
+        let mut live = Self {
+            time: scene.time.clone(),
+            history: History::new(MEMORY),
+            summary: (Instant::now(), Arc::new(world.summary())),
+            explained: None,
+            explanation: None,
+            built,
+            world,
+        };
+        live.keep();
+        Ok((live, setting))
+    }
+
+    /// The corners of the place and everybody at first.
+    pub fn bounds(&self) -> [glam::DVec2; 2] {
+        self.built.bounds
+    }
+
+    fn keep(&mut self) {
+        let step = self.world.steps();
+        if self.history.wants(step) {
+            self.history.push(step, self.world.save());
+        }
+    }
+}
+
+impl Stage for Live {
+    fn steps(&self) -> u64 {
+        self.world.steps()
+    }
+
+    fn time(&self) -> f64 {
+        self.world.time()
+    }
+
+    fn over(&self) -> bool {
+        self.time.over(&self.world)
+    }
+
+    fn step(&mut self, cost: &mut Cost) -> Result<(), Trouble> {
+        let begin = Instant::now();
+        let (mut last, mut stages) = (begin, [0.0; 5]);
+        guarded(|| {
+            self.world.step_in_stages(|stage: Part| {
+                let now = Instant::now();
+                stages[stage as usize] += (now - last).as_secs_f64();
+                last = now;
+            });
+        })?;
+        let share = if self.world.steps() == 1 { 1.0 } else { FRESH };
+        let mix = |old: &mut f64, new: f64| *old += (new - *old) * share;
+        cost.stages.iter_mut().zip(stages).for_each(|(old, new)| mix(old, new));
+        mix(&mut cost.step, begin.elapsed().as_secs_f64());
+        self.keep();
+        Ok(())
+    }
+
+    fn back_to(&mut self, step: u64) {
+        let Some(state) = self.history.nearest(step) else { return };
+        // a state from before behaviours were changed cannot be gone back to
+        if self.world.load(state).is_err() {
+            self.history = History::new(MEMORY);
+            self.keep();
+        }
+    }
+
+    fn capture(&self, frame: &mut Frame) {
+        moment::capture(&self.world, frame);
+    }
+
+    fn observe(&self) -> Observed {
+        (&self.world).into()
+    }
+
+    fn summary(&mut self, fresh: bool) -> Arc<Summary> {
+        if fresh || self.summary.0.elapsed().as_secs_f64() > 0.2 {
+            self.summary = (Instant::now(), Arc::new(self.world.summary()));
+        }
+        self.summary.1.clone()
+    }
+
+    fn explain(&mut self, number: Option<u32>) {
+        self.world.ask(number.map_or(Asked::Nobody, |number| Asked::Numbers(vec![number])));
+        (self.explained, self.explanation) = (number, None);
+    }
+
+    fn explanation(&mut self, fresh: bool, step: f64) -> Option<Arc<Explanation>> {
+        let number = self.explained?;
+        let now = Instant::now();
+        // a clone of the world makes a sub-step: a large one is asked less often
+        let patience = 0.25 + 50.0 * step;
+        let old = self.explanation.as_ref().is_none_or(|(at, _)| (now - *at).as_secs_f64() > patience);
+        if old || fresh {
+            let row = (0..self.world.agents().len()).find(|&row| self.world.agents().number[row] == number);
+            let why = row.and_then(|row| guarded(|| self.world.explain(self.world.id(row))).ok().flatten());
+            self.explanation = why.map(|why| (now, Arc::new(why)));
+        }
+        self.explanation.as_ref().map(|(_, why)| why.clone())
+    }
+
+    fn tune(&mut self, new: &Scene, old: &Scene, title: &str) -> Result<Option<Setting>, Trouble> {
+        let tuned = guarded(|| new.tune(old, &mut self.world, &mut self.built))?;
+        let tuned = tuned.map_err(|error| Trouble::Scene(Box::new(error)))?;
+        Ok(tuned.then(|| moment::setting(&self.world, &self.built, title)))
+    }
+
+    fn hash(&self) -> u64 {
+        self.world.state_hash()
+    }
+
+    fn kept(&self) -> usize {
+        self.history.bytes()
+    }
+}
+
+/// Runs code of a scene: a panic in it becomes what it says.
+pub(crate) fn guarded<T>(code: impl FnOnce() -> T) -> Result<T, Trouble> {
+    catch_unwind(AssertUnwindSafe(code)).map_err(|panic: Box<dyn Any + Send>| {
+        let says = panic.downcast_ref::<String>().map(String::as_str);
+        let says = says.or_else(|| panic.downcast_ref::<&str>().copied());
+        Trouble::Panic(says.unwrap_or("without a word").into())
+    })
+}

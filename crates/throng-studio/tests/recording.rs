@@ -1,0 +1,161 @@
+//! Recording: the files of `throng run`, made beside the scene that is watched.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
+use throng_draw::record::{Plan, Recorder};
+use throng_draw::{Film, Style};
+use throng_record::csv::CsvWriter;
+use throng_record::{Frame, Output, moment};
+use throng_scene::gallery;
+use throng_studio::record::{Format, Job, Subject, Take, Threaded};
+
+fn begin(path: &Path, plan: &Plan) -> Result<Recorder, String> {
+    Recorder::create(path, plan).map_err(|error| error.to_string())
+}
+
+/// As in a web page, but that there is a folder.
+fn handed(path: &Path, plan: &Plan) -> Result<Recorder, String> {
+    let output = Output::handed(path, |path, bytes| std::fs::write(path, bytes));
+    Recorder::to(output, plan).map_err(|error| error.to_string())
+}
+
+fn subject(name: &str) -> Subject {
+    Subject::Scene(name.into(), Arc::new(gallery::scene(name).unwrap()))
+}
+
+fn take(path: &Path) -> Take {
+    let style = Style { width: 64, height: 48, ..Style::default() };
+    Take { path: path.into(), from: 0.0, to: None, rate: 10.0, speed_up: 1.0, style }
+}
+
+fn record(subject: &Subject, take: &Take) -> Result<(), String> {
+    let mut job = Job::new(subject, take, begin)?;
+    while !job.work(Duration::from_millis(20))? {}
+    Ok(())
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+/// Every moment of a scene, by the engine alone.
+fn moments(name: &str, mut see: impl FnMut(&throng_record::Setting, &Frame)) {
+    let scene = gallery::scene(name).unwrap();
+    let (mut world, built) = scene.build().unwrap();
+    let setting = moment::setting(&world, &built, &scene.title);
+    let mut frame = Frame::default();
+    moment::capture(&world, &mut frame);
+    see(&setting, &frame);
+    while !scene.time.over(&world) {
+        world.step();
+        moment::capture(&world, &mut frame);
+        see(&setting, &frame);
+    }
+}
+
+#[test]
+fn trajectories_are_those_of_the_scene_to_the_byte() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["circle", "boids"] {
+        let (path, expected) = (folder.path().join("a.csv"), folder.path().join("b.csv"));
+        record(&subject(name), &take(&path)).unwrap();
+        let mut writer = None;
+        moments(name, |setting, frame| {
+            let writer = writer.get_or_insert_with(|| CsvWriter::create(&expected, setting).unwrap());
+            writer.push(frame).unwrap();
+        });
+        writer.unwrap().finish().unwrap();
+        assert!(std::fs::read(&path).unwrap() == std::fs::read(&expected).unwrap(), "{name}");
+    }
+}
+
+#[test]
+fn a_film_is_that_of_its_moments() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, expected) = (folder.path().join("a.gif"), folder.path().join("b.gif"));
+    let mut take = take(&path);
+    (take.rate, take.to) = (12.5, Some(1.0));
+    record(&subject("circle"), &take).unwrap();
+    let mut film = None;
+    // a picture every second step of 0.04 s
+    moments("circle", |setting, frame| {
+        let film = film.get_or_insert_with(|| Film::create(&expected, setting, &take.style, take.rate).unwrap());
+        let step = (frame.time / 0.04).round() as u64;
+        if step.is_multiple_of(2) && step < 25 || step == 25 {
+            film.push(frame).unwrap();
+        }
+    });
+    film.unwrap().finish().unwrap();
+    let bytes = std::fs::read(&path).unwrap();
+    assert!(bytes == std::fs::read(&expected).unwrap());
+    let in_memory = folder.path().join("c.gif");
+    let mut job = Job::new(&subject("circle"), &Take { path: in_memory.clone(), ..take }, handed).unwrap();
+    while !job.work(Duration::from_millis(5)).unwrap() {
+        assert!(!in_memory.exists());
+    }
+    assert!(std::fs::read(&in_memory).unwrap() == bytes, "and so it is in a page");
+}
+
+#[test]
+fn a_part_of_a_scene_is_what_was_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("part.csv");
+    let part = Take { from: 2.0, to: Some(3.0), ..take(&path) };
+    record(&subject("circle"), &part).unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    let times: Vec<f64> = text.lines().skip(1).map(|line| line.split(',').nth(2).unwrap().parse().unwrap()).collect();
+    assert!((times[0] - 2.0).abs() < 1e-9 && (times[times.len() - 1] - 3.0).abs() < 1e-9);
+    assert_eq!(times.len(), 26 * 36);
+
+    let pictures = folder.path().join("pictures/");
+    let part = Take { path: pictures.clone(), ..part };
+    record(&subject("circle"), &part).unwrap();
+    // at 2.0, 2.1 .. 3.0 s
+    assert_eq!(names(&pictures).len(), 11);
+
+    let after = Take { path: folder.path().join("after.csv"), from: 1e4, ..take(&path) };
+    let says = record(&subject("circle"), &after).unwrap_err();
+    assert!(says.contains("before what is to be recorded begins"), "{says}");
+    assert_eq!(names(folder.path()), ["part.csv", "pictures"]);
+}
+
+#[test]
+fn what_is_cancelled_leaves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["a.mp4", "a.gif", "a.csv", "pictures/"] {
+        let mut job = Job::new(&subject("circle"), &take(&folder.path().join(name)), begin).unwrap();
+        (0..5).for_each(|_| assert!(!job.work(Duration::from_millis(3)).unwrap()));
+        assert!((0.0..1.0).contains(&job.share()));
+        drop(job);
+        assert_eq!(names(folder.path()), Vec::<String>::new(), "{name}");
+    }
+    let thread = Threaded::start(subject("boids"), take(&folder.path().join("b.csv")), begin, || {}).unwrap();
+    drop(thread);
+    assert_eq!(names(folder.path()), Vec::<String>::new());
+}
+
+#[test]
+fn a_thread_records_and_says_what_is_wrong() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.csv");
+    let wait = |mut thread: Threaded| loop {
+        match thread.done() {
+            Ok(false) => std::thread::sleep(Duration::from_millis(5)),
+            other => return other,
+        }
+    };
+    let start = |path: &Path| wait(Threaded::start(subject("headon"), take(path), begin, || {}).unwrap());
+    assert_eq!(start(&path), Ok(true));
+    let there = std::fs::read(&path).unwrap();
+    record(&subject("headon"), &take(&path)).unwrap();
+    assert!(std::fs::read(&path).unwrap() == there);
+    let missing = start(&folder.path().join("nowhere/a.mp4")).unwrap_err();
+    assert!(missing.contains("there is no folder"), "{missing}");
+    let unknown = Format::of(Path::new("a.xyz")).unwrap_err();
+    assert!(unknown.contains("a.xyz") && unknown.contains(".csv"), "{unknown}");
+    assert_eq!(Format::of(Path::new("A.CSV")), Ok(Format::Trajectories));
+}
