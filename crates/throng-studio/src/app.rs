@@ -19,6 +19,7 @@ use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Panel, Rect, Ui};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
+use throng_scene::Plugins;
 
 /// What the studio is started with.
 #[derive(Clone, Debug, Default)]
@@ -31,6 +32,8 @@ pub struct Options {
     pub screenshot: Option<PathBuf>,
     /// The step at which the scene is shown, paused; without it, it runs.
     pub at_step: Option<u64>,
+    /// Behaviours, rules and scenes beside its own.
+    pub plugins: Plugins,
 }
 
 /// The studio.
@@ -74,7 +77,8 @@ impl App {
         let mut settings: Settings =
             storage.and_then(|storage| eframe::get_value(storage, eframe::APP_KEY)).unwrap_or_default();
         let wanted = options.scene.clone().unwrap_or_else(|| settings.scene.clone());
-        let (document, notice, leaving) = keeping::begin(storage, &wanted, options.scene.is_some())?;
+        let (document, notice, leaving) =
+            keeping::begin(storage, (&wanted, options.scene.is_some()), &Arc::new(options.plugins.clone()))?;
         settings.scene = document.origin();
         let mut app = Self {
             player: crate::outside::player(ctx)?,
@@ -136,8 +140,8 @@ impl App {
             Action::Restart => self.player.command(Command::Restart),
             Action::NextScene | Action::PreviousScene => {
                 let by = if action == Action::NextScene { 1 } else { -1 };
-                if let Some(name) = panels::beside(&self.document.name, by) {
-                    self.leave(Leaving::Open(name.to_owned()));
+                if let Some(name) = panels::beside(self.document.plugins(), &self.document.name, by) {
+                    self.leave(Leaving::Open(name));
                 }
             }
             Action::NextAgent => shown.into_iter().for_each(|shown| self.views[0].select_next(shown)),
@@ -162,6 +166,8 @@ impl App {
             }
             Action::Take(tool) => self.director.take(tool),
             Action::Remove => self.remove(shown),
+            Action::More => self.more(1, shown),
+            Action::Fewer => self.more(-1, shown),
             Action::New => self.leave(Leaving::New),
             Action::SaveAs => self.save_as.open(&self.document.name),
             Action::Save => self.save(),
@@ -197,8 +203,8 @@ impl App {
             Panel::left("gallery").frame(frame).show_separator_line(false).min_size(234.0).default_size(242.0).show(
                 ui,
                 |ui| {
-                    if let Some(name) = self.gallery.ui(ui, &self.document.name) {
-                        self.leave(Leaving::Open(name.to_owned()));
+                    if let Some(name) = self.gallery.ui(ui, self.document.plugins(), &self.document.name) {
+                        self.leave(Leaving::Open(name));
                     }
                 },
             );

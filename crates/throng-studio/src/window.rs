@@ -29,7 +29,7 @@ impl From<Arguments> for Options {
     fn from(arguments: Arguments) -> Self {
         let Arguments { scene, state, screenshot, at_step } = arguments;
         let at_step = at_step.or(screenshot.as_ref().map(|_| 0));
-        Self { scene, state, screenshot, at_step }
+        Self { scene, state, screenshot, at_step, ..Self::default() }
     }
 }
 

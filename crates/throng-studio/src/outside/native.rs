@@ -5,15 +5,16 @@ use crate::document::{Document, Watched};
 use crate::play::{Player, Shown, Threaded};
 use eframe::egui::{Context, ViewportCommand};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
-use throng_scene::gallery;
+use throng_scene::{Plugins, gallery};
 
-/// A name of the gallery or a file, as a document.
+/// A name of the gallery or of the plug-ins, or a file, as a document.
 ///
 /// # Errors
 /// It is neither; what to do about it.
-pub fn open(scene: &str) -> Result<Document, String> {
-    if let Some(document) = crate::share::open(scene).or_else(|| Document::gallery(scene)) {
+pub fn open(scene: &str, plugins: &Arc<Plugins>) -> Result<Document, String> {
+    if let Some(document) = crate::share::open(scene).or_else(|| Document::named(scene, plugins)) {
         return Ok(document);
     }
     let path = Path::new(scene);

@@ -4,13 +4,11 @@ use super::history::History;
 use super::meter::Meter;
 use super::series::Series;
 use super::shown::{Cost, Trouble};
-use std::any::Any;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use throng::{Asked, Explanation, Stage, Summary, World};
 use throng_draw::WorldBox;
 use throng_record::{Frame, Setting, moment};
-use throng_scene::{Built, Scene};
+use throng_scene::{Built, Scene, caught};
 use web_time::Instant;
 
 /// Bytes of states that are kept to go back to.
@@ -77,15 +75,19 @@ impl Run {
 
     /// Makes one step.
     pub fn step(&mut self) -> Result<(), Trouble> {
-        let begin = Instant::now();
+        let (begin, before) = (Instant::now(), self.world.steps());
         let (mut last, mut stages) = (begin, [0.0; 5]);
-        guarded(|| {
+        let made = guarded(|| {
             self.world.step_in_stages(|stage: Stage| {
                 let now = Instant::now();
                 stages[stage as usize] += (now - last).as_secs_f64();
                 last = now;
             });
-        })?;
+        });
+        if made.is_err() {
+            self.mend(before);
+        }
+        made?;
         let share = if self.world.steps() == 1 { 1.0 } else { FRESH };
         let mix = |old: &mut f64, new: f64| *old += (new - *old) * share;
         self.cost.stages.iter_mut().zip(stages).for_each(|(old, new)| mix(old, new));
@@ -124,6 +126,30 @@ impl Run {
         }
     }
 
+    /// After a panic, which leaves a step half made: a new world, as it was at a step or, if it panics on the way there too,
+    /// at the last state before that is kept.
+    fn mend(&mut self, step: u64) {
+        for goal in [step, 0] {
+            let Ok(Ok((mut world, built))) = guarded(|| self.scene.build()) else { return };
+            let kept = self.history.nearest(step).is_some_and(|state| world.load(state).is_ok());
+            let goal = if kept { goal } else { 0 };
+            if guarded(|| {
+                while world.steps() < goal {
+                    world.step()
+                }
+            })
+            .is_ok()
+            {
+                (self.world, self.built) = (world, built);
+                break;
+            }
+        }
+        self.explain(self.explained);
+        Arc::make_mut(&mut self.series).back(&self.world);
+        self.see();
+        self.before = self.frame.clone();
+    }
+
     /// What is there now is to be seen.
     pub fn see(&mut self) {
         let mut next = std::mem::replace(&mut self.before, self.frame.clone());
@@ -142,8 +168,8 @@ impl Run {
 
     /// Lets an agent tell why it goes where it goes from now on.
     pub fn explain(&mut self, number: Option<u32>) {
-        self.world.ask(number.map_or(Asked::Nobody, |number| Asked::Numbers(vec![number])));
         (self.explained, self.explanation) = (number, None);
+        self.world.ask(number.map_or(Asked::Nobody, |number| Asked::Numbers(vec![number])));
     }
 
     /// Why the agent that is to tell goes where it goes: asked anew where `fresh`, else now and then.
@@ -171,9 +197,5 @@ impl Run {
 
 /// Runs code of a scene: a panic in it becomes what it says.
 fn guarded<T>(code: impl FnOnce() -> T) -> Result<T, Trouble> {
-    catch_unwind(AssertUnwindSafe(code)).map_err(|panic: Box<dyn Any + Send>| {
-        let says = panic.downcast_ref::<String>().map(String::as_str);
-        let says = says.or_else(|| panic.downcast_ref::<&str>().copied());
-        Trouble::Panic(says.unwrap_or("without a word").into())
-    })
+    caught(code).map_err(Trouble::Panic)
 }

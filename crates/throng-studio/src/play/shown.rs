@@ -90,7 +90,7 @@ impl std::fmt::Display for Trouble {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Scene(error) => error.fmt(f),
-            Self::Panic(says) => write!(f, "the scene's code panicked: {says}"),
+            Self::Panic(says) => write!(f, "a plug-in panicked: {says}"),
         }
     }
 }
