@@ -53,7 +53,9 @@ fn main() -> ExitCode {
         Command::Measure(args) => measure::measure(args, &mut out),
         Command::Explain(args) => explain::explain(args, &mut out),
         #[cfg(feature = "studio")]
-        Command::Studio(args) => throng_studio::window::open(args.clone()).map_err(failure::Failure::Error),
+        Command::Studio(args) => {
+            throng_studio::window::open(args.clone(), throng_scene::Plugins::new()).map_err(failure::Failure::Error)
+        }
         Command::Schema => schema::schema(&mut out),
         Command::Completions(args) => completions::completions(args, &mut out),
     };

@@ -6,7 +6,7 @@ use glam::{DVec2, Vec2};
 const MOST: f64 = 4.0;
 
 /// Points on the ground, sorted by the square cells that they lie in.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Cells {
     low: DVec2,
     cell: f64,

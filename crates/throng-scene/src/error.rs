@@ -55,6 +55,8 @@ pub enum Kind {
     NotAScene,
     /// The world refused something.
     World,
+    /// Code that a program brought along panicked.
+    Panic,
 }
 
 impl Error {

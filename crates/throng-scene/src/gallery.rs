@@ -57,7 +57,12 @@ pub fn text(name: &str) -> Option<&'static str> {
 
 /// The title of a scene.
 pub fn title(name: &str) -> Option<&'static str> {
-    let line = text(name)?.lines().find_map(|line| line.strip_prefix("title = "))?;
+    title_in(text(name)?)
+}
+
+/// The title that the text of a scene's file says.
+pub(crate) fn title_in(text: &str) -> Option<&str> {
+    let line = text.lines().find_map(|line| line.strip_prefix("title = "))?;
     Some(line.trim().trim_matches('"'))
 }
 

@@ -43,6 +43,7 @@
 //! | try another local model | [`Model`], [`Scene::with_model`] |
 //! | make the world | [`Scene::build`] |
 //! | say what agents steer by; bring behaviours of your own | [`steer`], [`Behaviours`], [`Cast`] |
+//! | bring all that along under names, scenes too | [`Plugins`] |
 //! | play a game; bring rules of your own | [`Scene::rules`], [`Rulebook`] |
 //! | look at what would be built | [`Scene::plan`] |
 //! | check what the scene expects | [`Watch`], [`Verdict`] |
@@ -51,19 +52,23 @@
 //! | the JSON schema of scene files | [`schema()`] |
 
 mod build;
+mod caught;
 mod error;
 mod file;
 pub mod gallery;
 mod games;
 mod geometry;
 pub mod import;
+mod plugins;
 mod random;
 mod scene;
 mod watch;
 
 pub use build::{Built, BuiltGroup, MAX_AGENTS, Plan, PlannedAgent, PlannedField, PlannedJourney};
+pub use caught::caught;
 pub use error::{Error, Kind};
 pub use import::open;
+pub use plugins::Plugins;
 pub use random::{Purpose, Random};
 pub use scene::*;
 pub use watch::{Check, Figure, Verdict, Watch};

@@ -7,6 +7,7 @@ mod recording;
 mod sharing;
 mod telling;
 
+use crate::Options;
 use crate::direct::{Director, Tool};
 use crate::document::Document;
 use crate::keep::{Draft, Leaving, remember, remembered};
@@ -15,10 +16,10 @@ use crate::panels::{self, Asked, Gallery, Meters, Tuned, Tuning, Why};
 use crate::play::{Command, Player, Shown, Speed, Trouble};
 use crate::record::Recording;
 use crate::settings::Settings;
-use crate::Options;
 use crate::style;
 use crate::view::View;
 use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Panel, Rect, Ui};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
@@ -70,7 +71,8 @@ impl App {
             storage.and_then(|storage| remembered(storage, eframe::APP_KEY)).unwrap_or_default();
         options.adjust(&mut settings)?;
         let wanted = options.scene.clone().unwrap_or_else(|| settings.scene.clone());
-        let (document, notice, leaving) = keeping::begin(storage, &wanted, options.scene.is_some())?;
+        let (document, notice, leaving) =
+            keeping::begin(storage, (&wanted, options.scene.is_some()), &Arc::new(options.plugins.clone()))?;
         // a draft that comes back is looked at first
         if notice.is_some() || leaving.is_some() || !crate::outside::is_film(&wanted) {
             settings.scene = document.origin();
@@ -153,8 +155,8 @@ impl App {
             Action::Restart => self.player.command(Command::Restart),
             Action::NextScene | Action::PreviousScene => {
                 let by = if action == Action::NextScene { 1 } else { -1 };
-                if let Some(name) = panels::beside(&self.document.name, by) {
-                    self.leave(Leaving::Open(name.to_owned()));
+                if let Some(name) = panels::beside(self.document.plugins(), &self.document.name, by) {
+                    self.leave(Leaving::Open(name));
                 }
             }
             Action::NextAgent => shown.into_iter().for_each(|shown| self.views[0].select_next(shown)),
@@ -181,6 +183,8 @@ impl App {
             Action::Take(_) | Action::Remove if shown.is_some_and(|shown| shown.reel.is_some()) => {}
             Action::Take(tool) => self.director.take(tool),
             Action::Remove => self.remove(shown),
+            Action::More => self.more(1, shown),
+            Action::Fewer => self.more(-1, shown),
             Action::New => self.leave(Leaving::New),
             Action::SaveAs => self.save_as.open(&format!("{}.toml", self.document.name)),
             Action::Save => self.save(),
@@ -218,8 +222,8 @@ impl App {
             Panel::left("gallery").frame(frame).show_separator_line(false).min_size(234.0).default_size(242.0).show(
                 ui,
                 |ui| {
-                    if let Some(name) = self.gallery.ui(ui, &self.document.name) {
-                        self.leave(Leaving::Open(name.to_owned()));
+                    if let Some(name) = self.gallery.ui(ui, self.document.plugins(), &self.document.name) {
+                        self.leave(Leaving::Open(name));
                     }
                 },
             );

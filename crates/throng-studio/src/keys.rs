@@ -52,6 +52,10 @@ pub enum Action {
     Take(Tool),
     /// Takes what is selected out of the scene.
     Remove,
+    /// One more of a group.
+    More,
+    /// One fewer.
+    Fewer,
     /// A new scene.
     New,
     /// Saves the scene.
@@ -65,7 +69,7 @@ pub enum Action {
 }
 
 /// Every key, what it does, and how the help says it. `true`: with the command key.
-pub const KEYS: [(bool, Key, Action, &str, &str); 26] = [
+pub const KEYS: [(bool, Key, Action, &str, &str); 28] = [
     (false, Key::Space, Action::Play, "Space", "run or pause"),
     (false, Key::ArrowRight, Action::Step, "Right", "a step on"),
     (false, Key::ArrowLeft, Action::Back, "Left", "a step back"),
@@ -87,6 +91,8 @@ pub const KEYS: [(bool, Key, Action, &str, &str); 26] = [
     (false, Key::Questionmark, Action::Help, "?", "this help"),
     (false, Key::Escape, Action::Leave, "Esc", "close, select nobody"),
     (false, Key::Delete, Action::Remove, "Delete", "take what is selected out of the scene"),
+    (false, Key::Plus, Action::More, "+", "one more of the selected agent's group"),
+    (false, Key::Minus, Action::Fewer, "−", "one fewer"),
     (true, Key::S, Action::Save, "Ctrl S", "save the scene (with Shift: under another name)"),
     (true, Key::N, Action::New, "Ctrl N", "a new scene"),
     (true, Key::Z, Action::Undo, "Ctrl Z", "undo (with Shift: redo)"),
@@ -116,7 +122,11 @@ fn action(key: Key, modifiers: Modifiers, writing: bool) -> Option<Action> {
         return None;
     }
     // a keyboard may say so either way
-    let key = if key == Key::Slash && modifiers.shift { Key::Questionmark } else { key };
+    let key = match key {
+        Key::Slash if modifiers.shift => Key::Questionmark,
+        Key::Equals if modifiers.shift => Key::Plus,
+        key => key,
+    };
     let found = KEYS.iter().find(|(with, known, ..)| (*with, *known) == (command, key)).map(|found| found.2);
     let found = found.or_else(|| Tool::of_key(key).filter(|_| !command).map(Action::Take))?;
     // a text has an undo of its own
@@ -148,6 +158,8 @@ mod tests {
         assert!(events.is_empty());
         let mut events = vec![key(Key::Slash, true, Modifiers::SHIFT), key(Key::Questionmark, true, Modifiers::SHIFT)];
         assert_eq!(take(&mut events, false), [Action::Help, Action::Help]);
+        let mut events = vec![key(Key::Equals, true, Modifiers::SHIFT), key(Key::Minus, true, none)];
+        assert_eq!(take(&mut events, false), [Action::More, Action::Fewer]);
     }
 
     #[test]

@@ -41,3 +41,28 @@ pub mod window;
 
 pub use app::App;
 pub use start::Options;
+pub use throng_scene::Plugins;
+
+/// The studio as a program of its own, with what is brought along: in a window, as its command line says, or in a web page.
+///
+/// ```no_run
+/// throng_studio::main(throng_studio::Plugins::new().scene("mine", "[[group]]\nplace.point = [0, 0]\n"));
+/// ```
+#[cfg(not(target_arch = "wasm32"))]
+pub fn main(plugins: Plugins) -> std::process::ExitCode {
+    use clap::Parser;
+    match window::open(window::Arguments::parse(), plugins) {
+        Ok(()) => std::process::ExitCode::SUCCESS,
+        Err(says) => {
+            eprintln!("error: {says}");
+            std::process::ExitCode::FAILURE
+        }
+    }
+}
+
+/// The studio as a program of its own, with what is brought along: in a window, as its command line says, or in a web page.
+#[cfg(target_arch = "wasm32")]
+pub fn main(plugins: Plugins) -> std::process::ExitCode {
+    page::open(plugins);
+    std::process::ExitCode::SUCCESS
+}

@@ -3,9 +3,10 @@
 use crate::settings::Settings;
 use crate::view::Mode;
 use std::path::PathBuf;
+use throng_scene::Plugins;
 
 /// What the studio is started with.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Options {
     /// A name of the gallery or a file; without it, what was open last.
     pub scene: Option<String>,
@@ -21,6 +22,8 @@ pub struct Options {
     pub state: Option<PathBuf>,
     /// Where a picture of the window is written to; then the studio closes.
     pub screenshot: Option<PathBuf>,
+    /// Behaviours, rules and scenes beside its own.
+    pub plugins: Plugins,
 }
 
 impl Options {
@@ -72,7 +75,7 @@ mod tests {
 
     #[test]
     fn an_address_says_what_to_show() {
-        assert_eq!(Options::of_address(""), Ok(Options::default()));
+        assert_eq!(Options::of_address("").unwrap().scene, None);
         let packed = Options::of_address("text=eJwr-_&select=7").unwrap();
         assert_eq!((packed.scene.as_deref(), packed.select), (Some("text=eJwr-_"), Some(7)));
         for wrong in ["circle@x", "circle&select=-1", "circle&camera=sideways"] {

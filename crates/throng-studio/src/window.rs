@@ -4,6 +4,7 @@ use crate::view::Mode;
 use crate::{App, Options};
 use eframe::egui::ViewportBuilder;
 use std::path::PathBuf;
+use throng_scene::Plugins;
 
 /// What the studio is told on the command line.
 #[derive(clap::Parser, Clone, Debug)]
@@ -46,7 +47,7 @@ impl From<Arguments> for Options {
     fn from(arguments: Arguments) -> Self {
         let Arguments { scene, state, screenshot, at_step, select, camera, with, size: _ } = arguments;
         let at_step = at_step.or(screenshot.as_ref().map(|_| 0));
-        Self { scene, state, screenshot, at_step, select, camera, with }
+        Self { scene, state, screenshot, at_step, select, camera, with, ..Self::default() }
     }
 }
 
@@ -61,14 +62,11 @@ fn size(said: &str) -> Result<[f32; 2], String> {
 ///
 /// # Errors
 /// There is no screen, or no OpenGL; in words.
-pub fn open(arguments: Arguments) -> Result<(), String> {
+pub fn open(arguments: Arguments, plugins: Plugins) -> Result<(), String> {
     let size = arguments.size;
-    let options = Options::from(arguments);
+    let options = Options { plugins, ..arguments.into() };
     let native = eframe::NativeOptions {
-        viewport: ViewportBuilder::default()
-            .with_title("throng")
-            .with_app_id("throng")
-            .with_inner_size(size),
+        viewport: ViewportBuilder::default().with_title("throng").with_app_id("throng").with_inner_size(size),
         depth_buffer: 24,
         multisampling: 4,
         // a picture looks the same whoever takes it

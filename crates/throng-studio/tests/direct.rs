@@ -84,6 +84,24 @@ fn points(place: &Place) -> &[[f64; 2]] {
 }
 
 #[test]
+fn one_more_and_one_fewer() {
+    let mut hand = Hand::gallery("pedestrians");
+    for (by, count) in [(1, 101), (1, 102), (-1, 101)] {
+        let before = hand.text();
+        assert_eq!(hand.director.more(&mut hand.document, 0, by), Ok(true));
+        assert_eq!(hand.scene().groups[0].count, Some(count));
+        hand.is_one_step_from(&before);
+    }
+    let mut hand = Hand::gallery("capture-the-flag");
+    let defenders = hand.scene().groups.iter().position(|group| group.name == "defenders").unwrap();
+    assert_eq!(hand.director.more(&mut hand.document, defenders, -1), Ok(true));
+    assert_eq!(points(&hand.scene().groups[defenders].place).len(), 3);
+    let before = hand.text();
+    let says = hand.director.more(&mut hand.document, defenders, 1).unwrap_err();
+    assert!(says.contains("(P)") && hand.text() == before, "{says}");
+}
+
+#[test]
 fn a_rule_moves_as_a_whole_and_a_list_entry_by_entry() {
     let mut hand = Hand::gallery("circle");
     let before = hand.text();

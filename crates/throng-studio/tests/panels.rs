@@ -29,13 +29,13 @@ fn shown(step: u64) -> Arc<Shown> {
 fn the_gallery_finds_and_opens() {
     let mut gallery = Gallery::default();
     gallery.search.push_str("ring 36");
-    let mut asked = None;
-    let mut harness = Harness::new_ui(|ui| asked = asked.or(gallery.ui(ui, "box")));
+    let mut asked: Option<String> = None;
+    let mut harness = Harness::new_ui(|ui| asked = asked.take().or(gallery.ui(ui, &Arc::default(), "box")));
     assert!(harness.query_by_label("boids").is_none(), "it is not searched for");
     harness.get_by_label("circle").click();
     harness.run();
     drop(harness);
-    assert_eq!(asked, Some("circle"));
+    assert_eq!(asked.as_deref(), Some("circle"));
 }
 
 #[test]

@@ -11,6 +11,8 @@ use throng::{Rules, World};
 pub(super) fn make(scene: &Scene, cast: &Cast) -> Result<Option<Arc<dyn Rules>>, Problem> {
     let Some(name) = &scene.rules else { return Ok(None) };
     let made = scene.rulebook.make(name, cast).ok_or_else(|| unknown(scene, name))?;
+    let made =
+        made.map_err(|says| Problem::new(&Path::of("rules"), Kind::Panic, format!("a plug-in panicked: {says}")))?;
     made.map(Some).map_err(|error| unfit(scene, &error))
 }
 

@@ -139,8 +139,8 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
     span
 }
 
-/// Lists of numbers that may have any length; all others are points of the plane ...
-const NUMBER_LISTS: [&str; 4] = ["layers", "avoids", "heights", "radii"];
+/// Lists of numbers that may have any length, and what programs bring along; all others are points of the plane ...
+const NUMBER_LISTS: [&str; 5] = ["layers", "avoids", "heights", "radii", "custom"];
 /// ... but those in these tables, which are points in space ...
 const IN_SPACE: [&str; 9] = ["sphere", "air", "camera", "steer", "surface", "path", "field", "distance", "wrap_around"];
 /// ... or not, after all.

@@ -1,13 +1,21 @@
 //! Behaviours that a program adds to those of scene files.
 
 use super::Cast;
+use crate::caught::{caught, named};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::de::DeserializeOwned;
+use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 use throng::Error;
-use throng::steer::Branch;
+use throng::motion::Steering;
+use throng::steer::swarm::Swarm;
+use throng::steer::{Behaviour, Branch, Flocking, View, Why};
+use toml::Table;
 
 /// Behaviours by name, for `steer.custom = "name"`: how a scene uses a behaviour that a program brings along.
+/// [`Plugins`](crate::Plugins) hands them to every scene of a program.
 ///
 /// ```
 /// use glam::Vec3;
@@ -41,10 +49,28 @@ use throng::steer::Branch;
 /// # Ok::<(), throng_scene::Error>(())
 /// ```
 #[derive(Clone, Default)]
-pub struct Behaviours(BTreeMap<String, Make>);
+pub struct Behaviours(BTreeMap<String, Maker>);
 
-/// Makes a behaviour for a scene.
-type Make = Arc<dyn Fn(&Cast<'_>) -> Result<Branch, Error> + Send + Sync>;
+/// How a behaviour is made, and what can be said of it.
+#[derive(Clone)]
+struct Maker {
+    make: Make,
+    /// The schema of its parameters, if it has any.
+    schema: Option<fn(&mut SchemaGenerator) -> Schema>,
+}
+
+/// Makes a behaviour for a scene, with the parameters that are said.
+type Make = Arc<dyn Fn(&Table, &Cast<'_>) -> Result<Branch, Unmade> + Send + Sync>;
+
+/// Why a behaviour was not made.
+pub(crate) enum Unmade {
+    /// What is said of its parameters does not fit them.
+    Parameters(toml::de::Error),
+    /// What it says itself.
+    Refused(Error),
+    /// It panicked: what it said.
+    Panicked(String),
+}
 
 impl Behaviours {
     /// Adds a behaviour, or takes the place of the one of this name. `make` is told who and what is in the
@@ -54,7 +80,51 @@ impl Behaviours {
         name: impl Into<String>,
         make: impl Fn(&Cast<'_>) -> Result<Branch, Error> + Send + Sync + 'static,
     ) {
-        self.0.insert(name.into(), Arc::new(make));
+        let make: Make = Arc::new(move |_, cast| make(cast).map_err(Unmade::Refused));
+        self.0.insert(name.into(), Maker { make, schema: None });
+    }
+
+    /// Adds a behaviour with parameters, as [`add`](Self::add) does: files say them by
+    /// `steer.custom.NAME = { .. }`, as `P` is read, and whoever asks for the [schema](crate::Plugins::schema) knows them: their
+    /// doc lines, units, limits (`#[schemars(range(min = 0, max = 1))]`, which files are held to) and defaults
+    /// (`#[serde(default)]`).
+    ///
+    /// ```
+    /// use schemars::JsonSchema;
+    /// use serde::Deserialize;
+    /// use throng::steer::Wander;
+    /// use throng_scene::{Behaviours, Scene};
+    ///
+    /// #[derive(Deserialize, JsonSchema)]
+    /// struct Stroll {
+    ///     /// How far it strays. Limit: 0 to 1.
+    ///     #[schemars(range(min = 0, max = 1))]
+    ///     strength: f32,
+    /// }
+    ///
+    /// let mut behaviours = Behaviours::default();
+    /// behaviours.add_with("stroll", |Stroll { strength }, _| Ok(Wander { strength, rate: 1.0 }.into()));
+    /// let mut scene: Scene = "[[group]]\nplace.point = [5, 0]\nsteer.custom.stroll = { strength = 1.5 }".parse()?;
+    /// scene.behaviours = behaviours;
+    /// let says = scene.build().unwrap_err().to_string();
+    /// assert!(says.contains("strength is 1.5, but must be from 0 to 1"), "{says}");
+    /// # Ok::<(), throng_scene::Error>(())
+    /// ```
+    pub fn add_with<P: DeserializeOwned + JsonSchema>(
+        &mut self,
+        name: impl Into<String>,
+        make: impl Fn(P, &Cast<'_>) -> Result<Branch, Error> + Send + Sync + 'static,
+    ) {
+        let make: Make = Arc::new(move |said, cast| {
+            let parameters = P::deserialize(said.clone()).map_err(Unmade::Parameters)?;
+            make(parameters, cast).map_err(Unmade::Refused)
+        });
+        self.0.insert(name.into(), Maker { make, schema: Some(|generator| generator.subschema_for::<P>()) });
+    }
+
+    /// Adds those of others; they take the place of those of the same name.
+    pub fn extend(&mut self, others: Self) {
+        self.0.extend(others.0);
     }
 
     /// The names of all.
@@ -62,9 +132,59 @@ impl Behaviours {
         self.0.keys().map(String::as_str)
     }
 
-    /// The behaviour of this name, made for a scene.
-    pub(crate) fn make(&self, name: &str, cast: &Cast<'_>) -> Option<Result<Branch, Error>> {
-        self.0.get(name).map(|make| make(cast))
+    /// The schemas of the parameters of all: none for a behaviour that has none.
+    pub(crate) fn schemas(&self, generator: &mut SchemaGenerator) -> Vec<(&str, Option<Schema>)> {
+        self.0.iter().map(|(name, maker)| (name.as_str(), maker.schema.map(|schema| schema(generator)))).collect()
+    }
+
+    /// The schema of the parameters of the behaviour of this name, by itself, if it has any.
+    pub(crate) fn schema(&self, name: &str) -> Option<Value> {
+        let mut generator = SchemaGenerator::new(schemars::generate::SchemaSettings::default().with(|settings| {
+            settings.inline_subschemas = true;
+        }));
+        let schema = self.0.get(name)?.schema?;
+        Some(schema(&mut generator).to_value())
+    }
+
+    /// The behaviour of this name, made for a scene; a panic in it says whose it is.
+    pub(crate) fn make(&self, name: &str, said: &Table, cast: &Cast<'_>) -> Option<Result<Branch, Unmade>> {
+        let maker = self.0.get(name)?;
+        let made = caught(|| {
+            let branch = (maker.make)(said, cast)?;
+            branch.check().map_err(Unmade::Refused)?;
+            Ok(branch)
+        });
+        let made = made.unwrap_or_else(|says| Err(Unmade::Panicked(says)));
+        Some(made.map(|branch| Named { name: name.into(), branch }.into()))
+    }
+}
+
+/// A behaviour that a program brings along: panics in it say whose they are.
+#[derive(Debug)]
+struct Named {
+    name: Arc<str>,
+    branch: Branch,
+}
+
+impl Behaviour for Named {
+    fn memory(&self) -> usize {
+        self.branch.words()
+    }
+
+    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+        named("behaviour", &self.name, || self.branch.steer(view, memory, why))
+    }
+
+    fn as_flocking(&self) -> Option<&Flocking> {
+        self.branch.as_flocking()
+    }
+
+    fn as_swarm(&self) -> Option<&Swarm> {
+        self.branch.as_swarm()
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        named("behaviour", &self.name, || self.branch.check())
     }
 }
 

@@ -28,6 +28,7 @@ mod view;
 pub use annotate::{Annotate, Annotation};
 pub use avoid::{Avo, Avoid, BuiltFrom, Clearpath, Hrvo, Orca, Orca3d, Rvo, RvoLab, Unavoiding, Vo};
 pub use behaviours::Behaviours;
+pub(crate) use behaviours::Unmade;
 pub use body::{Body, Sides};
 pub use cast::Cast;
 pub use expect::{Arrived, DistanceExpect, Expect, FigureExpect, FlowExpect, GroupExpect, To, When};

@@ -1,10 +1,11 @@
 //! Rules that scene files name.
 
 use super::Cast;
+use crate::caught::{caught, named};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
-use throng::{Error, Rules};
+use throng::{Error, Rules, World};
 
 /// Rules by name, for `rules = "name"`: those of the gallery's games, and what a program adds.
 ///
@@ -64,7 +65,21 @@ impl Rulebook {
         name: impl Into<String>,
         make: impl Fn(&Cast<'_>) -> Result<R, Error> + Send + Sync + 'static,
     ) {
-        self.0.insert(name.into(), Arc::new(move |cast| Ok(Arc::new(make(cast)?))));
+        let name = name.into();
+        let of: Arc<str> = name.as_str().into();
+        let make: Make = Arc::new(move |cast| {
+            named("rules", &of, || {
+                let rules = make(cast)?;
+                let named: Arc<dyn Rules> = Arc::new(Named { name: of.clone(), figures: rules.figures(), rules });
+                Ok(named)
+            })
+        });
+        self.0.insert(name, make);
+    }
+
+    /// Adds those of another; they take the place of those of the same name.
+    pub fn extend(&mut self, others: Self) {
+        self.0.extend(others.0);
     }
 
     /// The names of all.
@@ -72,9 +87,35 @@ impl Rulebook {
         self.0.keys().map(String::as_str)
     }
 
-    /// The rules of this name, made for a scene.
-    pub(crate) fn make(&self, name: &str, cast: &Cast<'_>) -> Option<Result<Arc<dyn Rules>, Error>> {
-        self.0.get(name).map(|make| make(cast))
+    /// The rules of this name, made for a scene; or what a panic of theirs says.
+    pub(crate) fn make(&self, name: &str, cast: &Cast<'_>) -> Option<Result<Result<Arc<dyn Rules>, Error>, String>> {
+        self.0.get(name).map(|make| caught(|| make(cast)))
+    }
+}
+
+/// Rules that a program brings along: panics in them say whose they are.
+#[derive(Debug)]
+struct Named<R> {
+    name: Arc<str>,
+    figures: Vec<String>,
+    rules: R,
+}
+
+impl<R: Rules> Rules for Named<R> {
+    fn figures(&self) -> Vec<String> {
+        self.figures.clone()
+    }
+
+    fn begin(&self, world: &mut World, figures: &mut [f64]) -> Result<(), Error> {
+        named("rules", &self.name, || self.rules.begin(world, figures))
+    }
+
+    fn act(&self, world: &mut World, figures: &mut [f64]) -> Result<(), Error> {
+        named("rules", &self.name, || self.rules.act(world, figures))
+    }
+
+    fn standing(&self, world: &World, figures: &[f64]) -> String {
+        named("rules", &self.name, || self.rules.standing(world, figures))
     }
 }
 

@@ -43,10 +43,20 @@ impl App {
         }
     }
 
+    /// Adds somebody to the group of who is selected, or else to the one that is directed; or takes one out.
+    pub(super) fn more(&mut self, by: i64, shown: Option<&Shown>) {
+        let Some(shown) = shown else { return };
+        let of = |number| shown.first.bodies.iter().find(|body| body.number == number);
+        let selected = self.views[0].selected.and_then(of).map(|body| body.group as usize);
+        let group = selected.unwrap_or(self.director.group);
+        let edited = self.director.more(&mut self.document, group, by);
+        self.directed(edited, shown);
+    }
+
     /// Saves under another name, or opens a file, once it is said.
     pub(super) fn ask_name(&mut self, ctx: &Context) {
         if let Some(name) = self.open.ui(ctx) {
-            let opened = crate::outside::open(&name).map(|_| ());
+            let opened = crate::outside::open(&name, self.document.plugins()).map(|_| ());
             let good = opened.is_ok();
             self.open.answer(opened);
             if good {

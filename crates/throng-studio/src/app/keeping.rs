@@ -6,7 +6,9 @@ use crate::keep::{Answer, Draft, Leaving, remembered};
 use crate::panels;
 use eframe::Storage;
 use eframe::egui::{Context, ViewportCommand};
+use std::sync::Arc;
 use std::time::Duration;
+use throng_scene::Plugins;
 
 /// How often what is not saved is remembered.
 pub(super) const AUTOSAVE: Duration = Duration::from_secs(3);
@@ -15,19 +17,19 @@ pub(super) const AUTOSAVE: Duration = Duration::from_secs(3);
 /// if there is one, else the scene that is `wanted`, which may be `named` by whoever started the studio.
 pub(super) fn begin(
     storage: Option<&dyn Storage>,
-    wanted: &str,
-    named: bool,
+    (wanted, named): (&str, bool),
+    plugins: &Arc<Plugins>,
 ) -> Result<(Document, Option<String>, Option<Leaving>), String> {
     let draft: Option<Draft> = storage.and_then(|storage| remembered(storage, Draft::KEY)).flatten();
     if let Some(draft) = draft {
-        let document = draft.restore(crate::outside::open);
+        let document = draft.restore(|scene| crate::outside::open(scene, plugins)).with(plugins);
         let notice = format!("restored: the changes of {} that were not saved", document.name);
         let asked = named && document.origin() != wanted;
         return Ok((document, Some(notice), asked.then(|| Leaving::Open(wanted.to_owned()))));
     }
-    match crate::outside::open(wanted) {
-        Ok(document) => Ok((document, None, None)),
-        Err(says) => Ok((Document::gallery("circle").ok_or("there is no gallery")?, Some(says), None)),
+    match crate::outside::open(wanted, plugins) {
+        Ok(document) => Ok((document.with(plugins), None, None)),
+        Err(says) => Ok((Document::named("circle", plugins).ok_or("there is no gallery")?, Some(says), None)),
     }
 }
 
@@ -43,7 +45,7 @@ impl App {
 
     fn go(&mut self, to: Leaving) {
         match to {
-            Leaving::Open(scene) => match crate::outside::open(&scene) {
+            Leaving::Open(scene) => match crate::outside::open(&scene, self.document.plugins()) {
                 Ok(document) => {
                     self.show(document);
                     self.settings.scene = scene;
@@ -65,6 +67,7 @@ impl App {
     }
 
     fn show(&mut self, document: Document) {
+        let document = document.with(self.document.plugins());
         self.outside = crate::outside::Outside::new(&document);
         self.document = document;
         self.director.cancel();

@@ -113,6 +113,23 @@ fn along(line: &[DVec2], step: f64) -> impl Iterator<Item = DVec2> {
     line.first().copied().into_iter().chain(between)
 }
 
+/// Adds an agent to a group whose place is a rule, or takes the last one out of any group.
+///
+/// # Errors
+/// Nothing says how many there are, or it is the last of all.
+pub fn more(edit: &mut Edit, scene: &Scene, g: usize, by: i64) -> Result<(), String> {
+    let group = scene.groups.get(g).ok_or("there is no such group")?;
+    match (&group.place, group.count) {
+        (Place::Points(points), _) if by < 0 => remove(edit, g, points.len().saturating_sub(1)),
+        (Place::Points(_) | Place::Point(_), _) => {
+            Err("it says where each of them is: add people with a click (P)".into())
+        }
+        (_, Some(1)) if by < 0 => remove_group(edit, g),
+        (_, Some(_)) => count(edit, g, by),
+        (_, None) => Err("the group does not say how many they are: set its `count` in the text".into()),
+    }
+}
+
 /// Takes an agent out of a group; with its last one the group goes.
 ///
 /// # Errors

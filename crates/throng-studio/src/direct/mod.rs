@@ -222,6 +222,16 @@ impl Director {
         Ok(g)
     }
 
+    /// Adds an agent to a group, by position, or takes one out.
+    ///
+    /// # Errors
+    /// The text has no place for it, or the scene needs them.
+    pub fn more(&self, document: &mut Document, group: usize, by: i64) -> Result<bool, String> {
+        let scene = self.sound(document)?;
+        document.change(|edit| agents::more(edit, &scene, group, by))?;
+        Ok(true)
+    }
+
     /// Takes what is selected out of the scene; whether something was.
     ///
     /// # Errors

@@ -238,6 +238,12 @@ impl Node for Item {
                 inner.set_dotted(true);
                 add_pair(table, key, inner.into());
             }
+            // a name stands for a table of that name with nothing in it
+            Self::Value(value) if value.as_str() == Some(key) => {
+                let mut table = Value::from(InlineTable::from_iter([(key, InlineTable::new())]));
+                *table.decor_mut() = value.decor().clone();
+                *value = table;
+            }
             _ => return Err(format!("there is no table that `{key}` could be in")),
         }
         Ok(())

@@ -14,7 +14,7 @@ pub use watched::Watched;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use throng_scene::{Error, Scene, gallery};
+use throng_scene::{Error, Plugins, Scene};
 
 /// A scene's text, where it is from, and what it says.
 #[derive(Clone, Debug)]
@@ -23,6 +23,8 @@ pub struct Document {
     pub name: Arc<str>,
     /// The file it is saved in, if it has one.
     pub path: Option<PathBuf>,
+    /// What the scene can name.
+    plugins: Arc<Plugins>,
     text: String,
     /// The text as it was opened or saved.
     saved: String,
@@ -37,6 +39,7 @@ impl Document {
         let mut document = Self {
             name: name.into(),
             path: None,
+            plugins: Arc::default(),
             saved: text.clone(),
             text,
             history: History::default(),
@@ -53,7 +56,24 @@ impl Document {
 
     /// A scene of the gallery.
     pub fn gallery(name: &str) -> Option<Self> {
-        Some(Self::new(name, gallery::text(name)?))
+        Self::named(name, &Arc::default())
+    }
+
+    /// A scene of the plug-ins or of the gallery.
+    pub fn named(name: &str, plugins: &Arc<Plugins>) -> Option<Self> {
+        Some(Self::new(name, plugins.text(name)?).with(plugins))
+    }
+
+    /// The same text, which can name the behaviours and rules of these plug-ins.
+    pub fn with(mut self, plugins: &Arc<Plugins>) -> Self {
+        self.plugins = plugins.clone();
+        self.parse();
+        self
+    }
+
+    /// What the scene can name.
+    pub fn plugins(&self) -> &Arc<Plugins> {
+        &self.plugins
     }
 
     /// The text of a scene file.
@@ -144,6 +164,7 @@ impl Document {
         let folder = self.path.as_deref().and_then(Path::parent).map(Path::to_owned).unwrap_or_default();
         let mut scene = Scene::parse(&file, text)?;
         scene.origin.folder = folder;
+        self.plugins.equip(&mut scene);
         Ok(Arc::new(scene))
     }
 }
@@ -179,7 +200,7 @@ mod tests {
 
     #[test]
     fn every_scene_of_the_gallery_opens() {
-        for name in gallery::names() {
+        for name in throng_scene::gallery::names() {
             assert!(Document::gallery(name).unwrap().scene().is_ok(), "{name}");
         }
         assert!(Document::gallery("no such scene").is_none());

@@ -6,25 +6,27 @@ use crate::play::{Player, Shown, Threaded};
 use crate::record::{Recording, Subject, Take};
 use eframe::egui::{Context, ViewportCommand};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 use throng_draw::record::{Plan, Recorder};
-use throng_scene::gallery;
+use throng_scene::{Plugins, gallery};
 
-/// A name of the gallery or a file, as a document: that of a film is of the scene it has the place of, as far as that is known.
+/// A name of the gallery or of the plug-ins, or a file, as a document: that of a film is of the scene it has the place of, as far as
+/// that is known.
 ///
 /// # Errors
 /// It is neither; what to do about it.
-pub fn open(scene: &str) -> Result<Document, String> {
-    if let Some(document) = crate::share::open(scene).or_else(|| Document::gallery(scene)) {
+pub fn open(scene: &str, plugins: &Arc<Plugins>) -> Result<Document, String> {
+    if let Some(document) = crate::share::open(scene).or_else(|| Document::named(scene, plugins)) {
         return Ok(document);
     }
     let path = Path::new(scene);
     if is_film(scene) {
         let beside = path.with_extension("toml");
         let stem = path.file_stem().map(|stem| stem.to_string_lossy());
-        let place = if beside.is_file() { open(&beside.display().to_string()).ok() } else { None };
-        let place = place.or_else(|| Document::gallery(&stem?));
+        let place = if beside.is_file() { open(&beside.display().to_string(), plugins).ok() } else { None };
+        let place = place.or_else(|| Document::named(&stem?, plugins));
         return Ok(place.unwrap_or_else(Document::empty));
     }
     if path.exists() {

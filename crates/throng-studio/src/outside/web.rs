@@ -6,23 +6,24 @@ use crate::play::{Player, Shown};
 use crate::record::{Recording, Subject, Take};
 use eframe::egui::Context;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 use throng_draw::record::{Plan, Recorder};
 use throng_record::Output;
-use throng_scene::gallery;
+use throng_scene::{Plugins, gallery};
 use wasm_bindgen::{JsCast, JsValue};
 
 /// A page gives so much of each frame to the simulation.
 const SLICE: Duration = Duration::from_millis(10);
 
-/// A name of the gallery, as a document.
+/// A name of the gallery or of the plug-ins, as a document.
 ///
 /// # Errors
 /// There is no such scene.
-pub fn open(scene: &str) -> Result<Document, String> {
+pub fn open(scene: &str, plugins: &Arc<Plugins>) -> Result<Document, String> {
     crate::share::open(scene)
-        .or_else(|| Document::gallery(scene))
+        .or_else(|| Document::named(scene, plugins))
         .ok_or_else(|| gallery::scene(scene).err().map_or_else(String::new, |error| error.to_string()))
 }
 

@@ -1,11 +1,12 @@
-//! The gallery: every scene that comes with the project, by group; search finds names, titles and texts.
+//! The gallery: every scene that comes with the project or with plug-ins, by group; search finds names, titles and texts.
 
 use super::thumbnails::Thumbnails;
 use eframe::egui::{
     Align2, CollapsingHeader, CornerRadius, FontId, Key, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke,
     StrokeKind, TextEdit, Ui, WidgetInfo, pos2, vec2,
 };
-use throng_scene::gallery;
+use std::sync::Arc;
+use throng_scene::Plugins;
 
 /// Width of a tile, points of the screen, and width over height of its picture.
 const TILE: f32 = 99.0;
@@ -21,27 +22,27 @@ pub struct Gallery {
 
 impl Gallery {
     /// Shows the gallery, where `open` is the name of the scene that is open; the name of the one that is asked for.
-    pub fn ui(&mut self, ui: &mut Ui, open: &str) -> Option<&'static str> {
+    pub fn ui(&mut self, ui: &mut Ui, plugins: &Arc<Plugins>, open: &str) -> Option<String> {
         let mut asked = None;
         let search = ui.add(TextEdit::singleline(&mut self.search).hint_text("search").desired_width(f32::INFINITY));
         search.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "search"));
         let entered = search.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         ui.add_space(4.0);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            for (group, names) in gallery::groups() {
-                let found: Vec<&'static str> = names.filter(|name| finds(name, &self.search)).collect();
+            for (group, names) in plugins.groups() {
+                let found: Vec<&str> = names.into_iter().filter(|name| finds(plugins, name, &self.search)).collect();
                 if found.is_empty() {
                     continue;
                 }
                 if entered && asked.is_none() {
-                    asked = found.first().copied();
+                    asked = found.first().map(|&name| name.to_owned());
                 }
                 CollapsingHeader::new(RichText::new(group).strong()).default_open(true).show_unindented(ui, |ui| {
                     ui.horizontal_wrapped(|ui| {
                         ui.spacing_mut().item_spacing = vec2(6.0, 6.0);
                         for name in found {
-                            if self.tile(ui, name, name == open).clicked() {
-                                asked = Some(name);
+                            if self.tile(ui, plugins, name, name == open).clicked() {
+                                asked = Some(name.to_owned());
                             }
                         }
                     });
@@ -51,7 +52,7 @@ impl Gallery {
         asked
     }
 
-    fn tile(&mut self, ui: &mut Ui, name: &'static str, open: bool) -> Response {
+    fn tile(&mut self, ui: &mut Ui, plugins: &Arc<Plugins>, name: &str, open: bool) -> Response {
         let picture = vec2(TILE, TILE / ASPECT);
         let (rect, response) = ui.allocate_exact_size(picture + vec2(0.0, 17.0), Sense::click());
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, open, name));
@@ -59,7 +60,7 @@ impl Gallery {
             let (visuals, painter) = (ui.visuals(), ui.painter());
             let frame = Rect::from_min_size(rect.min, picture);
             painter.rect_filled(frame, CornerRadius::same(4), visuals.faint_bg_color);
-            if let Some(texture) = self.thumbnails.of(name, ui.ctx()) {
+            if let Some(texture) = self.thumbnails.of(name, plugins, ui.ctx()) {
                 let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
                 painter.image(texture.id(), frame, whole, eframe::egui::Color32::WHITE);
             }
@@ -79,24 +80,24 @@ impl Gallery {
                 color,
             );
         }
-        response.on_hover_text(gallery::title(name).unwrap_or(name))
+        response.on_hover_text(plugins.title(name).unwrap_or(name))
     }
 }
 
 /// Whether a scene has every word that is searched for.
-fn finds(name: &str, search: &str) -> bool {
+fn finds(plugins: &Plugins, name: &str, search: &str) -> bool {
     let words = search.to_lowercase();
-    let title = gallery::title(name).unwrap_or_default().to_lowercase();
-    let text = || gallery::text(name).unwrap_or_default().to_lowercase();
+    let title = plugins.title(name).unwrap_or_default().to_lowercase();
+    let text = || plugins.text(name).unwrap_or_default().to_lowercase();
     words.split_whitespace().all(|word| name.contains(word) || title.contains(word) || text().contains(word))
 }
 
 /// The scene of the gallery that comes `by` places after the one of this name; the first after the last.
-pub fn beside(name: &str, by: isize) -> Option<&'static str> {
-    let names: Vec<&'static str> = gallery::names().collect();
+pub fn beside(plugins: &Plugins, name: &str, by: isize) -> Option<String> {
+    let names = plugins.names();
     let now = names.iter().position(|&known| known == name);
     let next = now.map_or(0, |now| (now as isize + by).rem_euclid(names.len() as isize) as usize);
-    names.get(next).copied()
+    names.get(next).map(|&name| name.to_owned())
 }
 
 #[cfg(test)]
@@ -105,14 +106,15 @@ mod tests {
 
     #[test]
     fn words_are_found_wherever_they_stand() {
-        assert!(finds("circle", "ring 36") && finds("circle", "CIRC") && finds("circle", ""));
-        assert!(!finds("circle", "drones"));
+        let finds = |search| finds(&Plugins::new(), "circle", search);
+        assert!(finds("ring 36") && finds("CIRC") && finds("") && !finds("drones"));
     }
 
     #[test]
     fn after_the_last_comes_the_first() {
-        let last = gallery::names().last().unwrap();
-        assert_eq!((beside(last, 1), beside("columns", -1)), (Some("columns"), Some(last)));
-        assert_eq!(beside("a file", 1), Some("columns"));
+        let beside = |name, by| beside(&Plugins::new(), name, by).unwrap();
+        let last = throng_scene::gallery::names().last().unwrap();
+        assert_eq!((beside(last, 1).as_str(), beside("columns", -1).as_str()), ("columns", last));
+        assert_eq!(beside("a file", 1), "columns");
     }
 }

@@ -1,30 +1,40 @@
-//! The gallery's pictures, unpacked when they are first looked at.
+//! The gallery's pictures, unpacked when they are first looked at; scenes of plug-ins have theirs drawn then.
 
+use crate::document::Document;
 use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
 use std::collections::BTreeMap;
-use throng_draw::{Color, Theme};
+use std::sync::Arc;
+use throng_draw::{Color, Painter, Style, Theme};
+use throng_record::{Frame, moment};
+use throng_scene::{Plugins, caught, gallery};
 
 /// Every picture: the name of its scene, and its file.
 const FILES: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/thumbnails.rs"));
 
+/// Pixels of a picture that is drawn: those of the files.
+const SIZE: (u32, u32) = (216, 144);
+
 /// Pictures that have been looked at.
 #[derive(Default)]
 pub struct Thumbnails {
-    textures: BTreeMap<(&'static str, bool), Option<TextureHandle>>,
+    textures: [BTreeMap<String, Option<TextureHandle>>; 2],
 }
 
 impl Thumbnails {
     /// The picture of a scene, for panels as dark as these; `None` if there is none.
-    pub fn of(&mut self, name: &'static str, ctx: &Context) -> Option<&TextureHandle> {
+    pub fn of(&mut self, name: &str, plugins: &Arc<Plugins>, ctx: &Context) -> Option<&TextureHandle> {
         let dark = ctx.global_style().visuals.dark_mode;
-        let unpack = || {
-            let mut image = image(name)?;
+        let textures = &mut self.textures[usize::from(dark)];
+        if !textures.contains_key(name) {
+            let own = plugins.text(name) != gallery::text(name);
+            let mut image = if own { beginning(name, plugins) } else { image(name) };
             if dark {
-                image.pixels.iter_mut().for_each(|pixel| *pixel = darkened(*pixel));
+                image.iter_mut().flat_map(|image| &mut image.pixels).for_each(|pixel| *pixel = darkened(*pixel));
             }
-            Some(ctx.load_texture(name, image, TextureOptions::LINEAR))
-        };
-        self.textures.entry((name, dark)).or_insert_with(unpack).as_ref()
+            let texture = image.map(|image| ctx.load_texture(name, image, TextureOptions::LINEAR));
+            textures.insert(name.to_owned(), texture);
+        }
+        textures.get(name)?.as_ref()
     }
 }
 
@@ -39,6 +49,20 @@ fn darkened(color: Color32) -> Color32 {
     // a cast keeps within 0 to 255
     let [r, g, b] = [0, 1, 2].map(|k| (from[k] - gray(light, k) + gray(dark, k)).round() as u8);
     Color32::from_rgb(r, g, b)
+}
+
+/// A scene as it begins; `None` if it does not.
+fn beginning(name: &str, plugins: &Arc<Plugins>) -> Option<ColorImage> {
+    let document = Document::named(name, plugins)?;
+    let scene = document.scene().ok()?;
+    let (world, built) = caught(|| scene.build()).ok()?.ok()?;
+    let mut frame = Frame::default();
+    moment::capture(&world, &mut frame);
+    let (width, height) = SIZE;
+    let style = Style { width, height, legend: false, ..Style::said(scene) };
+    let mut painter = Painter::new(&moment::setting(&world, &built, name), &style, &frame).ok()?;
+    let size = [width as usize, height as usize];
+    Some(ColorImage::from_rgba_premultiplied(size, painter.paint(&frame).data()))
 }
 
 fn image(name: &str) -> Option<ColorImage> {
@@ -74,7 +98,7 @@ mod tests {
 
     #[test]
     fn every_scene_of_the_gallery_has_a_picture() {
-        let missing: Vec<_> = throng_scene::gallery::names().filter(|name| image(name).is_none()).collect();
+        let missing: Vec<_> = gallery::names().filter(|name| image(name).is_none()).collect();
         assert!(missing.is_empty(), "cargo run -p throng-studio --example thumbnails -- {}", missing.join(" "));
     }
 }

@@ -44,7 +44,7 @@ impl Tuning {
             ui.label("The text is to be mended first.");
             return None;
         };
-        let tunable = self.tunable.get_or_insert_default();
+        let tunable = self.tunable.get_or_insert_with(|| Tunable::new(document.plugins()));
         let known = self.sections.take().filter(|(of, _)| Arc::ptr_eq(of, &scene));
         let (of, sections) = known.unwrap_or_else(|| (scene.clone(), tunable.groups(document)));
         if let Some(says) = &self.refused {
@@ -72,7 +72,9 @@ impl Tuning {
         }
         for inner in &section.sections {
             let header = CollapsingHeader::new(inner.name.replace('_', " ")).id_salt(&inner.name);
-            let open = ["avoid", "speed", "steer"].contains(&inner.name.as_str());
+            // what is alone beside a choice is what was chosen
+            let chosen = section.sections.len() == 1 && section.parameters.len() == 1;
+            let open = chosen || ["avoid", "speed", "steer"].contains(&inner.name.as_str());
             let shown = header.default_open(open).show(ui, |ui| self.section(ui, inner, wish));
             shown.header_response.on_hover_text(&inner.about);
         }

@@ -4,12 +4,10 @@ use super::history::History;
 use super::observed::Observed;
 use super::shown::{Cost, Trouble};
 use super::stage::Stage;
-use std::any::Any;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use throng::{Asked, Explanation, Stage as Part, Summary, World};
 use throng_record::{Frame, Setting, moment};
-use throng_scene::{Built, Scene, Time};
+use throng_scene::{Built, Scene, caught};
 use web_time::Instant;
 
 /// Bytes of states that are kept to go back to.
@@ -21,7 +19,7 @@ const FRESH: f64 = 0.1;
 pub(super) struct Live {
     world: World,
     built: Built,
-    time: Time,
+    scene: Arc<Scene>,
     history: History,
     summary: (Instant, Arc<Summary>),
     /// Who is to explain itself, and what it said last, when.
@@ -31,12 +29,12 @@ pub(super) struct Live {
 
 impl Live {
     /// Builds the scene's world; what stays the same in it.
-    pub fn new(scene: &Scene, title: &str) -> Result<(Self, Setting), Trouble> {
+    pub fn new(scene: Arc<Scene>, title: &str) -> Result<(Self, Setting), Trouble> {
         let built = guarded(|| scene.build())?;
         let (world, built) = built.map_err(|error| Trouble::Scene(Box::new(error)))?;
         let setting = moment::setting(&world, &built, title);
         let mut live = Self {
-            time: scene.time.clone(),
+            scene,
             history: History::new(MEMORY),
             summary: (Instant::now(), Arc::new(world.summary())),
             explained: None,
@@ -51,6 +49,21 @@ impl Live {
     /// The corners of the place and everybody at first.
     pub fn bounds(&self) -> [glam::DVec2; 2] {
         self.built.bounds
+    }
+
+    /// After a panic, which leaves a step half made: a new world, as it was at a step or, if it panics on the way there too,
+    /// at the last state before that is kept.
+    fn mend(&mut self, step: u64) {
+        for goal in [step, 0] {
+            let Ok(Ok((mut world, built))) = guarded(|| self.scene.build()) else { return };
+            let kept = self.history.nearest(step).is_some_and(|state| world.load(state).is_ok());
+            let goal = if kept { goal } else { 0 };
+            if guarded(|| (world.steps()..goal).for_each(|_| world.step())).is_ok() {
+                (self.world, self.built) = (world, built);
+                break;
+            }
+        }
+        self.explain(self.explained);
     }
 
     fn keep(&mut self) {
@@ -71,19 +84,23 @@ impl Stage for Live {
     }
 
     fn over(&self) -> bool {
-        self.time.over(&self.world)
+        self.scene.time.over(&self.world)
     }
 
     fn step(&mut self, cost: &mut Cost) -> Result<(), Trouble> {
-        let begin = Instant::now();
+        let (begin, before) = (Instant::now(), self.world.steps());
         let (mut last, mut stages) = (begin, [0.0; 5]);
-        guarded(|| {
+        let made = guarded(|| {
             self.world.step_in_stages(|stage: Part| {
                 let now = Instant::now();
                 stages[stage as usize] += (now - last).as_secs_f64();
                 last = now;
             });
-        })?;
+        });
+        if made.is_err() {
+            self.mend(before);
+        }
+        made?;
         let share = if self.world.steps() == 1 { 1.0 } else { FRESH };
         let mix = |old: &mut f64, new: f64| *old += (new - *old) * share;
         cost.stages.iter_mut().zip(stages).for_each(|(old, new)| mix(old, new));
@@ -135,9 +152,12 @@ impl Stage for Live {
         self.explanation.as_ref().map(|(_, why)| why.clone())
     }
 
-    fn tune(&mut self, new: &Scene, old: &Scene, title: &str) -> Result<Option<Setting>, Trouble> {
+    fn tune(&mut self, new: &Arc<Scene>, old: &Scene, title: &str) -> Result<Option<Setting>, Trouble> {
         let tuned = guarded(|| new.tune(old, &mut self.world, &mut self.built))?;
         let tuned = tuned.map_err(|error| Trouble::Scene(Box::new(error)))?;
+        if tuned {
+            self.scene = new.clone();
+        }
         Ok(tuned.then(|| moment::setting(&self.world, &self.built, title)))
     }
 
@@ -152,9 +172,5 @@ impl Stage for Live {
 
 /// Runs code of a scene: a panic in it becomes what it says.
 pub(crate) fn guarded<T>(code: impl FnOnce() -> T) -> Result<T, Trouble> {
-    catch_unwind(AssertUnwindSafe(code)).map_err(|panic: Box<dyn Any + Send>| {
-        let says = panic.downcast_ref::<String>().map(String::as_str);
-        let says = says.or_else(|| panic.downcast_ref::<&str>().copied());
-        Trouble::Panic(says.unwrap_or("without a word").into())
-    })
+    caught(code).map_err(Trouble::Panic)
 }

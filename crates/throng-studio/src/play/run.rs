@@ -28,7 +28,7 @@ pub(super) struct Run {
 impl Run {
     /// Builds the scene's world.
     pub fn new(name: Arc<str>, scene: Arc<Scene>, meters: &Arc<[Meter]>) -> Result<Self, Trouble> {
-        let (live, setting) = Live::new(&scene, title(&scene, &name))?;
+        let (live, setting) = Live::new(scene.clone(), title(&scene, &name))?;
         let [min, max] = live.bounds();
         Ok(Self::of(name, scene, Box::new(live), Arc::new(setting), WorldBox { min, max }, meters))
     }
@@ -69,7 +69,10 @@ impl Run {
 
     /// Makes one step.
     pub fn step(&mut self) -> Result<(), Trouble> {
-        self.stage.step(&mut self.cost)?;
+        if let Err(trouble) = self.stage.step(&mut self.cost) {
+            self.stand();
+            return Err(trouble);
+        }
         if self.series.wants(self.stage.steps()) {
             Arc::make_mut(&mut self.series).see(&self.stage.observe());
         }
@@ -90,6 +93,11 @@ impl Run {
     /// Goes to the last state within reach of a step or of one before it.
     pub fn back_to(&mut self, step: u64) {
         self.stage.back_to(step);
+        self.stand();
+    }
+
+    /// Shows where the stage stands after it has not gone on from what was shown.
+    fn stand(&mut self) {
         Arc::make_mut(&mut self.series).back(&self.stage.observe());
         self.see();
         self.before = self.frame.clone();

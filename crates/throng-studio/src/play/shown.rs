@@ -96,7 +96,7 @@ impl std::fmt::Display for Trouble {
         match self {
             Self::Scene(error) => error.fmt(f),
             Self::Film(says) => f.write_str(says),
-            Self::Panic(says) => write!(f, "the scene's code panicked: {says}"),
+            Self::Panic(says) => write!(f, "a plug-in panicked: {says}"),
         }
     }
 }

@@ -33,7 +33,7 @@ pub(super) trait Stage {
         None
     }
     /// Goes on as a scene says that was `old`, if only its groups are others: what stays the same then.
-    fn tune(&mut self, _new: &Scene, _old: &Scene, _title: &str) -> Result<Option<Setting>, Trouble> {
+    fn tune(&mut self, _new: &Arc<Scene>, _old: &Scene, _title: &str) -> Result<Option<Setting>, Trouble> {
         Ok(None)
     }
     /// A hash of the state.

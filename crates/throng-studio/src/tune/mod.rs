@@ -11,6 +11,7 @@ pub use section::{Kind, Parameter, Section};
 
 use crate::document::{Document, Edit};
 use serde_json::Value;
+use throng_scene::Plugins;
 
 /// Keys of a group that say where and when its agents start and where they go: another scene, not another tuning; and what
 /// is a matter of pictures.
@@ -36,13 +37,12 @@ pub struct Tunable {
     schema: Value,
 }
 
-impl Default for Tunable {
-    fn default() -> Self {
-        Self { schema: throng_scene::schema() }
-    }
-}
-
 impl Tunable {
+    /// What scene files can say, with these plug-ins.
+    pub fn new(plugins: &Plugins) -> Self {
+        Self { schema: plugins.schema() }
+    }
+
     /// A section for each group of a scene; none while its text is no scene.
     pub fn groups(&self, document: &Document) -> Vec<Section> {
         let (Ok(scene), Ok(text)) = (document.scene(), Edit::new(document.text())) else { return Vec::new() };
@@ -81,7 +81,7 @@ mod tests {
     #[test]
     fn a_ring_of_people_has_its_parameters() {
         let document = Document::gallery("circle").unwrap();
-        let sections = Tunable::default().groups(&document);
+        let sections = Tunable::new(&Plugins::new()).groups(&document);
         let found = parameters(&sections);
         let of =
             |path: &str| *found.iter().find(|parameter| parameter.path == path).unwrap_or_else(|| panic!("{path}"));
@@ -100,7 +100,7 @@ mod tests {
     /// Every number of every scene, given its own value again, is taken, and the scene says what it did.
     #[test]
     fn every_parameter_of_the_gallery_can_be_set() {
-        let tunable = Tunable::default();
+        let tunable = Tunable::new(&Plugins::new());
         for name in gallery::names() {
             let mut document = Document::gallery(name).unwrap();
             let scene = document.scene().unwrap().clone();

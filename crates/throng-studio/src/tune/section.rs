@@ -1,7 +1,7 @@
 //! The tree of what can be tuned, from a schema and from values that fit it.
 
 use super::about::About;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 /// Parameters that belong together: those of a table.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -98,7 +98,12 @@ fn fill(
     for (key, property) in properties {
         let own = line(property);
         let about = About::new(if own.is_empty() { line_of_all } else { &own });
-        let about = About { without: about.without.or(property["default"].as_f64()), ..about };
+        let about = About {
+            low: about.low.or(property["minimum"].as_f64()),
+            high: about.high.or(property["maximum"].as_f64()),
+            without: about.without.or(property["default"].as_f64().map(written)),
+            ..about
+        };
         let path = format!("{path}.{key}");
         add(section, root, property, said.get(key), Place { path, name: key, about });
     }
@@ -115,9 +120,13 @@ struct Place<'a> {
 fn add(section: &mut Section, root: &Value, schema: &Value, said: Option<&Value>, place: Place) {
     let Place { path, name, about } = place;
     let given = said.is_some();
+    let variants = variants(root, schema);
+    // a name of a table stands for one with nothing in it
+    let named = said.and_then(Value::as_str).filter(|name| variants.iter().any(|variant| is_only(variant, name)));
+    let named = named.map(|name| json!({ name: {} }));
+    let said = named.as_ref().or(said);
     let parameter =
         |kind: Kind| Parameter { path: path.clone(), name: name.to_owned(), about: about.clone(), given, kind };
-    let variants = variants(root, schema);
     if let Some(value) = said.and_then(Value::as_f64).or(about.without.filter(|_| !given))
         && variants.iter().any(|variant| is(variant, "number") || is(variant, "integer"))
     {
@@ -212,6 +221,17 @@ fn is(schema: &Value, name: &str) -> bool {
         Value::Array(several) => several.iter().any(|one| one == name),
         _ => false,
     }
+}
+
+/// Whether a schema is of tables with this key and no other.
+fn is_only(schema: &Value, key: &str) -> bool {
+    schema["properties"].as_object().is_some_and(|known| known.len() == 1 && known.contains_key(key))
+}
+
+/// A number of a schema as it was written: those that were `f32` have digits there that nobody wrote.
+fn written(number: f64) -> f64 {
+    let short = number as f32;
+    if f64::from(short) == number { short.to_string().parse().unwrap_or(number) } else { number }
 }
 
 /// The names that a schema of names allows, each with its doc line.

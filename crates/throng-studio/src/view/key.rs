@@ -77,9 +77,11 @@ pub(super) fn of_agents(look: &Look, by: Coloring, shown: &Shown) -> Vec<Row> {
         }
         Coloring::Model => spots(models(shown).1.into_iter().enumerate().map(|(k, name)| (palette(k), name)).collect()),
         Coloring::Goal => vec![Row::new(Sign::None, "a colour for each goal")],
-        Coloring::Speed | Coloring::Altitude | Coloring::Density | Coloring::TimeToGoal => {
-            look.most().map(|(most, unit)| Row::to(most, Sign::Ramp, &format!("{}, {unit}", by.label()))).into_iter().collect()
-        }
+        Coloring::Speed | Coloring::Altitude | Coloring::Density | Coloring::TimeToGoal => look
+            .most()
+            .map(|(most, unit)| Row::to(most, Sign::Ramp, &format!("{}, {unit}", by.label())))
+            .into_iter()
+            .collect(),
     }
 }
 

@@ -50,7 +50,6 @@ fn mixed(before: &Body, now: &Body, share: f32) -> Body {
         ..*now
     }
 }
-}
 
 /// The agent that is nearest to a pixel.
 pub fn nearest(shown: &Shown, projector: &Projector, at: Vec2, share: f32) -> Option<u32> {

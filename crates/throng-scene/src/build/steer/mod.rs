@@ -5,6 +5,7 @@
 mod around;
 mod check;
 mod combine;
+mod custom;
 mod group;
 mod place;
 mod single;
@@ -22,8 +23,7 @@ pub(super) use vehicle::{vehicle, wrap_around};
 use super::flow::Flows;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
-use crate::games;
-use crate::scene::steer::{Custom, Steer};
+use crate::scene::steer::Steer;
 use crate::scene::{Cast, Group, Scene};
 use throng::steer::Branch;
 
@@ -130,25 +130,6 @@ impl Making<'_> {
         let branch = made.make(self, &at)?;
         branch.check().map_err(|error| refused(&at, &error))?;
         Ok(branch)
-    }
-}
-
-impl Make for Custom {
-    fn make(&self, making: &Making, at: &Path) -> Result<Branch, Problem> {
-        let (behaviours, cast) = (&making.scene.behaviours, making.cast);
-        let made = behaviours.make(&self.0, cast).or_else(|| games::behaviours().make(&self.0, cast));
-        let made = made.map(|made| {
-            let refused = |error| Problem::new(at, Kind::World, format!("behaviour `{}`: {error}", self.0));
-            made.map_err(refused)
-        });
-        made.unwrap_or_else(|| {
-            let known: Vec<&str> = behaviours.names().collect();
-            let hint = match known[..] {
-                [] => "programs add behaviours to a scene by `Scene::behaviours`; this one has added none".to_owned(),
-                _ => format!("this program has added: {}", known.join(", ")),
-            };
-            Err(Problem::new(at, Kind::UnknownKey, format!("there is no behaviour `{}`", self.0)).hint(hint))
-        })
     }
 }
 

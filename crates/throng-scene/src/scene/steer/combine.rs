@@ -158,10 +158,6 @@ pub struct WeightedSum(pub Vec<Weighted>);
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RunningSum(pub Vec<Weighted>);
 
-/// The name of a behaviour that a program has added to the scene.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub struct Custom(pub String);
-
 /// The first part that has anything to correct. In files a list of parts, or `{ epsilon = 0.01, of = [ .. ] }`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Priority {

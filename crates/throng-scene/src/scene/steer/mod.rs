@@ -14,6 +14,7 @@
 //! ```
 
 mod combine;
+mod custom;
 mod group;
 mod place;
 mod position;
@@ -23,6 +24,7 @@ mod swarm;
 mod target;
 
 pub use combine::*;
+pub use custom::Custom;
 pub use group::*;
 pub use place::*;
 pub use position::Position;

@@ -1,0 +1,184 @@
+//! What a program brings along: behaviours, rules and scenes by name.
+
+use crate::error::Error;
+use crate::gallery;
+use crate::scene::{Behaviours, Cast, Rulebook, Scene};
+use schemars::{JsonSchema, SchemaGenerator};
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value, json};
+use std::path::Path;
+use throng::steer::Behaviour;
+use throng::{Error as Refused, Rules};
+
+/// The group of a program's own scenes in its gallery.
+const GROUP: &str = "plug-ins";
+
+/// What a program brings along: behaviours and rules that scene files can name, and scenes beside those of the gallery. Whatever
+/// opens scenes takes it: the studio, or a program that runs them.
+///
+/// ```
+/// use schemars::JsonSchema;
+/// use serde::Deserialize;
+/// use throng::motion::Steering;
+/// use throng::steer::{Behaviour, View, Why};
+/// use throng_scene::Plugins;
+///
+/// /// Goes up, but not above a height.
+/// #[derive(Debug, Deserialize, JsonSchema)]
+/// #[serde(default)]
+/// struct Climb {
+///     /// How high, metres.
+///     #[schemars(range(min = 0, max = 100))]
+///     height: f32,
+/// }
+///
+/// impl Default for Climb {
+///     fn default() -> Self {
+///         Self { height: 3.0 }
+///     }
+/// }
+///
+/// impl Behaviour for Climb {
+///     fn steer(&self, view: &View<'_>, _: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
+///         (view.position().z < self.height).then(|| view.reach(glam::Vec3::Z * view.vehicle.max_speed))
+///     }
+/// }
+///
+/// const LIFT: &str = r#"
+///     title = "A lift"
+///     [[group]]
+///     place.point = [5, 0]
+///     vehicle = { kind = "level", max_speed = 2.0 }
+///     steer.custom.climb = { height = 4 }
+/// "#;
+///
+/// let plugins = Plugins::new().behaviour::<Climb>("climb").scene("lift", LIFT);
+/// let (mut world, _) = plugins.open("lift")?.build()?;
+/// (0..200).for_each(|_| world.step());
+/// assert!(world.agents().altitude[0] > 3.9);
+/// # Ok::<(), throng_scene::Error>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Plugins {
+    behaviours: Behaviours,
+    rulebook: Rulebook,
+    /// Names and texts, in the order in which they were added.
+    scenes: Vec<(String, String)>,
+}
+
+impl Plugins {
+    /// Nothing yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// With a behaviour, whose fields are its parameters: see [`Behaviours::add_with`].
+    pub fn behaviour<B: Behaviour + DeserializeOwned + JsonSchema + 'static>(
+        mut self,
+        name: impl Into<String>,
+    ) -> Self {
+        self.behaviours.add_with(name, |behaviour: B, _: &Cast<'_>| Ok(behaviour.into()));
+        self
+    }
+
+    /// With behaviours that need to know who and what is in the scene.
+    pub fn behaviours(mut self, behaviours: Behaviours) -> Self {
+        self.behaviours.extend(behaviours);
+        self
+    }
+
+    /// With the rules of a game, for `rules = "NAME"`: see [`Rulebook::add`].
+    pub fn rules<R: Rules + 'static>(
+        mut self,
+        name: impl Into<String>,
+        make: impl Fn(&Cast<'_>) -> Result<R, Refused> + Send + Sync + 'static,
+    ) -> Self {
+        self.rulebook.add(name, make);
+        self
+    }
+
+    /// With a scene: its name, and the text of its file. It takes the place of one of this name.
+    pub fn scene(mut self, name: impl Into<String>, text: impl Into<String>) -> Self {
+        let (name, text) = (name.into(), text.into());
+        self.scenes.retain(|(known, _)| *known != name);
+        self.scenes.push((name, text));
+        self
+    }
+
+    /// With a scene that was made in code. One that cannot be written as a file ([`Scene::to_toml`]) has what is wrong for a text.
+    pub fn scene_in_code(self, name: impl Into<String>, scene: &Scene) -> Self {
+        let text = scene.to_toml().unwrap_or_else(|error| error.to_string());
+        self.scene(name, text)
+    }
+
+    /// Lets a scene know the behaviours and rules.
+    pub fn equip(&self, scene: &mut Scene) {
+        (scene.behaviours, scene.rulebook) = (self.behaviours.clone(), self.rulebook.clone());
+    }
+
+    /// The groups of the gallery, and before them the program's own scenes: the name of each, and the names of its scenes.
+    pub fn groups(&self) -> Vec<(&str, Vec<&str>)> {
+        let own: Vec<&str> = self.scenes.iter().map(|(name, _)| name.as_str()).collect();
+        let others =
+            gallery::groups().map(|(group, names)| (group, names.filter(|name| !own.contains(name)).collect()));
+        let others: Vec<(&str, Vec<&str>)> = others.collect();
+        let own = Some((GROUP, own)).filter(|(_, names)| !names.is_empty());
+        own.into_iter().chain(others).collect()
+    }
+
+    /// The names of all scenes, in the order of their groups.
+    pub fn names(&self) -> Vec<&str> {
+        self.groups().into_iter().flat_map(|(_, names)| names).collect()
+    }
+
+    /// The text of a scene: the program's, or else the gallery's.
+    pub fn text(&self, name: &str) -> Option<&str> {
+        let own = self.scenes.iter().find(|(known, _)| known == name);
+        own.map(|(_, text)| text.as_str()).or_else(|| gallery::text(name))
+    }
+
+    /// The title of a scene.
+    pub fn title(&self, name: &str) -> Option<&str> {
+        gallery::title_in(self.text(name)?)
+    }
+
+    /// Opens a scene of the program by its name, or whatever else [`open`](crate::open) does, and lets it know the behaviours and
+    /// rules.
+    ///
+    /// # Errors
+    /// Those of [`open`](crate::open).
+    pub fn open(&self, scene: impl AsRef<Path>) -> Result<Scene, Error> {
+        let path = scene.as_ref();
+        let own = path.to_str().filter(|_| !path.exists()).and_then(|name| Some((name, self.text(name)?)));
+        let mut scene = match own {
+            Some((name, text)) => Scene::parse(&format!("{name}.toml"), text)?,
+            None => crate::open(path)?.scene,
+        };
+        self.equip(&mut scene);
+        Ok(scene)
+    }
+
+    /// The JSON schema of scene files, as [`schema`](crate::schema()), with the behaviours and their parameters.
+    pub fn schema(&self) -> Value {
+        let mut generator = SchemaGenerator::default();
+        // before the behaviours: names of the format's own types are theirs
+        generator.root_schema_for::<Scene>();
+        let mut names = Vec::new();
+        let mut tables = Vec::new();
+        for (name, schema) in self.behaviours.schemas(&mut generator) {
+            names.push(name.to_owned());
+            if let Some(schema) = schema {
+                let properties = Map::from_iter([(name.to_owned(), schema.to_value())]);
+                tables.push(json!({
+                    "type": "object", "properties": properties, "required": [name], "additionalProperties": false,
+                }));
+            }
+        }
+        let mut root = generator.into_root_schema_for::<Scene>().to_value();
+        if !names.is_empty() {
+            let name = json!({ "type": "string", "enum": names });
+            root["$defs"]["Custom"]["anyOf"] = std::iter::once(name).chain(tables).collect();
+        }
+        root
+    }
+}

@@ -1,0 +1,39 @@
+//! The scene `sunflower`: what a file would have to list, code computes.
+
+use throng_scene::steer::{Custom, Priority, Target, Tether};
+use throng_scene::{Circle, DiscPlace, Group, Number, Obstacle, Place, Scene, Shape, Steer, Time, Until, Vehicle};
+
+/// The angle that sunflowers turn by from seed to seed, radians.
+const GOLDEN: f64 = 2.399_963;
+
+/// People weave about among posts that stand like the seeds of a sunflower.
+pub fn scene() -> Scene {
+    let post = |k: u32| {
+        let (sin, cos) = libm::sincos(f64::from(k) * GOLDEN);
+        let far = 2.2 * libm::sqrt(f64::from(k));
+        let center = [far * cos, far * sin].map(|x| libm::round(x * 1e3) / 1e3);
+        Obstacle::from(Shape::Circle(Circle { center, radius: 0.3 }))
+    };
+    let parts = vec![
+        Steer::AvoidObstacles(Default::default()),
+        Steer::Tether(Tether { to: Target::At([0.0, 0.0].into()), length: 10.0 }),
+        Steer::Custom(Custom::from("weave")),
+    ];
+    let people = Group {
+        name: "people".into(),
+        count: Some(12),
+        place: Place::Disc(DiscPlace { radius: 9.0, gap: 0.5, ..DiscPlace::default() }),
+        heading: Some(Number::Uniform([0.0, 360.0])),
+        guard: Some(true),
+        vehicle: Some(Vehicle { max_speed: Some(1.5), ..Vehicle::default() }),
+        steer: Some(Steer::Priority(Priority::from(parts))),
+        ..Group::default()
+    };
+    Scene {
+        title: "Sunflower".into(),
+        time: Time { until: Until::Limit, limit: 120.0, ..Time::default() },
+        obstacles: (1..25).map(post).collect(),
+        groups: vec![people],
+        ..Scene::default()
+    }
+}

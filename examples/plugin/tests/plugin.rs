@@ -1,0 +1,54 @@
+//! The plug-in does what it should, without a window.
+
+use my_plugin::{Weave, plugins};
+use throng::steer::{Behaviour, View, Why};
+use throng_scene::Watch;
+
+#[test]
+fn weaving_leans_to_both_sides_by_no_more_than_the_angle() {
+    let weave = Weave { angle: 30.0, period: 2.0 };
+    let view = View { seconds: 0.05, ..View::default() };
+    let mut memory = [0.25];
+    let sides: Vec<f32> = (0..40)
+        .filter_map(|_| weave.steer(&view, &mut memory, &mut Why::default()))
+        .map(|steering| steering.force.y)
+        .collect();
+    assert!(sides.iter().any(|&side| side > 0.1) && sides.iter().any(|&side| side < -0.1), "{sides:?}");
+    assert!((memory[0] - 1.25).abs() < 1e-4, "two seconds are one swing: {}", memory[0]);
+}
+
+#[test]
+fn the_scenes_show_what_they_should() {
+    for name in ["skaters", "sunflower"] {
+        let scene = plugins().open(name).unwrap();
+        let (mut world, built) = scene.build().unwrap();
+        let mut watch = Watch::new(&scene.expect, &world, &built);
+        for _ in 0..1000 {
+            world.step();
+            watch.step(&world);
+        }
+        let verdict = watch.verdict(&world);
+        assert!(verdict.passed, "{name}: {verdict}");
+    }
+}
+
+#[test]
+fn the_page_shows_this_plug_in() {
+    let page = include_str!("../../../docs/plugins.md");
+    for file in [
+        include_str!("../src/main.rs"),
+        include_str!("../src/lib.rs"),
+        include_str!("../src/weave.rs"),
+        include_str!("../Cargo.toml"),
+    ] {
+        // from the first line that is no comment, as the page shows it
+        let code: Vec<&str> = file
+            .lines()
+            .skip_while(|line| line.starts_with("//!") || line.starts_with('#') || line.is_empty())
+            .collect();
+        assert!(page.contains(&code.join("\n")), "docs/plugins.md does not show\n{}", code.join("\n"));
+    }
+    for command in include_str!("../README.md").lines().filter(|line| line.starts_with("cargo ")) {
+        assert!(page.contains(command), "docs/plugins.md does not have `{command}`");
+    }
+}
