@@ -164,8 +164,8 @@ fn an_eye_goes_with_whom_it_follows() {
             let now = moment(k);
             painter.paint(&now);
             // with its own eyes it sees not itself, but what is ahead
-            let ahead = if chase == Chase::PointOfView { DVec3::X * 4.0 } else { DVec3::ZERO };
-            let pixel = painter.pixel(now.bodies[1].center() + ahead).expect("it is ahead");
+            let away = if chase == Chase::PointOfView { 20.0 * f64::from(now.bodies[1].radius) } else { 0.0 };
+            let pixel = painter.pixel(now.bodies[1].center() + DVec3::X * away).expect("it is ahead");
             assert!(pixel.distance(Vec2::new(160.0, 120.0)) < 90.0, "{chase:?} at {k}: {pixel}");
         }
         let before = painter.pixel(DVec3::new(8.0, 38.0, 0.0));
