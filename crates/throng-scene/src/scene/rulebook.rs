@@ -45,8 +45,10 @@ use throng::{Error, Rules, World};
 #[derive(Clone)]
 pub struct Rulebook(BTreeMap<String, Make>);
 
+/// Rules that were made for a scene, or what they miss there.
+type Made = Result<Arc<dyn Rules>, Error>;
 /// Makes rules for a scene.
-type Make = Arc<dyn Fn(&Cast<'_>) -> Result<Arc<dyn Rules>, Error> + Send + Sync>;
+type Make = Arc<dyn Fn(&Cast<'_>) -> Made + Send + Sync>;
 
 impl Default for Rulebook {
     /// The rules of the gallery's games.
@@ -88,7 +90,7 @@ impl Rulebook {
     }
 
     /// The rules of this name, made for a scene; or what a panic of theirs says.
-    pub(crate) fn make(&self, name: &str, cast: &Cast<'_>) -> Option<Result<Result<Arc<dyn Rules>, Error>, String>> {
+    pub(crate) fn make(&self, name: &str, cast: &Cast<'_>) -> Option<Result<Made, String>> {
         self.0.get(name).map(|make| caught(|| make(cast)))
     }
 }
