@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::gallery;
 use crate::scene::{Behaviours, Cast, Rulebook, Scene};
-use schemars::{JsonSchema, SchemaGenerator};
+use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 use std::path::Path;
@@ -160,21 +160,18 @@ impl Plugins {
 
     /// The JSON schema of scene files, as [`schema`](crate::schema()), with the behaviours and their parameters.
     pub fn schema(&self) -> Value {
-        let mut generator = SchemaGenerator::default();
-        // before the behaviours: names of the format's own types are theirs
-        generator.root_schema_for::<Scene>();
         let mut names = Vec::new();
         let mut tables = Vec::new();
-        for (name, schema) in self.behaviours.schemas(&mut generator) {
+        for name in self.behaviours.names() {
             names.push(name.to_owned());
-            if let Some(schema) = schema {
-                let properties = Map::from_iter([(name.to_owned(), schema.to_value())]);
+            if let Some(schema) = self.behaviours.schema(name) {
+                let properties = Map::from_iter([(name.to_owned(), schema)]);
                 tables.push(json!({
                     "type": "object", "properties": properties, "required": [name], "additionalProperties": false,
                 }));
             }
         }
-        let mut root = generator.into_root_schema_for::<Scene>().to_value();
+        let mut root = crate::schema();
         if !names.is_empty() {
             let name = json!({ "type": "string", "enum": names });
             root["$defs"]["Custom"]["anyOf"] = std::iter::once(name).chain(tables).collect();

@@ -163,6 +163,18 @@ mod tests {
     }
 
     #[test]
+    fn a_key_does_one_thing() {
+        let mut keys: Vec<(bool, Key)> = KEYS.iter().map(|(with, key, ..)| (*with, *key)).collect();
+        // who leaves what is open has the hand again
+        let tools = Tool::all().filter(|tool| *tool != Tool::Hand);
+        keys.extend(tools.map(|tool| (false, tool.says().0)));
+        let all = keys.len();
+        keys.sort();
+        keys.dedup();
+        assert_eq!(keys.len(), all);
+    }
+
+    #[test]
     fn who_writes_is_not_disturbed() {
         let mut events = vec![
             key(Key::R, true, Modifiers::NONE),

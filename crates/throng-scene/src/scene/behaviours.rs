@@ -132,11 +132,6 @@ impl Behaviours {
         self.0.keys().map(String::as_str)
     }
 
-    /// The schemas of the parameters of all: none for a behaviour that has none.
-    pub(crate) fn schemas(&self, generator: &mut SchemaGenerator) -> Vec<(&str, Option<Schema>)> {
-        self.0.iter().map(|(name, maker)| (name.as_str(), maker.schema.map(|schema| schema(generator)))).collect()
-    }
-
     /// The schema of the parameters of the behaviour of this name, by itself, if it has any.
     pub(crate) fn schema(&self, name: &str) -> Option<Value> {
         let mut generator = SchemaGenerator::new(schemars::generate::SchemaSettings::default().with(|settings| {

@@ -60,7 +60,7 @@ impl Tool {
     /// The key that takes it, that key in words, and what it does.
     pub fn says(self) -> (Key, &'static str, &'static str) {
         match self {
-            Self::Hand => (Key::H, "H", "look: drag the view, click an agent"),
+            Self::Hand => (Key::Escape, "Esc", "look: drag the view, click an agent"),
             Self::Select => (Key::V, "V", "move: drag what is in the scene; Delete takes it out"),
             Self::Agents => (Key::P, "P", "people: click for one, drag for many"),
             Self::Polygon => (Key::O, "O", "obstacle: click its corners, then the first again"),

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 use throng_draw::record::{Plan, Recorder};
+use throng_record::Output;
 use throng_scene::{Plugins, gallery};
 
 /// A name of the gallery or of the plug-ins, or a file, as a document: that of a film is of the scene it has the place of, as far as
@@ -110,12 +111,10 @@ impl Outside {
     pub fn save_as(&mut self, document: &mut Document, name: &str) -> Result<(), String> {
         let path = Path::new(name);
         let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension("toml") };
-        let mut file = std::fs::File::create_new(&path).map_err(|error| match error.kind() {
-            std::io::ErrorKind::AlreadyExists => format!("there is a file {} already", path.display()),
-            _ => format!("{} cannot be written: {error}", path.display()),
-        })?;
-        std::io::Write::write_all(&mut file, document.text().as_bytes())
-            .map_err(|error| format!("{} cannot be written: {error}", path.display()))?;
+        if path.exists() {
+            return Err(format!("there is a file {} already", path.display()));
+        }
+        write(&path, document.text().as_bytes())?;
         document.saved_in(&path);
         *self = Self::new(document);
         Ok(())
@@ -203,6 +202,11 @@ pub fn address(_: &str) -> Result<String, String> {
     Err("a window has no address: share the scene's file".into())
 }
 
+/// Writes a file that is there whole, or as it was before.
 fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
-    std::fs::write(path, bytes).map_err(|error| format!("{} cannot be written: {error}", path.display()))
+    let written = Output::create(path).and_then(|mut file| {
+        file.put(bytes)?;
+        file.finish()
+    });
+    written.map_err(|error| error.to_string())
 }

@@ -1,6 +1,8 @@
 //! Which instructions the many-at-once paths run on.
 
-use fearless_simd::{Level, Simd};
+use fearless_simd::Level;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use fearless_simd::Simd;
 
 /// Which instructions a step is made with. All give the same bits: this is for measuring, and for tests.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
