@@ -1,0 +1,68 @@
+// Makes the pictures of docs/studio.md: the page that web/build made, used as people do, in a headless Chromium.
+//
+// usage: node web/pictures.mjs FOLDER [OUT_DIR]      (default: docs/studio; what it needs: see page.mjs)
+import fs from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { shows, studio } from './page.mjs';
+
+const [folder, out = fileURLToPath(new URL('../docs/studio', import.meta.url))] = process.argv.slice(2);
+const { wrong, open, close } = await studio(folder, { width: 1280, height: 720 });
+fs.mkdirSync(out, { recursive: true });
+
+/** Opens what an address asks for, does something with it, and keeps what is seen then. */
+async function picture(name, address, act = async () => {}) {
+  const page = await open(address);
+  const step = Number(address.split('@')[1]?.split('&')[0] ?? 0);
+  await page.waitForFunction((step) => globalThis.throng.step === step, step, { timeout: 120_000 });
+  await page.waitForTimeout(1500);
+  await act(page);
+  await page.mouse.move(640, 715);
+  await page.waitForTimeout(1500);
+  await page.screenshot({ path: path.join(out, `${name}.png`) });
+  await page.close();
+  console.log(name);
+}
+
+async function drag(page, points) {
+  await page.mouse.move(...points[0]);
+  await page.mouse.down();
+  for (const point of points.slice(1)) await page.mouse.move(...point, { steps: 8 });
+  await page.mouse.up();
+}
+
+const bare = 'panels.gallery=false&panels.summary=false';
+
+await picture('gallery', 'doorway@150', async (page) => {
+  await page.mouse.click(120, 62);
+  await page.keyboard.type('boids');
+});
+await picture('annotations', 'circle@95&select=0&panels.gallery=false&panels.why=true&trails=1.5');
+await picture('boids', `boids-in-sphere@400&${bare}&dark=true&camera=orbit&select=3`);
+await picture('swarm', `swarm-aggregation@250&${bare}&dark=true`);
+await picture('beside', `circle@110&beside=rvo&${bare}`);
+await picture('painting', `field-paint@0&${bare}`, async (page) => {
+  await page.mouse.click(640, 60);
+  await page.keyboard.press('q');
+  await drag(page, [[420, 520], [520, 420], [640, 470], [760, 380], [860, 300]]);
+  await shows(page, (now) => now.unsaved);
+  await page.keyboard.press('Space');
+  await shows(page, (now) => now.step > 60);
+  await page.keyboard.press('Space');
+});
+await picture('plots', 'doorway@0&panels.gallery=false&panels.plots=true&panels.summary=false', async (page) => {
+  await page.mouse.click(640, 300);
+  await page.keyboard.press('Space');
+  await shows(page, (now) => now.step > 400);
+  await page.keyboard.press('Space');
+});
+await picture('error', 'crossing@120&panels.gallery=false&panels.text=true&panels.summary=false', async (page) => {
+  await page.mouse.click(1050, 300);
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('spede = 2.0');
+});
+
+await close();
+wrong.forEach((says) => console.error(`wrong: ${says}`));
+process.exit(wrong.length ? 1 : 0);
