@@ -197,3 +197,25 @@ fn a_recording_is_asked_for_and_cancelled() {
     assert_eq!(asked, [Recorded::Begin, Recorded::Cancel]);
     assert_eq!((record.wish.file.as_str(), record.wish.from), ("circle.mp4", shown.frame.time));
 }
+
+#[test]
+fn who_writes_goes_on_writing_when_something_is_wrong() {
+    let mut document = Document::gallery("circle").unwrap();
+    let before = document.text().to_owned();
+    {
+        let mut harness = Harness::builder().with_size([500.0, 700.0]).build_ui(|ui| {
+            panels::text(ui, &mut document, None);
+        });
+        harness.get_by_label("text of the scene").focus();
+        harness.run();
+        for letter in ["w", "h", "a", "t"] {
+            harness.event(eframe::egui::Event::Text(letter.into()));
+            harness.run();
+        }
+    }
+    let mut more: Vec<char> = document.text().chars().collect();
+    before.chars().for_each(|letter| _ = more.iter().position(|&other| other == letter).map(|at| more.remove(at)));
+    more.sort_unstable();
+    assert_eq!(more, ['a', 'h', 't', 'w']);
+    assert!(document.scene().is_err());
+}

@@ -3,7 +3,7 @@
 use crate::document::Document;
 use crate::play::Trouble;
 use eframe::egui::{
-    Button, Color32, Key, KeyboardShortcut, Modifiers, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
+    Button, Color32, Id, Key, KeyboardShortcut, Modifiers, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
 };
 
 /// What the text's panel asks for.
@@ -56,8 +56,10 @@ pub fn text(ui: &mut Ui, document: &mut Document, trouble: Option<&Trouble>) -> 
         ui.label(RichText::new(says).monospace().color(red));
     }
     let mut text = document.text().to_owned();
-    ScrollArea::both().auto_shrink(false).show(ui, |ui| {
-        let edit = TextEdit::multiline(&mut text).code_editor().desired_width(f32::INFINITY).desired_rows(30);
+    // by name: whoever writes goes on writing when what is wrong appears above
+    ScrollArea::both().id_salt("text").auto_shrink(false).show(ui, |ui| {
+        let edit = TextEdit::multiline(&mut text).id(Id::new("text of the scene"));
+        let edit = edit.code_editor().desired_width(f32::INFINITY).desired_rows(30);
         let edit = ui.add(edit);
         edit.widget_info(|| WidgetInfo::labeled(Role::MultilineTextInput, true, "text of the scene"));
         if edit.changed() {
