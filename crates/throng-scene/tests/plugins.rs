@@ -145,7 +145,9 @@ fn own_scenes_come_first_and_in_the_place_of_others() {
 fn the_schema_knows_behaviours_and_their_parameters() {
     assert_eq!(Plugins::new().schema(), throng_scene::schema());
     let schema = plugins().schema();
-    let climb = &schema["$defs"]["Climb"];
+    // a name, or a table of one behaviour each
+    let tables = schema["$defs"]["Custom"]["anyOf"].as_array().unwrap();
+    let climb = tables.iter().map(|table| &table["properties"]["climb"]).find(|climb| !climb.is_null()).unwrap();
     assert_eq!(climb["properties"]["height"]["maximum"], 100);
     assert_eq!(climb["properties"]["height"]["default"], 3.0);
     let sound = jsonschema::validator_for(&schema).unwrap();

@@ -129,10 +129,11 @@ impl App {
         }
     }
 
-    /// Plays what the text says.
+    /// Plays what the text says; while that is no scene, what it said when it was saved.
     fn play(&mut self, run: bool) {
-        if let Ok(scene) = self.document.scene() {
-            let (name, scene) = (self.document.name.clone(), scene.clone());
+        let said = self.document.scene().ok().cloned();
+        if let Some(scene) = said.or_else(|| self.document.saved_scene()) {
+            let name = self.document.name.clone();
             self.player.command(Command::Load { name, scene, run });
         }
     }
@@ -358,6 +359,8 @@ impl eframe::App for App {
         CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
             if let Some(shown) = &shown {
                 self.views(ui, shown);
+            } else {
+                ui.painter().rect_filled(ui.max_rect(), 0.0, ui.visuals().panel_fill);
             }
         });
         panels::help(&ctx, &mut self.help);

@@ -94,6 +94,11 @@ impl Document {
         self.scene.as_ref().map_err(Box::as_ref)
     }
 
+    /// What it said when it was opened or saved; `None` if that was no scene.
+    pub fn saved_scene(&self) -> Option<Arc<Scene>> {
+        self.read(&self.saved).ok()
+    }
+
     /// Whether there is something that is not saved.
     pub fn changed(&self) -> bool {
         self.text != self.saved
@@ -195,6 +200,7 @@ mod tests {
         document.edit(RING.replace("count", "cuont"));
         let error = document.scene().unwrap_err();
         assert_eq!(error.at.map(|(line, _)| line), Some(3), "{error}");
+        assert_eq!(document.saved_scene().unwrap().groups[0].count, Some(6));
         assert!(document.undo() && document.scene().is_ok());
     }
 

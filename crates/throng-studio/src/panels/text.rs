@@ -58,7 +58,7 @@ pub fn text(ui: &mut Ui, document: &mut Document, trouble: Option<&Trouble>) -> 
     let mut text = document.text().to_owned();
     // by name: whoever writes goes on writing when what is wrong appears above
     ScrollArea::both().id_salt("text").auto_shrink(false).show(ui, |ui| {
-        let edit = TextEdit::multiline(&mut text).id(Id::new("text of the scene"));
+        let edit = TextEdit::multiline(&mut text).id(Id::unique("text of the scene"));
         let edit = edit.code_editor().desired_width(f32::INFINITY).desired_rows(30);
         let edit = ui.add(edit);
         edit.widget_info(|| WidgetInfo::labeled(Role::MultilineTextInput, true, "text of the scene"));
