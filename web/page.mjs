@@ -39,7 +39,11 @@ export async function studio(folder, { width = 1280, height = 800, scale = 1 } =
       const page = await browser.newPage();
       page.on('pageerror', (error) => wrong.push(`the page says: ${error.message}`));
       page.on('console', (line) => { if (line.type() === 'error') console.log(line.text()); });
-      await page.goto(`http://127.0.0.1:${server.address().port}/#${hash}`);
+      // as for somebody who has never been here
+      const place = `http://127.0.0.1:${server.address().port}`;
+      await page.goto(`${place}/nothing`);
+      await page.evaluate(() => localStorage.clear());
+      await page.goto(`${place}/#${hash}`);
       await shows(page, until);
       return page;
     },

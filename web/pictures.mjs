@@ -34,31 +34,43 @@ async function drag(page, points) {
 const bare = 'panels.gallery=false&panels.summary=false';
 
 await picture('gallery', 'doorway@150', async (page) => {
-  await page.mouse.click(120, 62);
+  await page.mouse.click(120, 58);
   await page.keyboard.type('boids');
 });
-await picture('annotations', 'circle@95&select=0&panels.gallery=false&panels.why=true&trails=1.5');
-await picture('boids', `boids-in-sphere@400&${bare}&dark=true&camera=orbit&select=3`);
-await picture('swarm', `swarm-aggregation@250&${bare}&dark=true`);
+await picture('annotations', `circle@95&select=0&${bare}&panels.why=true`, async (page) => {
+  await page.setViewportSize({ width: 1600, height: 720 });
+  await page.waitForTimeout(800);
+  await page.keyboard.press('Home');
+  // the window by its title, aside
+  await drag(page, [[640, 85], [400, 90], [365, 90]]);
+});
+await picture('boids', `boids-in-sphere@400&${bare}&dark=true&select=3`, async (page) => {
+  await page.mouse.move(660, 360);
+  for (let k = 0; k < 4; k += 1) await page.mouse.wheel(0, -120);
+});
+await picture('swarm', `swarm-aggregation@250&${bare}&dark=true`, async (page) => {
+  await page.mouse.move(600, 280);
+  for (let k = 0; k < 8; k += 1) await page.mouse.wheel(0, -150);
+});
+await picture('heat', `gathering@400&${bare}&layers.heat=Density`);
 await picture('beside', `circle@110&beside=rvo&${bare}`);
-await picture('painting', `field-paint@0&${bare}`, async (page) => {
+await picture('painting', `field-paint@0&${bare}&layers.streams=Arrows&layers.stream_speed=true`, async (page) => {
   await page.mouse.click(640, 60);
   await page.keyboard.press('q');
-  await drag(page, [[420, 520], [520, 420], [640, 470], [760, 380], [860, 300]]);
+  await drag(page, [[420, 620], [520, 560], [640, 600], [760, 520], [860, 440]]);
   await shows(page, (now) => now.unsaved);
   await page.keyboard.press('Space');
   await shows(page, (now) => now.step > 60);
   await page.keyboard.press('Space');
 });
-await picture('plots', 'doorway@0&panels.gallery=false&panels.plots=true&panels.summary=false', async (page) => {
+await picture('plots', `doorway@0&${bare}&panels.plots=true`, async (page) => {
   await page.mouse.click(640, 300);
   await page.keyboard.press('Space');
   await shows(page, (now) => now.step > 400);
   await page.keyboard.press('Space');
 });
-await picture('error', 'crossing@120&panels.gallery=false&panels.text=true&panels.summary=false', async (page) => {
+await picture('error', `crossing@120&${bare}&panels.text=true`, async (page) => {
   await page.mouse.click(1050, 300);
-  await page.keyboard.press('Control+Home');
   await page.keyboard.press('Control+End');
   await page.keyboard.type('spede = 2.0');
 });
