@@ -22,7 +22,7 @@ export async function studio(folder, { width = 1280, height = 800, scale = 1 } =
     const name = decodeURIComponent(new URL(request.url, 'http://page').pathname);
     fs.readFile(path.join(folder, name.endsWith('/') ? `${name}index.html` : name), (error, bytes) => {
       response.writeHead(error ? 404 : 200, { 'content-type': types[path.extname(name)] ?? 'text/html' });
-      response.end(bytes);
+      response.end(error ? 'there is nothing here' : bytes);
     });
   });
   await new Promise((done) => server.listen(0, '127.0.0.1', done));
