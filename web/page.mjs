@@ -20,9 +20,11 @@ export async function studio(folder, { width = 1280, height = 800, scale = 1 } =
   const { chromium } = require('playwright-core');
   const server = http.createServer((request, response) => {
     const name = decodeURIComponent(new URL(request.url, 'http://page').pathname);
+    response.setHeader('content-type', types[path.extname(name)] ?? 'text/html');
+    if (name === '/blank') return response.end('<!doctype html>');
     fs.readFile(path.join(folder, name.endsWith('/') ? `${name}index.html` : name), (error, bytes) => {
-      response.writeHead(error ? 404 : 200, { 'content-type': types[path.extname(name)] ?? 'text/html' });
-      response.end(error ? 'there is nothing here' : bytes);
+      response.statusCode = error ? 404 : 200;
+      response.end(bytes);
     });
   });
   await new Promise((done) => server.listen(0, '127.0.0.1', done));
@@ -41,7 +43,7 @@ export async function studio(folder, { width = 1280, height = 800, scale = 1 } =
       page.on('console', (line) => { if (line.type() === 'error') console.log(line.text()); });
       // as for somebody who has never been here
       const place = `http://127.0.0.1:${server.address().port}`;
-      await page.goto(`${place}/nothing`);
+      await page.goto(`${place}/blank`);
       await page.evaluate(() => localStorage.clear());
       await page.goto(`${place}/#${hash}`);
       await shows(page, until);

@@ -38,19 +38,18 @@ await picture('gallery', 'doorway@150', async (page) => {
   await page.keyboard.type('boids');
 });
 await picture('annotations', `circle@95&select=0&${bare}&panels.why=true`, async (page) => {
-  await page.setViewportSize({ width: 1600, height: 720 });
-  await page.waitForTimeout(800);
-  await page.keyboard.press('Home');
-  // the window by its title, aside
-  await drag(page, [[640, 85], [400, 90], [365, 90]]);
+  // the window by its title, aside; then the ring
+  await drag(page, [[583, 81], [400, 84], [353, 84]]);
+  await page.mouse.move(1150, 400);
+  await page.mouse.wheel(0, 200);
 });
 await picture('boids', `boids-in-sphere@400&${bare}&dark=true&select=3`, async (page) => {
   await page.mouse.move(660, 360);
-  for (let k = 0; k < 4; k += 1) await page.mouse.wheel(0, -120);
+  await page.mouse.wheel(0, -60);
 });
 await picture('swarm', `swarm-aggregation@250&${bare}&dark=true`, async (page) => {
-  await page.mouse.move(600, 280);
-  for (let k = 0; k < 8; k += 1) await page.mouse.wheel(0, -150);
+  await page.mouse.move(655, 330);
+  await page.mouse.wheel(0, -330);
 });
 await picture('heat', `gathering@400&${bare}&layers.heat=Density`);
 await picture('beside', `circle@110&beside=rvo&${bare}`);
