@@ -340,10 +340,10 @@ impl eframe::App for App {
         }
         crate::outside::work(&mut self.player, &ctx);
         self.keep(&ctx);
-        let run = self.player.shown().map_or(0, |shown| shown.run);
-        self.reading = self.reading.filter(|before| *before == run && self.player.trouble().is_none());
-        self.notice = self.news.1.try_iter().last().or(self.notice.take());
         let (shown, trouble): (Option<Arc<Shown>>, _) = (self.player.shown(), self.player.trouble());
+        let run = shown.as_ref().map_or(0, |shown| shown.run);
+        self.reading = self.reading.filter(|before| *before == run && trouble.is_none());
+        self.notice = self.news.1.try_iter().last().or(self.notice.take());
         let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
         if let Some(path) = dropped {
             self.leave(Leaving::Open(path.display().to_string()));

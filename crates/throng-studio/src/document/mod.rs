@@ -66,8 +66,10 @@ impl Document {
 
     /// The same text, which can name the behaviours and rules of these plug-ins.
     pub fn with(mut self, plugins: &Arc<Plugins>) -> Self {
-        self.plugins = plugins.clone();
-        self.parse();
+        if !Arc::ptr_eq(&self.plugins, plugins) {
+            self.plugins = plugins.clone();
+            self.parse();
+        }
         self
     }
 

@@ -1,6 +1,7 @@
 //! A film of a run: trajectories read from a file, to be played again.
 
 use super::observed::{Being, Observed};
+use super::run::title;
 use super::shown::{Cost, Trouble};
 use super::stage::Stage;
 use glam::DVec2;
@@ -168,7 +169,7 @@ fn place(path: &Path, name: &str) -> Option<(Scene, Setting)> {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('-');
     let scene = scene.or_else(|| gallery::scene(name).or_else(|_| gallery::scene(stem)).ok())?;
     let (world, built) = scene.build().ok()?;
-    let setting = moment::setting(&world, &built, if scene.title.is_empty() { name } else { &scene.title });
+    let setting = moment::setting(&world, &built, title(&scene, name));
     Some((scene, setting))
 }
 

@@ -112,6 +112,7 @@ impl Run {
     }
 }
 
-fn title<'a>(scene: &'a Scene, name: &'a str) -> &'a str {
+/// What a scene of this name is called.
+pub(crate) fn title<'a>(scene: &'a Scene, name: &'a str) -> &'a str {
     if scene.title.is_empty() { name } else { &scene.title }
 }

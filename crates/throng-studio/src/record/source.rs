@@ -1,6 +1,6 @@
 //! What is recorded: moments one after the other.
 
-use crate::play::{Reel, Shown, guarded};
+use crate::play::{Reel, Shown, guarded, title};
 use std::sync::Arc;
 use throng::World;
 use throng_draw::Annotations;
@@ -70,8 +70,7 @@ impl Run {
         let built = guarded(|| scene.build()).map_err(|trouble| trouble.to_string())?;
         let (mut world, built) = built.map_err(|error| error.to_string())?;
         world.ask(annotations.asked());
-        let title = if scene.title.is_empty() { name } else { scene.title.as_str() };
-        Ok(Self { setting: moment::setting(&world, &built, title), world, scene })
+        Ok(Self { setting: moment::setting(&world, &built, title(&scene, name)), world, scene })
     }
 }
 
