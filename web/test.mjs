@@ -4,6 +4,8 @@
 //
 // With HASH=..., the state of `circle` after 500 steps must have that hash: the program's (`throng run circle --json`).
 import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
 import { shows, studio } from './page.mjs';
 
 const [folder, picture] = process.argv.slice(2);
@@ -74,6 +76,23 @@ await checked('what is written is checked, kept when the page is loaded anew, an
   expect(download.suggestedFilename() === 'circle.toml', `the file is called ${download.suggestedFilename()}`);
   expect(text.includes('what = is this'), 'the file is not what was written');
   await shows(page, (now) => !now.unsaved);
+  await page.close();
+});
+
+await checked('a picked file of trajectories is replayed, with the place of the scene beside it', async () => {
+  const page = await open('box@0', (now) => now.step === 0);
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'throng-'));
+  const walk = Array.from({ length: 30 }, (_, k) => `${k / 10},7,${k / 10},2,a\n${k / 10},9,${3 - k / 10},4,a\n`);
+  const files = [['walk.csv', `time,number,x,y,group\n${walk.join('')}`], ['walk.toml', 'title = "A walk"\n[[group]]\nname = "a"\nplace.point = [0, 0]\n']];
+  files.forEach(([name, text]) => fs.writeFileSync(path.join(folder, name), text));
+  await page.waitForTimeout(1000);
+  await page.mouse.click(...middle);
+  const asked = page.waitForEvent('filechooser', { timeout: 20_000 });
+  await page.keyboard.press('Control+o');
+  await (await asked).setFiles(files.map(([name]) => path.join(folder, name)));
+  const film = await shows(page, (now) => now.scene === 'walk' && now.over);
+  expect(film.agents === 2 && film.step === 29 && film.title === 'A walk', `it shows ${JSON.stringify(film)}`);
+  fs.rmSync(folder, { recursive: true });
   await page.close();
 });
 

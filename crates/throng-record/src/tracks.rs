@@ -1,24 +1,18 @@
-//! Trajectories read back: tables as [`csv`](crate::csv) writes them, or another program's with the same names.
+//! Trajectories read back: who was where, and when.
 
-use crate::csv::status_of;
+use crate::Setting;
+use crate::formats::{FORMATS, Flaw, Format, Reading};
 use glam::{DVec3, Vec3};
-use std::borrow::Cow;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use throng::Status;
 
-/// What reads a kind of file: tracks, or the line of what is wrong and why.
-type Reader = fn(&[u8]) -> Result<Tracks, (usize, String)>;
-
-/// How the names of files of trajectories end, and what reads them.
-const READERS: [(&str, Reader); 1] = [("csv", Tracks::parse)];
-
 /// Who was where, and when.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tracks {
-    /// Names of the groups, in the order in which they come.
-    pub groups: Vec<String>,
-    /// Everything that the table says, by time, then by number.
+    /// The place and the names, as far as the file says them; groups in the order in which they come.
+    pub setting: Setting,
+    /// Everything that the file says, by time, then by number.
     pub spots: Vec<Spot>,
 }
 
@@ -27,7 +21,7 @@ pub struct Tracks {
 pub struct Spot {
     /// Its number.
     pub number: u32,
-    /// Index into [`Tracks::groups`].
+    /// Index into the groups of [`Tracks::setting`].
     pub group: u32,
     /// Seconds.
     pub time: f64,
@@ -43,8 +37,8 @@ pub struct Spot {
     pub status: Status,
 }
 
-/// The radius of a body that the table says none of, metres.
-const RADIUS: f32 = 0.2;
+/// The radius of a body that the file says none of, metres.
+pub(crate) const RADIUS: f32 = 0.2;
 
 /// Why a table cannot be read.
 #[derive(Debug, thiserror::Error)]
@@ -57,23 +51,24 @@ pub enum TracksError {
         /// What the system says.
         source: std::io::Error,
     },
-    /// It is no such table.
-    #[error("{}:{line}: {why}\n  hint: a table of trajectories has the columns number, time, x and y, and may have group and z, as `throng run -o NAME.csv` writes them", path.display())]
+    /// It is no file of trajectories, or a broken one.
+    #[error("{}", content(path, flaw))]
     Content {
         /// Its name.
         path: PathBuf,
-        /// The line, from 1.
-        line: usize,
         /// What is wrong.
-        why: String,
+        flaw: Flaw,
+    },
+    /// Its name ends as none of those that are read.
+    #[error("{}: cannot tell what this is from its name\n  hint: what is read ends in {}", path.display(), endings())]
+    Unknown {
+        /// Its name.
+        path: PathBuf,
     },
 }
 
 impl Tracks {
-    /// Reads a table: a line of names, then a line an agent and moment. The columns `number`, `time`, `x` and `y` must
-    /// be there; without `group` all are of one without a name, without `z` all are on the ground. Without `vx` and `vy`
-    /// velocities are ways over time, without `heading` bodies face where they go, without `radius` they are 0.2 m large,
-    /// without `status` they walk; other columns do not count.
+    /// Reads a file of trajectories, by the ending of its name ([`FORMATS`](crate::formats::FORMATS)).
     ///
     /// ```
     /// # let folder = tempfile::tempdir()?;
@@ -86,75 +81,45 @@ impl Tracks {
     /// ```
     ///
     /// # Errors
-    /// [`TracksError::File`] if it cannot be read, [`TracksError::Content`] with the line if a column is missing, a line is
-    /// shorter than that of the names, or a field is no number.
+    /// [`TracksError::File`] if it cannot be read, [`TracksError::Unknown`] if its name does not say what it is,
+    /// [`TracksError::Content`] if it is not what its name says, with the line where there are lines.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, TracksError> {
+        Self::read_as(path, &Reading::default())
+    }
+
+    /// The same of a file of which more is known than it says itself.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn read_as(path: impl AsRef<Path>, reading: &Reading) -> Result<Self, TracksError> {
         let path = path.as_ref();
         let bytes = std::fs::read(path).map_err(|source| TracksError::File { path: path.into(), source })?;
-        let read = reader(path).unwrap_or(Self::parse);
-        read(&bytes).map_err(|(line, why)| TracksError::Content { path: path.into(), line, why })
+        Self::of_file(path, &bytes, reading)
     }
 
-    /// Whether the name of a file is that of trajectories.
+    /// The same of a file that is in memory: `path` says what kind it is, and is what errors call it.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read), but the first.
+    pub fn of_file(path: impl AsRef<Path>, bytes: &[u8], reading: &Reading) -> Result<Self, TracksError> {
+        let path = path.as_ref();
+        let read =
+            Format::of(path).and_then(Format::reader).ok_or_else(|| TracksError::Unknown { path: path.into() })?;
+        read(bytes, reading).map_err(|flaw| TracksError::Content { path: path.into(), flaw })
+    }
+
+    /// Whether the name of a file is that of trajectories that are read.
     pub fn are_in(path: impl AsRef<Path>) -> bool {
-        reader(path.as_ref()).is_some()
+        Format::of(path).and_then(Format::reader).is_some()
     }
 
-    fn parse(bytes: &[u8]) -> Result<Self, (usize, String)> {
-        let text = std::str::from_utf8(bytes).map_err(|error| {
-            let before = &bytes[..error.valid_up_to()];
-            (1 + before.iter().filter(|&&byte| byte == b'\n').count(), "it is no text".to_owned())
-        })?;
-        let mut records = Records { rest: text.strip_prefix('\u{feff}').unwrap_or(text), line: 1 };
-        let (_, names) = records.next().ok_or((1, "it is empty".to_owned()))?;
-        let column = |name: &str| names.iter().position(|other| other.trim() == name);
-        let needed = |name: &str| column(name).ok_or_else(|| (1, format!("there is no column `{name}`")));
-        let [number, time, x, y] = [needed("number")?, needed("time")?, needed("x")?, needed("y")?];
-        let (group, z) = (column("group"), column("z"));
-        let [vx, vy, vz] = ["vx", "vy", "vz"].map(column);
-        let [heading, radius, status] = ["heading", "radius", "status"].map(column);
-        let mut tracks = Self::default();
-        for (line, fields) in records {
-            if fields.len() < names.len() {
-                return Err((line, format!("{} fields, but {} names", fields.len(), names.len())));
-            }
-            let value = |at: usize| {
-                let value = fields[at].trim().parse::<f64>().ok().filter(|value| value.is_finite());
-                value.ok_or_else(|| (line, format!("`{}` is no number for {}", fields[at], names[at])))
-            };
-            let name = group.map_or("", |at| &*fields[at]);
-            let group = tracks.groups.iter().rposition(|other| other == name).unwrap_or_else(|| {
-                tracks.groups.push(name.to_owned());
-                tracks.groups.len() - 1
-            });
-            let place = DVec3::new(value(x)?, value(y)?, z.map_or(Ok(0.0), value)?);
-            let of = fields[number]
-                .trim()
-                .parse()
-                .map_err(|_| (line, format!("`{}` is no number of an agent", fields[number])))?;
-            let or = |column: Option<usize>, or: f32| column.map_or(Ok(or), |at| value(at).map(|value| value as f32));
-            let status = status.map_or(Ok(Status::Walking), |at| {
-                let found = status_of(fields[at].trim());
-                found.ok_or_else(|| (line, format!("`{}` is no status", fields[at])))
-            })?;
-            tracks.spots.push(Spot {
-                number: of,
-                group: group as u32,
-                time: value(time)?,
-                place,
-                velocity: Vec3::new(or(vx, 0.0)?, or(vy, 0.0)?, or(vz, 0.0)?),
-                heading: or(heading, 0.0)?,
-                radius: or(radius, RADIUS)?,
-                status,
-            });
-        }
-        tracks.spots.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.number.cmp(&b.number)));
-        tracks.complete(vx.is_none() || vy.is_none(), heading.is_none());
-        Ok(tracks)
+    /// By time, then by number.
+    pub(crate) fn sort(&mut self) {
+        self.spots.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.number.cmp(&b.number)));
     }
 
-    /// Makes velocities of ways, and headings of velocities, where the table says none.
-    fn complete(&mut self, velocities: bool, headings: bool) {
+    /// Makes velocities of ways, and headings of velocities, where the file says none.
+    pub(crate) fn complete(&mut self, velocities: bool, headings: bool) {
         let mut last: HashMap<u32, usize> = HashMap::new();
         for at in 0..if velocities || headings { self.spots.len() } else { 0 } {
             let before = last.insert(self.spots[at].number, at).map(|before| self.spots[before]);
@@ -179,127 +144,15 @@ impl Tracks {
     }
 }
 
-fn reader(path: &Path) -> Option<Reader> {
-    let extension = path.extension()?;
-    READERS.iter().find(|(ending, _)| extension.eq_ignore_ascii_case(ending)).map(|&(_, read)| read)
+/// What is wrong with a file, in words.
+fn content(path: &Path, flaw: &Flaw) -> String {
+    let line = flaw.line.map_or_else(String::new, |line| format!("{line}:"));
+    let hint = flaw.hint.map_or_else(String::new, |hint| format!("\n  hint: {hint}"));
+    format!("{}:{line} {}{hint}", path.display(), flaw.why)
 }
 
-/// The records of a text of comma-separated values, with the lines on which they begin; empty lines are none.
-struct Records<'a> {
-    rest: &'a str,
-    line: usize,
-}
-
-impl<'a> Iterator for Records<'a> {
-    type Item = (usize, Vec<Cow<'a, str>>);
-
-    fn next(&mut self) -> Option<Self::Item> {
-        while let Some(rest) = self.rest.strip_prefix("\r\n").or_else(|| self.rest.strip_prefix('\n')) {
-            self.rest = rest;
-            self.line += 1;
-        }
-        if self.rest.is_empty() {
-            return None;
-        }
-        let (start, mut fields) = (self.line, Vec::new());
-        loop {
-            let (field, rest) = field(self.rest);
-            self.line += self.rest[..self.rest.len() - rest.len()].matches('\n').count();
-            fields.push(field);
-            match rest.strip_prefix(',') {
-                Some(rest) => self.rest = rest,
-                None => {
-                    self.rest = rest;
-                    return Some((start, fields));
-                }
-            }
-        }
-    }
-}
-
-/// The first field of a text, and what comes after it: a comma, a line's end, or nothing.
-fn field(text: &str) -> (Cow<'_, str>, &str) {
-    let Some(mut quoted) = text.strip_prefix('"') else {
-        let end = text.find([',', '\n']).unwrap_or(text.len());
-        let (field, rest) = text.split_at(end);
-        return (field.strip_suffix('\r').unwrap_or(field).into(), rest);
-    };
-    let mut value = String::new();
-    while let Some((part, after)) = quoted.split_once('"') {
-        value.push_str(part);
-        match after.strip_prefix('"') {
-            Some(after) => {
-                value.push('"');
-                quoted = after;
-            }
-            // what stands behind the closing quote up to the next comma is none of it
-            None => return (value.into(), after.trim_start_matches(|c| c != ',' && c != '\n')),
-        }
-    }
-    (value.into(), "")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::csv::CsvWriter;
-    use crate::{Body, Frame, Setting};
-
-    fn body(number: u32, group: u32, place: DVec3) -> Body {
-        Body { group, altitude: place.z as f32, ..Body::walking(number, place.truncate()) }
-    }
-
-    #[test]
-    fn what_was_written_is_read() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("run.csv");
-        for in_space in [false, true] {
-            let groups = vec!["a, \"b\"\nc".into(), "midges".into()];
-            let setting = Setting { groups: groups.clone(), in_space, ..Setting::default() };
-            let mut writer = CsvWriter::create(&path, &setting).unwrap();
-            let place = |k: u32| DVec3::new(0.1 * f64::from(k), -2.0, 1.5);
-            for k in 0..3 {
-                let bodies = vec![body(4, 0, place(k)), body(9, 1, place(k + 5))];
-                writer.push(&Frame { time: f64::from(k) * 0.1, bodies, ..Frame::default() }).unwrap();
-            }
-            writer.finish().unwrap();
-            let tracks = Tracks::read(&path).unwrap();
-            assert_eq!(tracks.groups, groups);
-            let moments: Vec<_> = tracks.moments(1).collect();
-            let want = if in_space { place(6) } else { place(6).with_z(0.0) };
-            assert_eq!((moments.len(), &moments[1]), (3, &(0.1, vec![(9, want)])));
-        }
-    }
-
-    #[test]
-    fn what_a_table_does_not_say_is_made_of_what_it_says() {
-        let tracks = Tracks::parse(b"number,time,x,y\n3,0,0,0\n3,0.5,0,1\n3,1,0,1\n").unwrap();
-        let said: Vec<_> = tracks.spots.iter().map(|spot| (spot.velocity, spot.heading)).collect();
-        let north = std::f32::consts::FRAC_PI_2;
-        assert_eq!(said, [(Vec3::ZERO, 0.0), (Vec3::Y * 2.0, north), (Vec3::ZERO, north)]);
-        assert_eq!((tracks.spots[0].radius, tracks.spots[0].status), (RADIUS, Status::Walking));
-        let tracks = Tracks::parse(b"number,time,x,y,status,radius\n3,0,0,0,arrived,0.3\n").unwrap();
-        assert_eq!((tracks.spots[0].radius, tracks.spots[0].status), (0.3, Status::Arrived));
-        assert!(Tracks::are_in("a/b.CSV") && !Tracks::are_in("a.toml") && !Tracks::are_in("csv"));
-    }
-
-    #[test]
-    fn mistakes_are_named_with_their_lines() {
-        let wrong = |text: &str| Tracks::parse(text.as_bytes()).unwrap_err();
-        assert_eq!(wrong(""), (1, "it is empty".into()));
-        assert_eq!(wrong("number,time,x\n"), (1, "there is no column `y`".into()));
-        assert_eq!(wrong("number,time,x,y\r\n1,0,0\r\n"), (2, "3 fields, but 4 names".into()));
-        assert_eq!(wrong("number,time,x,y\n\n1,0,0,0\n1,nan,0,0\n").0, 4);
-        assert!(wrong("number,time,x,y\n-1,0,0,0\n").1.contains("`-1` is no number of an agent"));
-        let text = "\u{feff}x , y,time,number,group\n1,2,3,4,\"a\nb\"\n5,6,1,4,c";
-        let tracks = Tracks::parse(text.as_bytes()).unwrap();
-        assert_eq!(tracks.groups, ["a\nb", "c"]);
-        assert_eq!((tracks.spots[0].place, tracks.spots[0].group), (DVec3::new(5.0, 6.0, 0.0), 1));
-        assert_eq!(wrong(&format!("{text},,,\n\"x\",1,1,1,1")).0, 5);
-        assert!(Tracks::parse(b"number,time,x,y\n\"").is_err());
-        assert_eq!(Tracks::parse(b"number,time,x,y\n1,0,0,\xff\n"), Err((2, "it is no text".into())));
-        assert!(wrong("number,time,x,y,status\n1,0,0,0,lost\n").1.contains("`lost` is no status"));
-        let missing = Tracks::read("no/such/file.csv").unwrap_err().to_string();
-        assert!(missing.starts_with("cannot read no/such/file.csv: "), "{missing}");
-    }
+/// How the names of all files end that are read.
+fn endings() -> String {
+    let read = FORMATS.iter().filter(|format| format.reader().is_some()).map(|format| format!(".{}", format.ending));
+    read.collect::<Vec<_>>().join(", ")
 }

@@ -12,6 +12,7 @@ use crate::direct::{Director, Tool};
 use crate::document::Document;
 use crate::keep::{Draft, Leaving, remember, remembered};
 use crate::keys::{self, Action};
+use crate::outside::Files;
 use crate::panels::{self, Asked, Gallery, Meters, Tuned, Tuning, Why};
 use crate::play::{Command, Player, Shown, Speed, Trouble};
 use crate::record::Recording;
@@ -61,6 +62,7 @@ pub struct App {
     ctx: Context,
     /// The state that was told last.
     told: String,
+    files: Files,
     outside: crate::outside::Outside,
 }
 
@@ -71,10 +73,11 @@ impl App {
             storage.and_then(|storage| remembered(storage, eframe::APP_KEY)).unwrap_or_default();
         options.adjust(&mut settings)?;
         let wanted = options.scene.clone().unwrap_or_else(|| settings.scene.clone());
+        let (files, plugins) = (Files::default(), Arc::new(options.plugins.clone()));
         let (document, notice, leaving) =
-            keeping::begin(storage, (&wanted, options.scene.is_some()), &Arc::new(options.plugins.clone()))?;
+            keeping::begin(storage, (&wanted, options.scene.is_some()), &files, &plugins)?;
         // a draft that comes back is looked at first
-        if notice.is_some() || leaving.is_some() || !crate::outside::is_film(&wanted) {
+        if notice.is_some() || leaving.is_some() || !files.is_film(&wanted) {
             settings.scene = document.origin();
         } else {
             settings.scene = wanted;
@@ -82,6 +85,7 @@ impl App {
         let mut app = Self {
             player: crate::outside::player(ctx)?,
             outside: crate::outside::Outside::new(&document),
+            files,
             settings,
             document,
             views: Default::default(),
@@ -111,6 +115,10 @@ impl App {
         let still = app.options.at_step;
         app.player.command(Command::Speed(app.settings.speed));
         app.put_beside();
+        if app.options.rest {
+            app.rest();
+            return Ok(app);
+        }
         app.begin(still.is_none());
         if let Some(step) = still {
             app.player.command(Command::Seek(step));
@@ -120,10 +128,10 @@ impl App {
 
     /// Plays what was opened: a film, or what the text says.
     fn begin(&mut self, run: bool) {
-        if crate::outside::is_film(&self.settings.scene) {
+        if let Some(film) = self.files.film(&self.settings.scene, &self.document) {
             self.director.take(Tool::Hand);
             self.reading = Some(self.player.shown().map_or(0, |shown| shown.run));
-            self.player.command(Command::Replay { path: self.settings.scene.clone().into(), run });
+            self.player.command(Command::Replay { film, run });
         } else {
             self.play(run);
         }
@@ -149,6 +157,8 @@ impl App {
     fn act(&mut self, action: Action, shown: Option<&Shown>) {
         let panels = &mut self.settings.panels;
         match action {
+            // after it has stopped nothing plays until somebody wants it to
+            Action::Play | Action::Restart if shown.is_none() => self.begin(true),
             Action::Play if shown.is_some_and(|shown| shown.playing) => self.player.command(Command::Pause),
             Action::Play => self.player.command(Command::Run),
             Action::Step => self.player.command(Command::Step),
@@ -187,6 +197,8 @@ impl App {
             Action::More => self.more(1, shown),
             Action::Fewer => self.more(-1, shown),
             Action::New => self.leave(Leaving::New),
+            Action::Open if self.files.folder.pick(&self.ctx) => {}
+            Action::Open => self.open.open(""),
             Action::SaveAs => self.save_as.open(&format!("{}.toml", self.document.name)),
             Action::Save => self.save(),
             Action::Undo | Action::Redo => {
@@ -279,10 +291,8 @@ impl App {
             if ui.button("New").on_hover_text("an empty scene (Ctrl N)").clicked() {
                 self.actions.push(Action::New);
             }
-            if cfg!(not(target_arch = "wasm32"))
-                && ui.button("Open…").on_hover_text("a scene file, or trajectories to replay").clicked()
-            {
-                self.open.open("");
+            if ui.button("Open…").on_hover_text("a scene file, or trajectories to replay (Ctrl O)").clicked() {
+                self.actions.push(Action::Open);
             }
             if ui.button("Save as…").clicked() {
                 self.actions.push(Action::SaveAs);
@@ -344,10 +354,7 @@ impl eframe::App for App {
         let run = shown.as_ref().map_or(0, |shown| shown.run);
         self.reading = self.reading.filter(|before| *before == run && trouble.is_none());
         self.notice = self.news.1.try_iter().last().or(self.notice.take());
-        let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
-        if let Some(path) = dropped {
-            self.leave(Leaving::Open(path.display().to_string()));
-        }
+        self.receive(&ctx);
         if !self.actions.is_empty() {
             // what they do is to be seen, where no thread wakes the page
             ctx.request_repaint();

@@ -58,6 +58,8 @@ pub enum Action {
     Fewer,
     /// A new scene.
     New,
+    /// Opens a file.
+    Open,
     /// Saves the scene.
     Save,
     /// Saves it under another name.
@@ -69,7 +71,7 @@ pub enum Action {
 }
 
 /// Every key, what it does, and how the help says it. `true`: with the command key.
-pub const KEYS: [(bool, Key, Action, &str, &str); 28] = [
+pub const KEYS: [(bool, Key, Action, &str, &str); 29] = [
     (false, Key::Space, Action::Play, "Space", "run or pause"),
     (false, Key::ArrowRight, Action::Step, "Right", "a step on"),
     (false, Key::ArrowLeft, Action::Back, "Left", "a step back"),
@@ -95,6 +97,7 @@ pub const KEYS: [(bool, Key, Action, &str, &str); 28] = [
     (false, Key::Minus, Action::Fewer, "−", "one fewer"),
     (true, Key::S, Action::Save, "Ctrl S", "save the scene (with Shift: under another name)"),
     (true, Key::N, Action::New, "Ctrl N", "a new scene"),
+    (true, Key::O, Action::Open, "Ctrl O", "open a scene file, or trajectories to replay"),
     (true, Key::Z, Action::Undo, "Ctrl Z", "undo (with Shift: redo)"),
     (true, Key::Y, Action::Redo, "Ctrl Y", "redo"),
     (true, Key::Enter, Action::Play, "Ctrl Enter", "run or pause, in the text too"),

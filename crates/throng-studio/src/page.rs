@@ -1,16 +1,22 @@
 //! The studio in a web page.
 
 use crate::{App, Options};
+use std::panic::PanicHookInfo;
 use throng_scene::Plugins;
 use wasm_bindgen::JsCast;
 
+/// What the browser keeps from when the studio stopped to when it starts again.
+const STOPPED: &str = "throng.stopped";
+
 /// Starts the studio on the page's canvas `studio`; the scene is what stands behind `#` in the address,
-/// as [`Options::of_address`] reads it.
+/// as [`Options::of_address`] reads it. What goes wrong is said by the page's element `said`.
+///
+/// A panic ends the studio, as pages cannot catch any: it is told, and the next time the scene is opened without being played.
 pub fn open(plugins: Plugins) {
+    std::panic::set_hook(Box::new(stopped));
     wasm_bindgen_futures::spawn_local(async {
         if let Err(says) = start(plugins).await {
-            let body = web_sys::window().and_then(|window| window.document()).and_then(|document| document.body());
-            body.into_iter().for_each(|body| body.set_inner_text(&says));
+            say(&says);
         }
     });
 }
@@ -20,9 +26,37 @@ async fn start(plugins: Plugins) -> Result<(), String> {
     let canvas = window.document().and_then(|document| document.get_element_by_id("studio"));
     let canvas = canvas.and_then(|canvas| canvas.dyn_into().ok()).ok_or("the page has no canvas `studio`")?;
     let hash = window.location().hash().unwrap_or_default();
-    let options = Options { plugins, ..Options::of_address(hash.trim_start_matches('#'))? };
+    let mut options = Options { plugins, ..Options::of_address(hash.trim_start_matches('#'))? };
+    if let Some(kept) = storage().filter(|kept| kept.get_item(STOPPED).is_ok_and(|item| item.is_some())) {
+        options.rest = true;
+        // a browser that keeps it has it looked at once more
+        let _ = kept.remove_item(STOPPED);
+    }
     let create: eframe::AppCreator =
         Box::new(move |creation| Ok(Box::new(App::new(&creation.egui_ctx, creation.storage, options)?)));
     let started = eframe::WebRunner::new().start(canvas, eframe::WebOptions::default(), create).await;
     started.map_err(|error| format!("the studio does not start: {error:?}"))
+}
+
+/// Tells of a panic, and remembers it.
+fn stopped(panic: &PanicHookInfo<'_>) {
+    if let Some(kept) = storage() {
+        // where nothing is kept the scene is played again
+        let _ = kept.set_item(STOPPED, "");
+    }
+    say(&format!("throng has stopped: {panic}\n\nLoad the page again: what you have written is kept."));
+}
+
+/// Shows something in the middle of the page.
+fn say(says: &str) {
+    let document = web_sys::window().and_then(|window| window.document());
+    if let Some(said) = document.and_then(|document| document.get_element_by_id("said")) {
+        said.set_text_content(Some(says));
+        // an element that is no longer hidden is what was wanted
+        let _ = said.remove_attribute("hidden");
+    }
+}
+
+fn storage() -> Option<web_sys::Storage> {
+    web_sys::window()?.local_storage().ok()?
 }

@@ -12,6 +12,8 @@ pub struct Options {
     pub scene: Option<String>,
     /// The step at which the scene is shown, paused; without it, it runs.
     pub at_step: Option<u64>,
+    /// Opens the scene without playing it, since the studio stopped there the last time.
+    pub rest: bool,
     /// The agent that is selected at first.
     pub select: Option<u32>,
     /// How the scene is looked at; without it, from straight above.

@@ -78,3 +78,50 @@ fn who_asks_for_another_scene_is_asked_first() {
     click(&mut harness, "Keep editing");
     assert!(draft(&mut harness).is_some());
 }
+
+#[test]
+fn after_it_has_stopped_the_text_is_shown_and_nothing_plays() {
+    let mut harness = left(Options { rest: true, ..Options::default() });
+    harness.run_steps(4);
+    assert!(harness.query_by_label_contains("the studio stopped while circle played").is_some());
+    assert!(harness.query_by_label("text of the scene").is_some() && draft(&mut harness).is_some());
+    assert!(harness.query_by_label("run (Space)").is_none(), "there is nothing to run");
+    click(&mut harness, "box");
+    click(&mut harness, "Discard");
+    for _ in 0..200 {
+        std::thread::sleep(std::time::Duration::from_millis(10));
+        harness.run_steps(2);
+        if harness.query_by_label("restart (R)").is_some() {
+            return;
+        }
+    }
+    panic!("another scene plays");
+}
+
+/// A file that was dropped.
+#[derive(Debug)]
+struct Dropped(std::path::PathBuf);
+
+impl eframe::egui::DroppedFile for Dropped {
+    fn path(&self) -> &std::path::Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
+
+#[test]
+fn what_is_dropped_is_opened_once_it_was_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    std::fs::write(&path, "title = \"dropped\"\n[[group]]\nname = \"a\"\ncount = 3\nplace.point = [1, 2]\n").unwrap();
+    let mut harness = left(Options { with: vec!["panels.text=true".into()], ..Options::default() });
+    harness.run_steps(4);
+    harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(path.clone())));
+    harness.run_steps(4);
+    assert!(harness.query_by_label("circle has changes that are not saved.").is_some());
+    click(&mut harness, "Discard");
+    assert!(harness.query_by_label_contains(&path.display().to_string()).is_some(), "the text panel has its name");
+}

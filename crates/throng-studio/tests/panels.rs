@@ -6,7 +6,8 @@ use std::sync::Arc;
 use std::time::Duration;
 use throng_scene::gallery;
 use throng_studio::document::Document;
-use throng_studio::panels::{self, Asked, Beside, Gallery, Record, Recorded, Tuned, Tuning};
+use throng_studio::keep::{Answer, Leaving};
+use throng_studio::panels::{self, Asked, Beside, Gallery, Naming, Record, Recorded, Tuned, Tuning};
 use throng_studio::play::{Command, Engine, Shown, Speed, Trouble};
 use throng_studio::settings::Settings;
 use throng_studio::view::{Coloring, Heat, Mode, View};
@@ -218,4 +219,85 @@ fn who_writes_goes_on_writing_when_something_is_wrong() {
     more.sort_unstable();
     assert_eq!(more, ['a', 'h', 't', 'w']);
     assert!(document.scene().is_err());
+}
+
+#[test]
+fn a_model_is_chosen_and_named() {
+    let mut model = String::new();
+    let mut changed = 0;
+    {
+        let mut harness = Harness::new_ui(|ui| changed += u32::from(panels::beside_by(ui, &mut model)));
+        harness.get_by_label("beside").click();
+        harness.run();
+        harness.get_by_label("hrvo").click();
+        harness.run();
+    }
+    assert_eq!((model.as_str(), changed), ("hrvo", 1));
+    let scene = gallery::scene("circle").unwrap().with_model(&model.parse().unwrap()).unwrap();
+    let harness = Harness::new_ui(|ui| panels::name_of_models(ui, ui.max_rect(), &scene));
+    let painted = harness.output().shapes.iter().any(|shape| match &shape.shape {
+        eframe::egui::Shape::Text(text) => text.galley.text() == "hrvo",
+        _ => false,
+    });
+    assert!(painted, "the corner says which it is");
+}
+
+#[test]
+fn a_name_is_asked_for_until_it_is_good() {
+    let mut naming = Naming::new("Save as", "Save", "name.toml");
+    naming.open("mine");
+    let mut harness = Harness::builder().with_size([500.0, 300.0]).build_ui_state(
+        |ui, (naming, said): &mut (Naming, Vec<String>)| said.extend(naming.ui(ui.ctx())),
+        (naming, Vec::new()),
+    );
+    harness.run();
+    harness.event(eframe::egui::Event::Text(".toml".into()));
+    harness.run();
+    harness.get_by_label("Save").click();
+    harness.run();
+    assert_eq!(harness.state().1, ["mine.toml"]);
+    harness.state_mut().0.answer(Err("there is a file mine.toml already".into()));
+    harness.run();
+    assert!(harness.query_by_label("there is a file mine.toml already").is_some());
+    harness.key_press(eframe::egui::Key::Enter);
+    harness.run();
+    assert_eq!(harness.state().1.len(), 2, "Enter says it too");
+    harness.key_press(eframe::egui::Key::Escape);
+    harness.run();
+    assert!(harness.state().0.name.is_none() && harness.query_by_label("Save").is_none());
+    harness.state_mut().0.open("");
+    harness.run();
+    assert!(harness.query_by_label("there is a file mine.toml already").is_none(), "what was refused is past");
+    harness.get_by_label("Save").click();
+    harness.run();
+    assert_eq!(harness.state().1.len(), 2, "nothing is no name");
+    harness.state_mut().0.answer(Ok(()));
+    harness.run();
+    assert!(harness.query_by_label("Save").is_none());
+}
+
+#[test]
+fn what_is_not_saved_is_asked_about() {
+    let cases = [
+        (Leaving::New, "Discard", Answer::Discard),
+        (Leaving::Close, "Save", Answer::Save),
+        (Leaving::Reload(String::new()), "Take the file's", Answer::Discard),
+        (Leaving::Open("box".into()), "Keep editing", Answer::Keep),
+    ];
+    for (to, label, answer) in cases {
+        let mut answers = Vec::new();
+        let mut harness = Harness::new_ui(|ui| answers.extend(panels::leaving(ui.ctx(), "circle", &to)));
+        harness.run();
+        assert!(harness.query_by_label_contains("circle").is_some(), "{to:?} says what of");
+        harness.get_by_label(label).click();
+        harness.run();
+        drop(harness);
+        assert_eq!(answers, [answer]);
+    }
+    let mut answers = Vec::new();
+    let mut harness = Harness::new_ui(|ui| answers.extend(panels::leaving(ui.ctx(), "circle", &Leaving::New)));
+    harness.key_press(eframe::egui::Key::Escape);
+    harness.run();
+    drop(harness);
+    assert!(answers.contains(&Answer::Keep), "{answers:?}");
 }

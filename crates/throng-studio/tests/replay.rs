@@ -6,9 +6,9 @@ use std::time::Duration;
 use throng_draw::Style;
 use throng_draw::record::Recorder;
 use throng_record::csv::CsvWriter;
-use throng_record::{Frame, moment};
+use throng_record::{Frame, Writer, moment};
 use throng_scene::gallery;
-use throng_studio::play::{Command, Engine, Quantity, Shown, Speed, Threaded, Trouble};
+use throng_studio::play::{Command, Engine, Film, Quantity, Shown, Speed, Threaded, Trouble};
 use throng_studio::record::{Job, Subject, Take};
 
 /// Writes the trajectories of a scene; its moments.
@@ -38,9 +38,15 @@ fn settle(engine: &mut Engine) -> Arc<Shown> {
     engine.shown().unwrap()
 }
 
-fn replay(path: &Path) -> Engine {
+/// A file that may be of the place of a scene of the gallery.
+fn film(path: &Path, scene: &str) -> Film {
+    let place = (scene.into(), Arc::new(gallery::scene(scene).unwrap()));
+    Film { path: path.into(), bytes: None, place: Some(place) }
+}
+
+fn replay(path: &Path, scene: &str) -> Engine {
     let mut engine = Engine::default();
-    engine.command(Command::Replay { path: path.into(), run: false });
+    engine.command(Command::Replay { film: film(path, scene), run: false });
     assert_eq!(engine.trouble(), None);
     engine
 }
@@ -53,7 +59,7 @@ fn every_moment_is_as_it_was_whichever_way_one_gets_to_it() {
         let mut frames = written(name, &path);
         // when nobody is there any more, nothing is in the file
         frames.retain(|frame| !frame.bodies.is_empty());
-        let mut engine = replay(&path);
+        let mut engine = replay(&path, name);
         let last = frames.len() - 1;
         for step in [0, 40, 39, last, 7, 8, last / 2] {
             engine.command(Command::Seek(step as u64));
@@ -88,7 +94,7 @@ fn it_plays_to_its_end_and_figures_are_measured() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("circle-2.csv");
     let frames = written("circle", &path);
-    let mut engine = replay(&path);
+    let mut engine = replay(&path, "circle");
     let shown = engine.shown().unwrap();
     assert_eq!(shown.setting.goals.len(), 36, "the place is that of the gallery's scene");
     assert_eq!(shown.setting.title, "Ring of 36");
@@ -114,7 +120,7 @@ fn a_table_of_another_program_is_replayed_without_a_place() {
     let path = folder.path().join("circle.csv");
     std::fs::write(&path, "time,number,x,y\n0,5,400000,1\n0.1,5,400000.2,1\n0.2,5,400000.4,1\n0.2,9,400003,7\n")
         .unwrap();
-    let mut engine = replay(&path);
+    let mut engine = replay(&path, "circle");
     engine.command(Command::Seek(2));
     let shown = settle(&mut engine);
     assert!(shown.setting.goals.is_empty() && shown.setting.walkable.is_empty(), "its groups are others");
@@ -136,7 +142,8 @@ fn what_is_no_film_is_told_with_its_line_and_what_was_there_goes_on() {
     engine.command(Command::Load { name: "headon".into(), scene, run: false });
     let mut wrong = |text: Option<&str>| {
         text.into_iter().for_each(|text| std::fs::write(&path, text).unwrap());
-        engine.command(Command::Replay { path: text.map_or(PathBuf::from("no.csv"), |_| path.clone()), run: true });
+        let path = text.map_or(PathBuf::from("no.csv"), |_| path.clone());
+        engine.command(Command::Replay { film: Film { path, ..Film::default() }, run: true });
         let Some(Trouble::Film(says)) = engine.trouble() else { panic!("{:?}", engine.trouble()) };
         assert_eq!(&*settle(&mut engine).name, "headon");
         says
@@ -153,7 +160,7 @@ fn a_recording_of_a_replay_is_the_file_itself() {
     let (path, again) = (folder.path().join("circle.csv"), folder.path().join("again.csv"));
     written("circle", &path);
     let mut player = Threaded::start(|| {}).unwrap();
-    player.command(Command::Replay { path: path.clone(), run: false });
+    player.command(Command::Replay { film: film(&path, "circle"), run: false });
     let shown = loop {
         match player.shown() {
             Some(shown) => break shown,

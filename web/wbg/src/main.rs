@@ -9,7 +9,7 @@ fn main() -> ExitCode {
         return ExitCode::FAILURE;
     };
     let mut bindgen = wasm_bindgen_cli_support::Bindgen::new();
-    bindgen.input_path(input).typescript(false).omit_default_module_path(false);
+    bindgen.input_path(input).out_name("throng-studio").typescript(false).omit_default_module_path(false);
     let done = bindgen.web(true).and_then(|bindgen| bindgen.generate(output));
     match done {
         Ok(()) => ExitCode::SUCCESS,

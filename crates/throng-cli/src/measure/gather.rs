@@ -69,10 +69,10 @@ fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failu
 
 fn recorded(args: &MeasureArgs) -> Result<Vec<Measured>, Failure> {
     let tracks = Tracks::read(&args.of)?;
-    let chosen = chosen(args, &tracks.groups)?;
+    let chosen = chosen(args, &tracks.setting.groups)?;
     let to = args.to.unwrap_or(f64::INFINITY);
     let measured = |&k: &usize| {
-        let mut group = begin(args, &tracks.groups[k]);
+        let mut group = begin(args, &tracks.setting.groups[k]);
         let within = tracks.moments(k as u32).filter(|&(time, _)| time >= args.from - 1e-9 && time <= to + 1e-9);
         within.for_each(|(time, places)| group.swarm.push(time, &places));
         group

@@ -5,8 +5,7 @@ use crate::sink::{GifSink, Kind};
 use crate::{Error, Film};
 use std::path::Path;
 use std::sync::Arc;
-use throng_record::csv::CsvWriter;
-use throng_record::{Behind, Frame, Output, OutputError};
+use throng_record::{Behind, Format, Frame, Output, OutputError, Writer};
 
 /// A moment of all runs that are recorded together.
 #[derive(Clone)]
@@ -24,18 +23,19 @@ pub enum Recorder {
     /// A picture or a video.
     Film(Box<Behind<Film, Moment, Error>>),
     /// Trajectories.
-    Table(Behind<CsvWriter, Moment, OutputError>),
+    Table(Behind<Box<dyn Writer>, Moment, OutputError>),
 }
 
 impl Recorder {
-    /// Begins the file `path` of a run: trajectories where its name ends in `.csv`, else what a [`Film`] makes of the name.
+    /// Begins the file `path` of a run: trajectories where its name says so ([`Format`]), else what a [`Film`] makes of the name.
     ///
     /// # Errors
     /// Those of [`Film::create`].
     pub fn create(path: impl AsRef<Path>, plan: &Plan) -> Result<Self, Error> {
         let path = path.as_ref();
-        if is_table(path) {
-            return Ok(Self::table(CsvWriter::create(path, plan.setting)?));
+        if let Some(format) = table(path) {
+            let writer = format.create(Output::create(path)?, plan.setting);
+            return Ok(Self::table(writer.ok_or_else(|| Error::Extension { path: path.into() })??));
         }
         Ok(Self::film(Film::create(path, plan.setting, plan.style, plan.rate)?.still(plan.still)))
     }
@@ -43,11 +43,11 @@ impl Recorder {
     /// Begins a file of a run that goes somewhere else than to a folder ([`Output::handed`]): trajectories or a GIF.
     ///
     /// # Errors
-    /// The name of the output ends neither in `.csv` nor in `.gif`, or rate or size are out of their limits.
+    /// The name of the output is neither that of trajectories nor ends in `.gif`, or rate or size are out of their limits.
     pub fn to(output: Output, plan: &Plan) -> Result<Self, Error> {
         let path = output.path().to_path_buf();
-        if is_table(&path) {
-            return Ok(Self::table(CsvWriter::new(output, plan.setting)?));
+        if let Some(format) = table(&path) {
+            return Ok(Self::table(format.create(output, plan.setting).ok_or(Error::Extension { path })??));
         }
         match Kind::of(&path)? {
             Kind::Gif => {
@@ -67,7 +67,7 @@ impl Recorder {
     }
 
     /// Lets a table be written.
-    pub fn table(table: CsvWriter) -> Self {
+    pub fn table(table: Box<dyn Writer>) -> Self {
         Self::Table(Behind::start("throng-table", table, |table, moment| {
             moment.frames.iter().try_for_each(|frame| table.push(frame))
         }))
@@ -109,7 +109,7 @@ impl Recorder {
     }
 }
 
-/// Whether a name is that of trajectories; folders may be called anything.
-fn is_table(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) && !path.is_dir()
+/// What trajectories a name is of; folders may be called anything.
+fn table(path: &Path) -> Option<&'static Format> {
+    Format::of(path).filter(|format| format.is_written() && !path.is_dir())
 }

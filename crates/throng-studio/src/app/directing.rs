@@ -56,7 +56,7 @@ impl App {
     /// Saves under another name, or opens a file, once it is said.
     pub(super) fn ask_name(&mut self, ctx: &Context) {
         if let Some(name) = self.open.ui(ctx) {
-            let opened = crate::outside::open(&name, self.document.plugins()).map(|_| ());
+            let opened = self.files.open(&name, self.document.plugins()).map(|_| ());
             let good = opened.is_ok();
             self.open.answer(opened);
             if good {

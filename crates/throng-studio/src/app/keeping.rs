@@ -3,6 +3,7 @@
 use super::App;
 use crate::document::Document;
 use crate::keep::{Answer, Draft, Leaving, remembered};
+use crate::outside::Files;
 use crate::panels;
 use eframe::Storage;
 use eframe::egui::{Context, ViewportCommand};
@@ -18,16 +19,17 @@ pub(super) const AUTOSAVE: Duration = Duration::from_secs(3);
 pub(super) fn begin(
     storage: Option<&dyn Storage>,
     (wanted, named): (&str, bool),
+    files: &Files,
     plugins: &Arc<Plugins>,
 ) -> Result<(Document, Option<String>, Option<Leaving>), String> {
     let draft: Option<Draft> = storage.and_then(|storage| remembered(storage, Draft::KEY)).flatten();
     if let Some(draft) = draft {
-        let document = draft.restore(|scene| crate::outside::open(scene, plugins)).with(plugins);
+        let document = draft.restore(|scene| files.open(scene, plugins)).with(plugins);
         let notice = format!("restored: the changes of {} that were not saved", document.name);
         let asked = named && document.origin() != wanted;
         return Ok((document, Some(notice), asked.then(|| Leaving::Open(wanted.to_owned()))));
     }
-    match crate::outside::open(wanted, plugins) {
+    match files.open(wanted, plugins) {
         Ok(document) => Ok((document.with(plugins), None, None)),
         Err(says) => Ok((Document::named("circle", plugins).ok_or("there is no gallery")?, Some(says), None)),
     }
@@ -45,7 +47,7 @@ impl App {
 
     fn go(&mut self, to: Leaving) {
         match to {
-            Leaving::Open(scene) => match crate::outside::open(&scene, self.document.plugins()) {
+            Leaving::Open(scene) => match self.files.open(&scene, self.document.plugins()) {
                 Ok(document) => {
                     self.show(document);
                     self.settings.scene = scene;
@@ -73,6 +75,28 @@ impl App {
         self.director.cancel();
         self.notice = None;
         self.player.command(self.meters.clear());
+    }
+
+    /// Shows the text and the gallery alone: what it says has ended the studio.
+    pub(super) fn rest(&mut self) {
+        (self.settings.panels.text, self.settings.panels.gallery) = (true, true);
+        let name = &self.document.name;
+        self.notice = Some(format!(
+            "the studio stopped while {name} played: change its text, choose another scene, or press R to play it again"
+        ));
+    }
+
+    /// Opens what is dropped, and what was picked.
+    pub(super) fn receive(&mut self, ctx: &Context) {
+        let dropped = ctx.input(|input| input.raw.dropped_files.clone());
+        if !dropped.is_empty() {
+            self.files.folder.take(&dropped, ctx);
+        }
+        match self.files.folder.came() {
+            Some(Ok(name)) => self.leave(Leaving::Open(name)),
+            Some(Err(says)) => self.notice = Some(says),
+            None => {}
+        }
     }
 
     /// Looks whether the file or the window wants to leave the text, and asks what there is to ask.

@@ -1,45 +1,63 @@
 //! In a window.
 
+use super::files::chosen;
 use crate::Options;
 use crate::document::{Document, Watched};
 use crate::play::{Player, Shown, Threaded};
 use crate::record::{Recording, Subject, Take};
-use eframe::egui::{Context, ViewportCommand};
+use eframe::egui::{Context, DroppedFileHandle, ViewportCommand};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 use throng_draw::record::{Plan, Recorder};
 use throng_record::Output;
-use throng_scene::{Plugins, gallery};
 
-/// A name of the gallery or of the plug-ins, or a file, as a document: that of a film is of the scene it has the place of, as far as
-/// that is known.
-///
-/// # Errors
-/// It is neither; what to do about it.
-pub fn open(scene: &str, plugins: &Arc<Plugins>) -> Result<Document, String> {
-    if let Some(document) = crate::share::open(scene).or_else(|| Document::named(scene, plugins)) {
-        return Ok(document);
-    }
-    let path = Path::new(scene);
-    if is_film(scene) {
-        let beside = path.with_extension("toml");
-        let stem = path.file_stem().map(|stem| stem.to_string_lossy());
-        let place = if beside.is_file() { open(&beside.display().to_string(), plugins).ok() } else { None };
-        let place = place.or_else(|| Document::named(&stem?, plugins));
-        return Ok(place.unwrap_or_else(Document::empty));
-    }
-    if path.exists() {
-        let text = std::fs::read_to_string(path).map_err(|error| format!("{scene} cannot be read: {error}"))?;
-        return Ok(Document::of_file(path, text));
-    }
-    Err(gallery::scene(scene).err().map_or_else(String::new, |error| error.to_string()))
+/// The files of the system.
+#[derive(Default)]
+pub struct Folder {
+    /// What was dropped on the window.
+    dropped: Option<String>,
 }
 
-/// Whether it is a file of trajectories, to be replayed.
-pub fn is_film(scene: &str) -> bool {
-    throng_record::Tracks::are_in(scene) && Path::new(scene).is_file()
+impl Folder {
+    /// Whether there is a file.
+    pub fn holds(&self, file: &Path) -> bool {
+        file.is_file()
+    }
+
+    /// The text of a file; `None` if there is none.
+    pub fn text(&self, file: &Path) -> Option<Result<String, String>> {
+        let text =
+            || std::fs::read_to_string(file).map_err(|error| format!("{} cannot be read: {error}", file.display()));
+        file.exists().then(text)
+    }
+
+    /// The document of a file's text.
+    pub fn document(&self, file: &str, text: String) -> Document {
+        Document::of_file(Path::new(file), text)
+    }
+
+    /// Films are read by who plays them.
+    pub fn bytes(&self, _: &str) -> Option<Arc<[u8]>> {
+        None
+    }
+
+    /// Takes what is dropped on the window.
+    pub fn take(&mut self, dropped: &[DroppedFileHandle], _: &Context) {
+        let names: Vec<_> = dropped.iter().map(|file| file.path().display().to_string()).collect();
+        self.dropped = chosen(&names);
+    }
+
+    /// What has come and is to be opened.
+    pub fn came(&mut self) -> Option<Result<String, String>> {
+        self.dropped.take().map(Ok)
+    }
+
+    /// A window asks for a name instead.
+    pub fn pick(&self, _: &Context) -> bool {
+        false
+    }
 }
 
 /// A player that wakes the window.

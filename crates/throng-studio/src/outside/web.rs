@@ -1,35 +1,134 @@
 //! In a web page.
 
+use super::files::chosen;
 use crate::Options;
 use crate::document::Document;
 use crate::play::{Player, Shown};
 use crate::record::{Recording, Subject, Take};
-use eframe::egui::Context;
+use eframe::egui::{Context, DroppedFileHandle};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, channel};
+use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 use throng_draw::record::{Plan, Recorder};
 use throng_record::Output;
-use throng_scene::{Plugins, gallery};
+use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::JsFuture;
 
 /// A page gives so much of each frame to the simulation.
 const SLICE: Duration = Duration::from_millis(10);
 
-/// A name of the gallery or of the plug-ins, as a document.
-///
-/// # Errors
-/// There is no such scene.
-pub fn open(scene: &str, plugins: &Arc<Plugins>) -> Result<Document, String> {
-    crate::share::open(scene)
-        .or_else(|| Document::named(scene, plugins))
-        .ok_or_else(|| gallery::scene(scene).err().map_or_else(String::new, |error| error.to_string()))
+/// Bytes of a file at most: more than that has no room in a page.
+const MOST: f64 = 512e6;
+
+/// Files that are read together: their names, and what is in them.
+type Batch = Vec<(String, Result<Vec<u8>, String>)>;
+
+/// The files that were handed to the page last, by being dropped on it or picked.
+pub struct Folder {
+    files: BTreeMap<String, Arc<[u8]>>,
+    coming: (Sender<Batch>, Receiver<Batch>),
 }
 
-/// A page has no files.
-pub fn is_film(_: &str) -> bool {
-    false
+impl Default for Folder {
+    fn default() -> Self {
+        Self { files: BTreeMap::new(), coming: channel() }
+    }
+}
+
+impl Folder {
+    /// Whether there is a file.
+    pub fn holds(&self, file: &Path) -> bool {
+        file.to_str().is_some_and(|name| self.files.contains_key(name))
+    }
+
+    /// The text of a file; `None` if there is none.
+    pub fn text(&self, file: &Path) -> Option<Result<String, String>> {
+        let bytes = self.files.get(file.to_str()?)?;
+        Some(String::from_utf8(bytes.to_vec()).map_err(|_| format!("{}: it is no text", file.display())))
+    }
+
+    /// The document of a file's text: it is not in a file that the page could write.
+    pub fn document(&self, file: &str, text: String) -> Document {
+        let stem = Path::new(file).file_stem().and_then(|stem| stem.to_str());
+        Document::new(stem.unwrap_or("scene"), text)
+    }
+
+    /// What is in a file.
+    pub fn bytes(&self, file: &str) -> Option<Arc<[u8]>> {
+        self.files.get(file).cloned()
+    }
+
+    /// Takes what is dropped on the page, and reads it.
+    pub fn take(&mut self, dropped: &[DroppedFileHandle], ctx: &Context) {
+        self.read(dropped.iter().filter_map(|file| file.web_file().cloned()).collect(), ctx);
+    }
+
+    fn read(&self, files: Vec<web_sys::File>, ctx: &Context) {
+        read(files, self.coming.0.clone(), ctx.clone());
+    }
+
+    /// What has come and is to be opened; what came before is let go.
+    ///
+    /// # Errors
+    /// A file that the browser cannot read.
+    pub fn came(&mut self) -> Option<Result<String, String>> {
+        let batch = self.coming.1.try_iter().last()?;
+        let names: Vec<_> = batch.iter().map(|(name, _)| name.clone()).collect();
+        let files = batch.into_iter().map(|(name, bytes)| Ok((name, bytes?.into())));
+        match files.collect::<Result<_, String>>() {
+            Ok(files) => self.files = files,
+            Err(says) => return Some(Err(says)),
+        }
+        chosen(&names).map(Ok)
+    }
+
+    /// Lets people pick files; whether there is a way to.
+    pub fn pick(&self, ctx: &Context) -> bool {
+        let document = web_sys::window().and_then(|window| window.document());
+        let input = document.and_then(|document| document.create_element("input").ok());
+        let Some(input) = input.and_then(|input| input.dyn_into::<web_sys::HtmlInputElement>().ok()) else {
+            return false;
+        };
+        input.set_type("file");
+        input.set_accept(".toml,.csv");
+        input.set_multiple(true);
+        let (sender, ctx, picked) = (self.coming.0.clone(), ctx.clone(), input.clone());
+        let done = Closure::once_into_js(move || {
+            let files = picked.files();
+            let files = files.iter().flat_map(|files| (0..files.length()).filter_map(|at| files.get(at)));
+            read(files.collect(), sender, ctx);
+        });
+        input.set_onchange(Some(done.unchecked_ref()));
+        input.click();
+        true
+    }
+}
+
+/// Reads files while the page goes on, and wakes it when they are there.
+fn read(files: Vec<web_sys::File>, sender: Sender<Batch>, ctx: Context) {
+    if files.is_empty() {
+        return;
+    }
+    wasm_bindgen_futures::spawn_local(async move {
+        let mut batch = Vec::new();
+        for file in files {
+            let bytes = if file.size() > MOST {
+                Err(format!("{} is too large for a page: open it with the program", file.name()))
+            } else {
+                let bytes = JsFuture::from(file.array_buffer()).await;
+                bytes.map(|bytes| js_sys::Uint8Array::new(&bytes).to_vec()).map_err(|error| {
+                    format!("the browser cannot read {}: {}", file.name(), js_sys::Error::from(error).message())
+                })
+            };
+            batch.push((file.name(), bytes));
+        }
+        // who does not listen any more has closed the studio
+        let _ = sender.send(batch);
+        ctx.request_repaint();
+    });
 }
 
 /// A player that works while the page draws.

@@ -2,10 +2,9 @@
 
 use super::meter::Meter;
 use super::pace::{Pace, Speed};
-use super::reel::Reel;
+use super::reel::{Film, Reel};
 use super::run::Run;
 use super::shown::{Shown, Trouble};
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 use throng_scene::{Model, Scene};
@@ -33,7 +32,7 @@ pub enum Command {
     /// Replays a file of trajectories from its start, paused or not; if it cannot be read, what was there before goes on.
     Replay {
         /// The file.
-        path: PathBuf,
+        film: Film,
         /// Whether it begins to run.
         run: bool,
     },
@@ -100,7 +99,7 @@ impl Engine {
     pub fn command(&mut self, command: Command) {
         match command {
             Command::Load { name, scene, run } => self.load(name, scene, run),
-            Command::Replay { path, run } => match Reel::open(&path) {
+            Command::Replay { film, run } => match Reel::open(&film) {
                 Ok(reel) => self.begin(Run::replay(Arc::new(reel), &self.meters), run),
                 Err(says) => self.trouble = Some(Trouble::Film(says)),
             },

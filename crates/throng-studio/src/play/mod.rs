@@ -25,7 +25,7 @@ pub use meter::{Gauge, Meter};
 pub use observed::{Being, Observed};
 pub use pace::{Pace, Speed};
 pub use quantity::Quantity;
-pub use reel::Reel;
+pub use reel::{Film, Reel};
 pub(crate) use run::title;
 pub use series::{Sample, Series};
 pub use shown::{Cost, Shown, Trouble};

@@ -8,12 +8,23 @@ use glam::DVec2;
 use std::collections::HashMap;
 use std::f32::consts::{PI, TAU};
 use std::ops::Range;
-use std::path::Path;
+use std::path::PathBuf;
 use std::sync::Arc;
 use throng::{Status, Summary};
 use throng_draw::WorldBox;
-use throng_record::{Body, Frame, Setting, Spot, Tracks, moment};
-use throng_scene::{Scene, gallery};
+use throng_record::{Body, Frame, Reading, Setting, Spot, Tracks, moment};
+use throng_scene::{Scene, caught};
+
+/// A file of trajectories that can be replayed.
+#[derive(Clone, Debug, Default)]
+pub struct Film {
+    /// Its name.
+    pub path: PathBuf,
+    /// What is in it, where that is in memory; else it is read.
+    pub bytes: Option<Arc<[u8]>>,
+    /// The scene that may be of the place, with its name: if it has the groups of the file, it is.
+    pub place: Option<(Arc<str>, Arc<Scene>)>,
+}
 
 /// Who was where at every moment of a run, and what stayed the same.
 #[derive(Debug)]
@@ -42,18 +53,23 @@ struct Moment {
 }
 
 impl Reel {
-    /// Reads a file of trajectories. The place is that of the scene file beside it, or of the scene of the gallery, that is
-    /// called as the file is and has its groups; else nothing is known of it.
+    /// Reads a file of trajectories.
     ///
     /// # Errors
     /// It cannot be read, is no such file, or nobody is in it; where, why, and what to do.
-    pub fn open(path: &Path) -> Result<Self, String> {
-        let tracks = Tracks::read(path).map_err(|error| error.to_string())?;
+    pub fn open(film: &Film) -> Result<Self, String> {
+        let path = &film.path;
+        let tracks = film
+            .bytes
+            .as_ref()
+            .map_or_else(|| Tracks::read(path), |bytes| Tracks::of_file(path, bytes, &Reading::default()));
+        let tracks = tracks.map_err(|error| error.to_string())?;
         if tracks.spots.is_empty() {
             return Err(format!("{}: nobody is in it: there is nothing to replay", path.display()));
         }
         let name = path.file_stem().map_or_else(|| "film".into(), |stem| stem.to_string_lossy().into_owned());
-        let place = place(path, &name).filter(|(_, setting)| group_of(&tracks, setting).is_some());
+        let place = film.place.as_ref().and_then(|(called, scene)| place(called, scene));
+        let place = place.filter(|(_, setting)| group_of(&tracks, setting).is_some());
         Ok(Self::new(&name, tracks, place))
     }
 
@@ -61,7 +77,7 @@ impl Reel {
     fn new(name: &str, mut tracks: Tracks, place: Option<(Scene, Setting)>) -> Self {
         let in_space = tracks.spots.iter().any(|spot| spot.place.z != 0.0);
         let (mut scene, mut setting) = place.unwrap_or_else(|| {
-            let setting = Setting { title: name.into(), groups: tracks.groups.clone(), in_space, ..Setting::default() };
+            let setting = Setting { title: name.into(), in_space, ..tracks.setting.clone() };
             (Scene { title: name.into(), ..Scene::default() }, setting)
         });
         setting.origin =
@@ -161,16 +177,11 @@ impl Reel {
     }
 }
 
-/// The scene beside a file, or of the gallery, that is called as it is, with its setting.
-fn place(path: &Path, name: &str) -> Option<(Scene, Setting)> {
-    let beside = path.with_extension("toml");
-    let scene = if beside.is_file() { throng_scene::open(&beside).ok().map(|imported| imported.scene) } else { None };
-    // files of the same scene are numbered
-    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('-');
-    let scene = scene.or_else(|| gallery::scene(name).or_else(|_| gallery::scene(stem)).ok())?;
-    let (world, built) = scene.build().ok()?;
-    let setting = moment::setting(&world, &built, title(&scene, name));
-    Some((scene, setting))
+/// A scene, with its setting; `None` if it cannot be built.
+fn place(name: &str, scene: &Scene) -> Option<(Scene, Setting)> {
+    let (world, built) = caught(|| scene.build()).ok()?.ok()?;
+    let setting = moment::setting(&world, &built, title(scene, name));
+    Some((scene.clone(), setting))
 }
 
 /// Which groups of the setting those of the tracks are; `None` if it has not all of them. Groups without a name are called
@@ -181,7 +192,7 @@ fn group_of(tracks: &Tracks, setting: &Setting) -> Option<Vec<u32>> {
         own == name || own.is_empty() && name == index.to_string()
     };
     let find = |name: &String| (0..setting.groups.len()).find(|&index| called(index, name)).map(|index| index as u32);
-    tracks.groups.iter().map(find).collect()
+    tracks.setting.groups.iter().map(find).collect()
 }
 
 /// Along all spots: how far everybody has turned by then, the moments, and how many there are in all.

@@ -1,25 +1,6 @@
-//! Trajectories as a table of comma-separated values.
-//!
-//! One line an agent and moment, moment after moment, under a line of names:
-//!
-//! | column | what | unit |
-//! |---|---|---|
-//! | `number` | the agent's own number | |
-//! | `group` | the name of its group; its index where it has no name | |
-//! | `time` | time since the start | s |
-//! | `x`, `y` | centre, world coordinates | m |
-//! | `vx`, `vy` | velocity | m/s |
-//! | `heading` | direction of the body, counter-clockwise from +x | rad |
-//! | `radius` | radius of the body; of one that is no disc, half of its narrower side | m |
-//! | `status` | `walking`, `waiting`, `arrived` or `stranded` | |
-//! | `z` | height of the centre above the ground | m |
-//! | `vz` | velocity upwards | m/s |
-//!
-//! The last two are there only where somebody flies, or will ([`Setting::in_space`]).
-//!
-//! Numbers are written with as many digits as it takes to read the same bits back. Text is UTF-8, quoted where it
-//! holds commas, quotes or line breaks; lines end in a line feed.
+//! Tables written.
 
+use crate::formats::Writer;
 use crate::{Body, Frame, Output, OutputError, Setting};
 use std::fmt::{Display, Write};
 use std::path::Path;
@@ -29,12 +10,13 @@ use throng::Status;
 pub const COLUMNS: [&str; 12] =
     ["number", "group", "time", "x", "y", "vx", "vy", "heading", "radius", "status", "z", "vz"];
 
-/// Writes trajectories as they happen. See the [module](self) for the columns.
+/// Writes trajectories as they happen. See the [module](super) for the columns.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
 /// # let path = folder.path().join("run.csv");
-/// use throng_record::{csv::CsvWriter, Frame, Setting};
+/// use throng_record::csv::CsvWriter;
+/// use throng_record::{Frame, Setting, Writer};
 /// let mut writer = CsvWriter::create(&path, &Setting::default())?;
 /// writer.push(&Frame::default())?;
 /// writer.finish()?;
@@ -70,20 +52,6 @@ impl CsvWriter {
         Ok(Self { output, groups, in_space: setting.in_space, line: String::new() })
     }
 
-    /// Writes everybody of one moment.
-    ///
-    /// # Errors
-    /// The system's, such as a full disk.
-    pub fn push(&mut self, frame: &Frame) -> Result<(), OutputError> {
-        let mut time = String::new();
-        number(&mut time, frame.time);
-        frame.bodies.iter().try_for_each(|body| {
-            self.line.clear();
-            self.describe(body, &time);
-            self.output.put(self.line.as_bytes())
-        })
-    }
-
     fn describe(&mut self, body: &Body, time: &str) {
         let line = &mut self.line;
         // writing to a string does not fail
@@ -114,6 +82,22 @@ impl CsvWriter {
     /// Those of [`Output::finish`].
     pub fn finish(self) -> Result<(), OutputError> {
         self.output.finish()
+    }
+}
+
+impl Writer for CsvWriter {
+    fn push(&mut self, frame: &Frame) -> Result<(), OutputError> {
+        let mut time = String::new();
+        number(&mut time, frame.time);
+        frame.bodies.iter().try_for_each(|body| {
+            self.line.clear();
+            self.describe(body, &time);
+            self.output.put(self.line.as_bytes())
+        })
+    }
+
+    fn finish(self: Box<Self>) -> Result<(), OutputError> {
+        Self::finish(*self)
     }
 }
 
@@ -155,7 +139,7 @@ pub fn status_name(status: Status) -> &'static str {
 }
 
 /// The status that is called so in files.
-pub(crate) fn status_of(name: &str) -> Option<Status> {
+pub(super) fn status_of(name: &str) -> Option<Status> {
     [Status::Walking, Status::Waiting, Status::Arrived, Status::Stranded]
         .into_iter()
         .find(|&status| status_name(status) == name)

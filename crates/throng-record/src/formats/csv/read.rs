@@ -1,0 +1,191 @@
+//! Tables read.
+
+use super::write::status_of;
+use crate::formats::{Flaw, Reading};
+use crate::tracks::{RADIUS, Spot, Tracks};
+use glam::{DVec3, Vec3};
+use std::borrow::Cow;
+use throng::Status;
+
+const HINT: &str = "a table of trajectories has the columns number, time, x and y, and may have group and z, as `throng run -o NAME.csv` writes them";
+
+/// Reads a table: a line of names, then a line an agent and moment. The columns `number`, `time`, `x` and `y` must
+/// be there; without `group` all are of one without a name, without `z` all are on the ground. Without `vx` and `vy`
+/// velocities are ways over time, without `heading` bodies face where they go, without `radius` they are 0.2 m large,
+/// without `status` they walk; other columns do not count.
+pub(super) fn read(bytes: &[u8], _: &Reading) -> Result<Tracks, Flaw> {
+    parse(bytes).map_err(|(line, why)| Flaw { line: Some(line), why, hint: Some(HINT) })
+}
+
+fn parse(bytes: &[u8]) -> Result<Tracks, (usize, String)> {
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let before = &bytes[..error.valid_up_to()];
+        (1 + before.iter().filter(|&&byte| byte == b'\n').count(), "it is no text".to_owned())
+    })?;
+    let mut records = Records { rest: text.strip_prefix('\u{feff}').unwrap_or(text), line: 1 };
+    let (_, names) = records.next().ok_or((1, "it is empty".to_owned()))?;
+    let column = |name: &str| names.iter().position(|other| other.trim() == name);
+    let needed = |name: &str| column(name).ok_or_else(|| (1, format!("there is no column `{name}`")));
+    let [number, time, x, y] = [needed("number")?, needed("time")?, needed("x")?, needed("y")?];
+    let (group, z) = (column("group"), column("z"));
+    let [vx, vy, vz] = ["vx", "vy", "vz"].map(column);
+    let [heading, radius, status] = ["heading", "radius", "status"].map(column);
+    let mut tracks = Tracks::default();
+    for (line, fields) in records {
+        if fields.len() < names.len() {
+            return Err((line, format!("{} fields, but {} names", fields.len(), names.len())));
+        }
+        let value = |at: usize| {
+            let value = fields[at].trim().parse::<f64>().ok().filter(|value| value.is_finite());
+            value.ok_or_else(|| (line, format!("`{}` is no number for {}", fields[at], names[at])))
+        };
+        let name = group.map_or("", |at| &*fields[at]);
+        let group = tracks.setting.groups.iter().rposition(|other| other == name).unwrap_or_else(|| {
+            tracks.setting.groups.push(name.to_owned());
+            tracks.setting.groups.len() - 1
+        });
+        let place = DVec3::new(value(x)?, value(y)?, z.map_or(Ok(0.0), value)?);
+        let of = fields[number]
+            .trim()
+            .parse()
+            .map_err(|_| (line, format!("`{}` is no number of an agent", fields[number])))?;
+        let or = |column: Option<usize>, or: f32| column.map_or(Ok(or), |at| value(at).map(|value| value as f32));
+        let status = status.map_or(Ok(Status::Walking), |at| {
+            let found = status_of(fields[at].trim());
+            found.ok_or_else(|| (line, format!("`{}` is no status", fields[at])))
+        })?;
+        tracks.spots.push(Spot {
+            number: of,
+            group: group as u32,
+            time: value(time)?,
+            place,
+            velocity: Vec3::new(or(vx, 0.0)?, or(vy, 0.0)?, or(vz, 0.0)?),
+            heading: or(heading, 0.0)?,
+            radius: or(radius, RADIUS)?,
+            status,
+        });
+    }
+    tracks.sort();
+    tracks.complete(vx.is_none() || vy.is_none(), heading.is_none());
+    Ok(tracks)
+}
+
+/// The records of a text of comma-separated values, with the lines on which they begin; empty lines are none.
+struct Records<'a> {
+    rest: &'a str,
+    line: usize,
+}
+
+impl<'a> Iterator for Records<'a> {
+    type Item = (usize, Vec<Cow<'a, str>>);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        while let Some(rest) = self.rest.strip_prefix("\r\n").or_else(|| self.rest.strip_prefix('\n')) {
+            self.rest = rest;
+            self.line += 1;
+        }
+        if self.rest.is_empty() {
+            return None;
+        }
+        let (start, mut fields) = (self.line, Vec::new());
+        loop {
+            let (field, rest) = field(self.rest);
+            self.line += self.rest[..self.rest.len() - rest.len()].matches('\n').count();
+            fields.push(field);
+            match rest.strip_prefix(',') {
+                Some(rest) => self.rest = rest,
+                None => {
+                    self.rest = rest;
+                    return Some((start, fields));
+                }
+            }
+        }
+    }
+}
+
+/// The first field of a text, and what comes after it: a comma, a line's end, or nothing.
+fn field(text: &str) -> (Cow<'_, str>, &str) {
+    let Some(mut quoted) = text.strip_prefix('"') else {
+        let end = text.find([',', '\n']).unwrap_or(text.len());
+        let (field, rest) = text.split_at(end);
+        return (field.strip_suffix('\r').unwrap_or(field).into(), rest);
+    };
+    let mut value = String::new();
+    while let Some((part, after)) = quoted.split_once('"') {
+        value.push_str(part);
+        match after.strip_prefix('"') {
+            Some(after) => {
+                value.push('"');
+                quoted = after;
+            }
+            // what stands behind the closing quote up to the next comma is none of it
+            None => return (value.into(), after.trim_start_matches(|c| c != ',' && c != '\n')),
+        }
+    }
+    (value.into(), "")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::CsvWriter;
+    use super::*;
+    use crate::{Body, Frame, Setting, Writer};
+
+    fn body(number: u32, group: u32, place: DVec3) -> Body {
+        Body { group, altitude: place.z as f32, ..Body::walking(number, place.truncate()) }
+    }
+
+    #[test]
+    fn what_was_written_is_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("run.csv");
+        for in_space in [false, true] {
+            let groups = vec!["a, \"b\"\nc".into(), "midges".into()];
+            let setting = Setting { groups: groups.clone(), in_space, ..Setting::default() };
+            let mut writer = CsvWriter::create(&path, &setting).unwrap();
+            let place = |k: u32| DVec3::new(0.1 * f64::from(k), -2.0, 1.5);
+            for k in 0..3 {
+                let bodies = vec![body(4, 0, place(k)), body(9, 1, place(k + 5))];
+                writer.push(&Frame { time: f64::from(k) * 0.1, bodies, ..Frame::default() }).unwrap();
+            }
+            writer.finish().unwrap();
+            let tracks = Tracks::read(&path).unwrap();
+            assert_eq!(tracks.setting.groups, groups);
+            let moments: Vec<_> = tracks.moments(1).collect();
+            let want = if in_space { place(6) } else { place(6).with_z(0.0) };
+            assert_eq!((moments.len(), &moments[1]), (3, &(0.1, vec![(9, want)])));
+        }
+    }
+
+    #[test]
+    fn what_a_table_does_not_say_is_made_of_what_it_says() {
+        let tracks = parse(b"number,time,x,y\n3,0,0,0\n3,0.5,0,1\n3,1,0,1\n").unwrap();
+        let said: Vec<_> = tracks.spots.iter().map(|spot| (spot.velocity, spot.heading)).collect();
+        let north = std::f32::consts::FRAC_PI_2;
+        assert_eq!(said, [(Vec3::ZERO, 0.0), (Vec3::Y * 2.0, north), (Vec3::ZERO, north)]);
+        assert_eq!((tracks.spots[0].radius, tracks.spots[0].status), (RADIUS, Status::Walking));
+        let tracks = parse(b"number,time,x,y,status,radius\n3,0,0,0,arrived,0.3\n").unwrap();
+        assert_eq!((tracks.spots[0].radius, tracks.spots[0].status), (0.3, Status::Arrived));
+        assert!(Tracks::are_in("a/b.CSV") && !Tracks::are_in("a.toml") && !Tracks::are_in("csv"));
+    }
+
+    #[test]
+    fn mistakes_are_named_with_their_lines() {
+        let wrong = |text: &str| parse(text.as_bytes()).unwrap_err();
+        assert_eq!(wrong(""), (1, "it is empty".into()));
+        assert_eq!(wrong("number,time,x\n"), (1, "there is no column `y`".into()));
+        assert_eq!(wrong("number,time,x,y\r\n1,0,0\r\n"), (2, "3 fields, but 4 names".into()));
+        assert_eq!(wrong("number,time,x,y\n\n1,0,0,0\n1,nan,0,0\n").0, 4);
+        assert!(wrong("number,time,x,y\n-1,0,0,0\n").1.contains("`-1` is no number of an agent"));
+        let text = "\u{feff}x , y,time,number,group\n1,2,3,4,\"a\nb\"\n5,6,1,4,c";
+        let tracks = parse(text.as_bytes()).unwrap();
+        assert_eq!(tracks.setting.groups, ["a\nb", "c"]);
+        assert_eq!((tracks.spots[0].place, tracks.spots[0].group), (DVec3::new(5.0, 6.0, 0.0), 1));
+        assert_eq!(wrong(&format!("{text},,,\n\"x\",1,1,1,1")).0, 5);
+        assert!(parse(b"number,time,x,y\n\"").is_err());
+        assert_eq!(parse(b"number,time,x,y\n1,0,0,\xff\n"), Err((2, "it is no text".into())));
+        assert!(wrong("number,time,x,y,status\n1,0,0,0,lost\n").1.contains("`lost` is no status"));
+        let missing = Tracks::read("no/such/file.csv").unwrap_err().to_string();
+        assert!(missing.starts_with("cannot read no/such/file.csv: "), "{missing}");
+    }
+}

@@ -1,0 +1,100 @@
+//! What can be opened by name: scenes, and films of trajectories.
+
+use super::Folder;
+use crate::document::Document;
+use crate::play::Film;
+use std::path::Path;
+use std::sync::Arc;
+use throng_record::Tracks;
+use throng_scene::{Plugins, gallery};
+
+/// The gallery, the plug-ins' scenes, and the files of a [`Folder`]: the system's, or those that were handed to a page.
+#[derive(Default)]
+pub struct Files {
+    /// Where files are.
+    pub folder: Folder,
+}
+
+impl Files {
+    /// A name of the gallery or of the plug-ins, a link, or a file, as a document: that of a film is of the scene it has the place of,
+    /// as far as that is known.
+    ///
+    /// # Errors
+    /// It is none of them; what to do about it.
+    pub fn open(&self, scene: &str, plugins: &Arc<Plugins>) -> Result<Document, String> {
+        if let Some(document) = crate::share::open(scene).or_else(|| Document::named(scene, plugins)) {
+            return Ok(document);
+        }
+        if self.is_film(scene) {
+            return Ok(self.place(Path::new(scene), plugins).unwrap_or_else(Document::empty));
+        }
+        match self.folder.text(Path::new(scene)) {
+            Some(text) => Ok(self.folder.document(scene, text?)),
+            None => Err(gallery::scene(scene).err().map_or_else(String::new, |error| error.to_string())),
+        }
+    }
+
+    /// Whether it is a file of trajectories, to be replayed.
+    pub fn is_film(&self, scene: &str) -> bool {
+        Tracks::are_in(scene) && self.folder.holds(Path::new(scene))
+    }
+
+    /// A file of trajectories, which may be of the place of this document; `None` if it is no such file.
+    pub fn film(&self, scene: &str, place: &Document) -> Option<Film> {
+        let place = place.scene().ok().map(|scene| (place.name.clone(), scene.clone()));
+        self.is_film(scene).then(|| Film { path: scene.into(), bytes: self.folder.bytes(scene), place })
+    }
+
+    /// The scene file beside a film, or the scene of the gallery, that is called as the film is; films of the same scene are numbered.
+    fn place(&self, film: &Path, plugins: &Arc<Plugins>) -> Option<Document> {
+        let beside = film.with_extension("toml");
+        if let Some(Ok(text)) = self.folder.text(&beside) {
+            return Some(self.folder.document(&beside.display().to_string(), text));
+        }
+        let name = film.file_stem()?.to_str()?;
+        let first = name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('-');
+        Document::named(name, plugins).or_else(|| Document::named(first, plugins))
+    }
+}
+
+/// Which of the files that came together is opened: the film, else the first.
+pub(super) fn chosen(names: &[String]) -> Option<String> {
+    names.iter().find(|name| Tracks::are_in(name)).or(names.first()).cloned()
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_film_has_the_place_of_the_scene_that_is_called_as_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let (files, plugins) = (Files::default(), Arc::default());
+        let file = |name: &str, text: &str| {
+            std::fs::write(folder.path().join(name), text).unwrap();
+            folder.path().join(name).display().to_string()
+        };
+        for (film, scene) in
+            [("circle.csv", "circle"), ("circle-12.csv", "circle"), ("ring-1000.csv", "ring-1000"), ("x.csv", "new")]
+        {
+            let film = file(film, "");
+            let document = files.open(&film, &plugins).unwrap();
+            assert_eq!(&*document.name, scene, "{film}");
+            let film = files.film(&film, &document).unwrap();
+            assert_eq!(film.place.map(|(name, _)| name).as_deref(), Some(scene));
+        }
+        let own = file("circle.toml", "title = \"mine\"\n[[group]]\nplace.point = [1, 2]\n");
+        let document = files.open(&folder.path().join("circle.csv").display().to_string(), &plugins).unwrap();
+        assert_eq!((document.origin(), &*document.scene().unwrap().title), (own.clone(), "mine"));
+        assert!(files.film(&own, &document).is_none() && files.film("circle", &document).is_none());
+        assert!(files.open("no such scene", &plugins).unwrap_err().contains("no such scene"));
+    }
+
+    #[test]
+    fn of_files_that_come_together_the_film_is_opened() {
+        let names = |names: &[&str]| names.iter().map(|name| name.to_string()).collect::<Vec<_>>();
+        assert_eq!(chosen(&names(&["a.toml", "b.csv"])).as_deref(), Some("b.csv"));
+        assert_eq!(chosen(&names(&["a.toml", "b.toml"])).as_deref(), Some("a.toml"));
+        assert_eq!(chosen(&[]), None);
+    }
+}
