@@ -1,4 +1,4 @@
-//! Makes a table of the thumbnails that there are (`cargo run -p throng-studio --example thumbnails` makes them).
+//! Makes a table of the thumbnails that there are, for windows (pages fetch them; `cargo run -p throng-studio --example thumbnails` makes them).
 
 use std::fmt::Write;
 use std::path::Path;

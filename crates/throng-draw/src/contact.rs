@@ -4,7 +4,7 @@ use crate::image::Image;
 use crate::mark::{Anchor, Mark, Stroke};
 use crate::picture::Picture;
 use crate::sink::Kind;
-use crate::text::Type;
+use crate::text::{Type, Typeface};
 use crate::{Color, Error, Painter, Theme, raster, svg};
 use glam::Vec2;
 use std::path::Path;
@@ -110,7 +110,7 @@ impl Contact {
     /// There are not as many as there are names.
     pub fn finish(self, mut stills: Vec<(Painter, Frame)>) -> Result<(), Error> {
         assert_eq!(stills.len(), self.places.len(), "a still for each name");
-        let mut typeface = Type::new();
+        let mut typeface = Type::of(&Typeface::default());
         let marks = self.marks(&stills, &typeface);
         let places = self.places.iter().map(|(_, corner)| *corner);
         let picture = if self.kind == Kind::Svg {

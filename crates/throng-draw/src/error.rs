@@ -42,6 +42,12 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
+    /// It is no font.
+    #[error("{name}: this is no TrueType or OpenType font")]
+    Typeface {
+        /// What it is called.
+        name: String,
+    },
     /// The name of the file is none of a single picture.
     #[error("{}: a figure is one picture; end the name in .png or .svg", path.display())]
     Still {

@@ -59,4 +59,5 @@ pub use sheet::{Sheet, columns, title_height};
 pub use sink::FrameSink;
 pub use space::{Chase, Followed, Following, Lens, Sight, Viewpoint};
 pub use style::{ColorBy, Form, Projection, Style, Theme};
+pub use text::Typeface;
 pub use trail::{Track, Trails};

@@ -85,7 +85,7 @@ impl Painter {
         // A single agent is not blown up to fill the picture.
         let view = if style.view.is_some() { view } else { view.at_least(4.0) };
         let look = Look::new(setting, style, first);
-        let mut typeface = Type::new();
+        let mut typeface = Type::of(&style.typeface);
         let base = if setting.walkable.is_empty() { style.theme.ground } else { style.theme.outside };
         let usual = if setting.in_space { Projection::Perspective } else { Projection::Plan };
         let mut flows = None;

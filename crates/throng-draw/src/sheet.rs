@@ -97,7 +97,7 @@ impl SheetPainter {
         let (paper, size) = (style.theme.outside, 17.0 * unit(width));
         let at = Vec2::new(14.0 * unit(width), strip as f32 * 0.5 + 0.36 * size);
         let text = |text: String| Mark::Text { text, at, anchor: Anchor::Start, size, color: style.theme.text };
-        let mut typeface = Type::new();
+        let mut typeface = Type::of(&style.typeface);
         let room = width as f32 - 2.0 * at.x;
         let title: Vec<Mark> = (strip > 0).then(|| text(typeface.clip(&sheet.title, size, room))).into_iter().collect();
         let whole = title.is_empty() && panels.len() == 1;

@@ -1,6 +1,6 @@
 //! How a picture should look.
 
-use crate::{Annotations, Color, FlowStyle, Viewpoint, WorldBox};
+use crate::{Annotations, Color, FlowStyle, Typeface, Viewpoint, WorldBox};
 use glam::DVec2;
 
 /// How a picture should look. The default is a calm light picture of 640 by 480 pixels.
@@ -42,6 +42,8 @@ pub struct Style {
     pub lines: Vec<Vec<DVec2>>,
     /// The colours of everything but the agents.
     pub theme: Theme,
+    /// The face of titles, counts and keys.
+    pub typeface: Typeface,
 }
 
 impl Default for Style {
@@ -64,6 +66,7 @@ impl Default for Style {
             legend: true,
             lines: Vec::new(),
             theme: Theme::light(),
+            typeface: Typeface::default(),
         }
     }
 }

@@ -1,10 +1,13 @@
-//! Type: the embedded font, drawn glyph by glyph from a cache.
+//! Type: a font, drawn glyph by glyph from a cache.
 
 use crate::Color;
+use crate::Error;
 use crate::image::{Image, blend};
-use ab_glyph::{Font, FontRef, GlyphId, ScaleFont, point};
+use ab_glyph::{Font, FontArc, GlyphId, ScaleFont, point};
 use glam::Vec2;
 use std::collections::BTreeMap;
+use std::fmt;
+use std::sync::Arc;
 
 /// Glyphs are drawn at a quarter of a pixel.
 const STEPS: f32 = 4.0;
@@ -12,10 +15,58 @@ const STEPS: f32 = 4.0;
 /// A glyph, size and quarter of a pixel.
 type Key = (u16, u32, u8);
 
-/// The typeface, and the glyphs it has been asked for.
+/// The face that pictures are lettered in. Two of the same name are equal. The default is that which the library brings along, Ubuntu
+/// Light; none, and no lettering, without its feature `typeface`.
+///
+/// ```
+/// use throng_draw::{Style, Typeface};
+///
+/// assert!(Typeface::new("mine", vec![1, 2, 3]).is_err());
+/// assert_eq!(Style::default().typeface, Typeface::default());
+/// ```
+#[derive(Clone)]
+pub struct Typeface {
+    name: Arc<str>,
+    font: Option<FontArc>,
+}
+
+impl Typeface {
+    /// A TrueType or OpenType font, with its name.
+    ///
+    /// # Errors
+    /// [`Error::Typeface`]: it is no font.
+    pub fn new(name: &str, bytes: Vec<u8>) -> Result<Self, Error> {
+        let font = FontArc::try_from_vec(bytes).map_err(|_| Error::Typeface { name: name.into() })?;
+        Ok(Self { name: name.into(), font: Some(font) })
+    }
+}
+
+impl Default for Typeface {
+    fn default() -> Self {
+        #[cfg(feature = "typeface")]
+        let font = FontArc::try_from_slice(epaint_default_fonts::UBUNTU_LIGHT).ok();
+        #[cfg(not(feature = "typeface"))]
+        let font = None;
+        Self { name: "".into(), font }
+    }
+}
+
+impl PartialEq for Typeface {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl fmt::Debug for Typeface {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Typeface").field(&self.name).finish()
+    }
+}
+
+/// A typeface, and the glyphs it has been asked for.
 #[derive(Debug)]
 pub(crate) struct Type {
-    font: FontRef<'static>,
+    font: Option<FontArc>,
     glyphs: BTreeMap<Key, Bitmap>,
 }
 
@@ -29,9 +80,8 @@ struct Bitmap {
 }
 
 impl Type {
-    pub(crate) fn new() -> Self {
-        let font = FontRef::try_from_slice(epaint_default_fonts::UBUNTU_LIGHT).expect("the embedded font is sound");
-        Self { font, glyphs: BTreeMap::new() }
+    pub(crate) fn of(typeface: &Typeface) -> Self {
+        Self { font: typeface.font.clone(), glyphs: BTreeMap::new() }
     }
 
     /// Width of a line of text, pixels; `size` is that of an em.
@@ -56,13 +106,14 @@ impl Type {
     }
 
     /// The font's own measure of size, from line to line, for a size of an em in pixels.
-    fn scale(&self, size: f32) -> f32 {
-        size * self.font.height_unscaled() / self.font.units_per_em().unwrap_or(1000.0)
+    fn scale(font: &FontArc, size: f32) -> f32 {
+        size * font.height_unscaled() / font.units_per_em().unwrap_or(1000.0)
     }
 
     /// Where each glyph goes, and the width of the line.
     fn pens(&self, text: &str, size: f32) -> (Vec<(GlyphId, f32)>, f32) {
-        let font = self.font.as_scaled(self.scale(size));
+        let Some(font) = &self.font else { return (Vec::new(), 0.0) };
+        let font = font.as_scaled(Self::scale(font, size));
         let (mut x, mut last, mut pens) = (0.0, None, Vec::with_capacity(text.len()));
         for c in text.chars() {
             let id = font.glyph_id(c);
@@ -80,15 +131,15 @@ impl Type {
     pub(crate) fn draw(&mut self, image: &mut Image, text: &str, at: Vec2, size: f32, color: Color) {
         let (width, height) = (image.width() as i32, image.height() as i32);
         let y = at.y.round() as i32;
-        let scale = self.scale(size);
+        let Some(font) = self.font.clone() else { return };
+        let scale = Self::scale(&font, size);
         for (id, pen) in self.pens(text, size).0 {
             let x = ((at.x + pen) * STEPS).round() / STEPS;
             let step = ((x - x.floor()) * STEPS) as u8;
-            let font = &self.font;
             let bitmap = self
                 .glyphs
                 .entry((id.0, size.to_bits(), step))
-                .or_insert_with(|| Bitmap::new(font, id, scale, f32::from(step) / STEPS));
+                .or_insert_with(|| Bitmap::new(&font, id, scale, f32::from(step) / STEPS));
             let left = x.floor() as i32 + bitmap.left;
             for (row, cover) in bitmap.cover.chunks_exact(bitmap.width.max(1)).enumerate() {
                 let py = y + bitmap.top + row as i32;
@@ -109,7 +160,7 @@ impl Type {
 }
 
 impl Bitmap {
-    fn new(font: &FontRef<'static>, id: GlyphId, size: f32, shift: f32) -> Self {
+    fn new(font: &FontArc, id: GlyphId, size: f32, shift: f32) -> Self {
         let glyph = id.with_scale_and_position(size, point(shift, 0.0));
         let Some(outline) = font.outline_glyph(glyph) else { return Self::default() };
         let bounds = outline.px_bounds();
@@ -130,7 +181,7 @@ mod tests {
 
     #[test]
     fn a_long_title_is_cut_off() {
-        let typeface = Type::new();
+        let typeface = Type::of(&Typeface::default());
         let cut = typeface.clip(&"long ".repeat(50), 13.0, 200.0);
         assert!(cut.ends_with('…') && typeface.width(&cut, 13.0) <= 200.0, "{cut}");
         assert_eq!(typeface.clip("short", 13.0, 200.0), "short");

@@ -1,7 +1,11 @@
 //! The studio in a web page.
 
+use crate::outside::fetch;
 use crate::{App, Options};
+use eframe::egui::{FontData, FontDefinitions, FontFamily};
 use std::panic::PanicHookInfo;
+use std::sync::Arc;
+use throng_draw::Typeface;
 use throng_scene::Plugins;
 use wasm_bindgen::JsCast;
 
@@ -32,10 +36,26 @@ async fn start(plugins: Plugins) -> Result<(), String> {
         // a browser that keeps it has it looked at once more
         let _ = kept.remove_item(STOPPED);
     }
-    let create: eframe::AppCreator =
-        Box::new(move |creation| Ok(Box::new(App::new(&creation.egui_ctx, creation.storage, options)?)));
+    let [text, code] = [fetch("fonts/ubuntu-light.ttf").await?, fetch("fonts/hack-regular.ttf").await?];
+    options.typeface = Typeface::new("Ubuntu Light", text.clone()).map_err(|error| error.to_string())?;
+    let fonts = fonts(text, code);
+    let create: eframe::AppCreator = Box::new(move |creation| {
+        creation.egui_ctx.set_fonts(fonts);
+        Ok(Box::new(App::new(&creation.egui_ctx, creation.storage, options)?))
+    });
     let started = eframe::WebRunner::new().start(canvas, eframe::WebOptions::default(), create).await;
     started.map_err(|error| format!("the studio does not start: {error:?}"))
+}
+
+/// The fonts of panels, and of what is code.
+fn fonts(text: Vec<u8>, code: Vec<u8>) -> FontDefinitions {
+    let mut fonts = FontDefinitions::empty();
+    for (name, bytes) in [("text", text), ("code", code)] {
+        fonts.font_data.insert(name.into(), Arc::new(FontData::from_owned(bytes)));
+    }
+    fonts.families.insert(FontFamily::Proportional, vec!["text".into()]);
+    fonts.families.insert(FontFamily::Monospace, vec!["code".into(), "text".into()]);
+    fonts
 }
 
 /// Tells of a panic, and remembers it.

@@ -3,6 +3,7 @@
 use crate::settings::Settings;
 use crate::view::Mode;
 use std::path::PathBuf;
+use throng_draw::Typeface;
 use throng_scene::Plugins;
 
 /// What the studio is started with.
@@ -24,6 +25,8 @@ pub struct Options {
     pub state: Option<PathBuf>,
     /// Where a picture of the window is written to; then the studio closes.
     pub screenshot: Option<PathBuf>,
+    /// What recorded pictures are lettered in.
+    pub typeface: Typeface,
     /// Behaviours, rules and scenes beside its own.
     pub plugins: Plugins,
 }

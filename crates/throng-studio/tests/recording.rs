@@ -6,7 +6,7 @@ use std::time::Duration;
 use throng_draw::record::{Plan, Recorder};
 use throng_draw::{Film, Style};
 use throng_record::csv::CsvWriter;
-use throng_record::{Frame, Output, moment};
+use throng_record::{Frame, Output, Writer, moment};
 use throng_scene::gallery;
 use throng_studio::record::{Format, Job, Subject, Take, Threaded};
 

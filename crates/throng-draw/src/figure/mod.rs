@@ -18,7 +18,7 @@ pub(crate) use arrow::arrow;
 use crate::mark::Mark;
 use crate::picture::Picture;
 use crate::sink::Kind;
-use crate::text::Type;
+use crate::text::{Type, Typeface};
 use crate::{Color, Error, Image, Style, raster, svg};
 use sheet::Sheet;
 use std::path::Path;
@@ -66,7 +66,7 @@ impl Figure {
     /// The figure in pixels.
     pub fn image(&self) -> Image {
         let mut image = Image::new(self.size.0, self.size.1, self.base);
-        raster::draw(&mut image, &mut Type::new(), &self.marks);
+        raster::draw(&mut image, &mut Type::of(&Typeface::default()), &self.marks);
         image
     }
 

@@ -1,6 +1,6 @@
 //! Where fields are to be seen: on the ground, not under what stands on it.
 
-use crate::text::Type;
+use crate::text::{Type, Typeface};
 use crate::{Camera, Color, Image, Theme, place, raster};
 use glam::Vec2;
 use throng_record::Setting;
@@ -27,7 +27,7 @@ impl Mask {
         let mut image = Image::new(width, height, if setting.walkable.is_empty() { FREE } else { TAKEN });
         let mut marks = place::floor(setting, &theme, camera, unit);
         marks.extend(place::solids(setting, &theme, camera, unit));
-        raster::draw(&mut image, &mut Type::new(), &marks);
+        raster::draw(&mut image, &mut Type::of(&Typeface::default()), &marks);
         let free: Vec<bool> = image.data().chunks_exact(4).map(|pixel| pixel[0] >= 128).collect();
         let (width, height) = (width as usize, height as usize);
         let mut rims = free.clone();

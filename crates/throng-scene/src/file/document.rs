@@ -3,13 +3,14 @@
 use super::path::{Path, Problem, Step};
 use super::serde_message;
 use super::set::{self, Override};
+use super::value::Value;
 use crate::error::{Error, Kind};
 use serde::Deserialize;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue, Deserializer};
+use toml::de::{DeTable, DeValue};
 
 /// Where a scene was read from.
 #[derive(Clone, Debug, Default)]
@@ -63,20 +64,10 @@ impl Document {
 
     /// Reads the document as a `T`.
     pub fn read<T: for<'de> Deserialize<'de>>(&self) -> Result<T, Error> {
-        let tree = self.tree()?;
-        let surplus = surplus(tree.get_ref(), 2);
-        let read = T::deserialize(Deserializer::from(tree)).map_err(|error| {
-            let out = serde_message::explain(error.message());
-            self.place(out, error.span().unwrap_or(0..0))
-        })?;
-        match surplus {
-            None => Ok(read),
-            Some((span, length, most)) => {
-                let point = serde_message::point(most);
-                let message = format!("this has the wrong number of entries: {length}, but should be {point}");
-                Err(self.place(Error::new(Kind::WrongType, message), span))
-            }
-        }
+        T::deserialize(Value::from(self.tree()?)).map_err(|misread| {
+            let out = serde_message::explain(&misread.message);
+            self.place(out, misread.span.unwrap_or(0..0))
+        })
     }
 
     /// Turns a problem with a value into an error with the value's place.
@@ -137,41 +128,4 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
         }
     }
     span
-}
-
-/// Lists of numbers that may have any length, and what programs bring along; all others are points of the plane ...
-const NUMBER_LISTS: [&str; 5] = ["layers", "avoids", "heights", "radii", "custom"];
-/// ... but those in these tables, which are points in space ...
-const IN_SPACE: [&str; 9] = ["sphere", "air", "camera", "steer", "surface", "path", "field", "distance", "wrap_around"];
-/// ... or not, after all.
-const IN_PLANE: [&str; 6] = ["rectangle", "corners", "sketch", "paint", "picture", "map"];
-
-/// The place of a list with more numbers than a point has, how many, and how many it should have: the deserialiser
-/// would drop the surplus.
-fn surplus(table: &DeTable, most: usize) -> Option<(Range<usize>, usize, usize)> {
-    fn inside(value: &Spanned<DeValue>, most: usize) -> Option<(Range<usize>, usize, usize)> {
-        match value.get_ref() {
-            DeValue::Table(table) => surplus(table, most),
-            DeValue::Array(items) => {
-                let number = |item: &Spanned<DeValue>| item.get_ref().is_float() || item.get_ref().is_integer();
-                if items.len() > most && items.iter().all(number) {
-                    return Some((value.span(), items.len(), most));
-                }
-                items.iter().find_map(|item| inside(item, most))
-            }
-            _ => None,
-        }
-    }
-    let points = table.iter().filter(|(key, _)| !NUMBER_LISTS.contains(&key.get_ref().as_ref()));
-    points.into_iter().find_map(|(key, value)| {
-        let key = key.get_ref().as_ref();
-        let most = if IN_SPACE.contains(&key) {
-            3
-        } else if IN_PLANE.contains(&key) {
-            2
-        } else {
-            most
-        };
-        inside(value, most)
-    })
 }

@@ -5,9 +5,10 @@ mod path;
 mod read;
 mod serde_message;
 mod set;
+mod value;
 
 pub use document::Origin;
 pub(crate) use path::{Path, Problem};
 pub(crate) use read::{missing, read_text};
-pub(crate) use serde_message::{explain, keys_of, nearest, unknown_key};
+pub(crate) use serde_message::{explain, keys_of, nearest, unknown_key, value_of};
 pub(crate) use set::quoted;

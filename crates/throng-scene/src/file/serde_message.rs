@@ -1,7 +1,9 @@
 //! Messages of the deserialiser in the words of a scene's author.
 
+use super::value::{Misread, Value};
 use crate::error::{Error, Kind};
 use serde::Deserialize;
+use toml::de::DeTable;
 
 /// Turns a message of serde into an error with a hint.
 pub(crate) fn explain(message: &str) -> Error {
@@ -86,10 +88,16 @@ fn edits(a: &str, b: &str) -> usize {
 
 /// The keys a table of this type can have, as serde knows them.
 pub(crate) fn keys_of<T: for<'de> Deserialize<'de>>() -> Vec<String> {
-    match toml::from_str::<T>("\"no such key\" = 0") {
-        Err(error) => quoted(error.message()).into_iter().skip(1).collect(),
+    match value_of::<T>("\"no such key\" = 0") {
+        Err(misread) => quoted(&misread.message).into_iter().skip(1).collect(),
         Ok(_) => vec![],
     }
+}
+
+/// What a text says that is no file.
+pub(crate) fn value_of<T: for<'de> Deserialize<'de>>(text: &str) -> Result<T, Misread> {
+    let tree = DeTable::parse(text).map_err(|error| Misread { message: error.message().into(), span: error.span() })?;
+    T::deserialize(Value::from(tree))
 }
 
 /// What stands between backticks.

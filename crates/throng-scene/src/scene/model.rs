@@ -2,8 +2,7 @@
 
 use super::{Avoid, Neighbours, Scene};
 use crate::error::{Error, Kind};
-use crate::file::{explain, keys_of, quoted, unknown_key};
-use serde::Deserialize;
+use crate::file::{explain, keys_of, quoted, unknown_key, value_of};
 use std::fmt;
 use std::str::FromStr;
 use toml::{Table, Value};
@@ -44,7 +43,7 @@ impl Model {
     fn instead_of(&self, other: &Avoid) -> Result<Avoid, Error> {
         let read = |values: Table| {
             let table = Table::from_iter([(self.name.clone(), Value::Table(values))]);
-            Avoid::deserialize(table).map_err(|error| explain(error.message()).file(self.label.as_str()))
+            value_of(&table.to_string()).map_err(|misread| explain(&misread.message).file(self.label.as_str()))
         };
         let mut values = match table_of(other).remove(&self.name) {
             Some(Value::Table(values)) => values,

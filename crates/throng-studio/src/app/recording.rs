@@ -52,7 +52,8 @@ impl App {
             let [width, height] = wish.size.unwrap_or(size);
             let view = Vec2::new(self.place.width(), self.place.height());
             let style = self.views[0].style(shown, &self.settings, view);
-            let style = Style { width, height, legend: wish.legend, ..style };
+            let typeface = self.options.typeface.clone();
+            let style = Style { width, height, legend: wish.legend, typeface, ..style };
             let (from, to, rate, speed_up) = (wish.from, wish.to, wish.rate, wish.speed_up);
             let take = Take { path: path.clone(), from, to, rate, speed_up, style };
             outside::record(Subject::of(shown), take, ctx)

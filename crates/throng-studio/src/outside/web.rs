@@ -131,6 +131,37 @@ fn read(files: Vec<web_sys::File>, sender: Sender<Batch>, ctx: Context) {
     });
 }
 
+/// Reads a file of the page's folder.
+///
+/// # Errors
+/// It is not there.
+pub async fn fetch(file: &str) -> Result<Vec<u8>, String> {
+    let get = async {
+        let window = web_sys::window().ok_or("there is no window")?;
+        let response: web_sys::Response = JsFuture::from(window.fetch_with_str(file)).await?.dyn_into()?;
+        if !response.ok() {
+            return Err(JsValue::from_str(&format!("the server answers {}", response.status())));
+        }
+        let bytes = JsFuture::from(response.array_buffer()?).await?;
+        Ok(js_sys::Uint8Array::new(&bytes).to_vec())
+    };
+    get.await.map_err(|error: JsValue| format!("{file} is missing, copy the whole folder of the page: {error:?}"))
+}
+
+/// The file of the gallery's picture of a scene, which wakes the page when it is there; nothing comes if there is none.
+pub fn thumbnail(name: &str, ctx: &Context) -> Receiver<Vec<u8>> {
+    let (sender, receiver) = channel();
+    let (file, ctx) = (format!("thumbnails/{name}.png"), ctx.clone());
+    wasm_bindgen_futures::spawn_local(async move {
+        if let Ok(bytes) = fetch(&file).await {
+            // who does not listen any more has closed the studio
+            let _ = sender.send(bytes);
+            ctx.request_repaint();
+        }
+    });
+    receiver
+}
+
 /// A player that works while the page draws.
 ///
 /// # Errors

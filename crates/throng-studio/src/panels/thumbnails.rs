@@ -1,15 +1,13 @@
-//! The gallery's pictures, unpacked when they are first looked at; scenes of plug-ins have theirs drawn then.
+//! The gallery's pictures, fetched when they are first looked at; scenes of plug-ins have theirs drawn then.
 
 use crate::document::Document;
 use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::sync::mpsc::Receiver;
 use throng_draw::{Color, Painter, Style, Theme};
 use throng_record::{Frame, moment};
 use throng_scene::{Plugins, caught, gallery};
-
-/// Every picture: the name of its scene, and its file.
-const FILES: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/thumbnails.rs"));
 
 /// Pixels of a picture that is drawn: those of the files.
 const SIZE: (u32, u32) = (216, 144);
@@ -17,24 +15,46 @@ const SIZE: (u32, u32) = (216, 144);
 /// Pictures that have been looked at.
 #[derive(Default)]
 pub struct Thumbnails {
-    textures: [BTreeMap<String, Option<TextureHandle>>; 2],
+    pictures: [BTreeMap<String, Picture>; 2],
+}
+
+enum Picture {
+    /// Its file is on its way.
+    Coming(Receiver<Vec<u8>>),
+    /// There it is, or there is none.
+    Here(Option<TextureHandle>),
 }
 
 impl Thumbnails {
-    /// The picture of a scene, for panels as dark as these; `None` if there is none.
+    /// The picture of a scene, for panels as dark as these; `None` if there is none, or not yet.
     pub fn of(&mut self, name: &str, plugins: &Arc<Plugins>, ctx: &Context) -> Option<&TextureHandle> {
         let dark = ctx.global_style().visuals.dark_mode;
-        let textures = &mut self.textures[usize::from(dark)];
-        if !textures.contains_key(name) {
-            let own = plugins.text(name) != gallery::text(name);
-            let mut image = if own { beginning(name, plugins) } else { image(name) };
+        let pictures = &mut self.pictures[usize::from(dark)];
+        let texture = |mut image: ColorImage| {
             if dark {
-                image.iter_mut().flat_map(|image| &mut image.pixels).for_each(|pixel| *pixel = darkened(*pixel));
+                image.pixels.iter_mut().for_each(|pixel| *pixel = darkened(*pixel));
             }
-            let texture = image.map(|image| ctx.load_texture(name, image, TextureOptions::LINEAR));
-            textures.insert(name.to_owned(), texture);
+            ctx.load_texture(name, image, TextureOptions::LINEAR)
+        };
+        if !pictures.contains_key(name) {
+            let own = plugins.text(name) != gallery::text(name);
+            let picture = if own {
+                Picture::Here(beginning(name, plugins).map(texture))
+            } else {
+                Picture::Coming(crate::outside::thumbnail(name, ctx))
+            };
+            pictures.insert(name.to_owned(), picture);
         }
-        textures.get(name)?.as_ref()
+        let picture = pictures.get_mut(name)?;
+        if let Picture::Coming(coming) = picture
+            && let Ok(file) = coming.try_recv()
+        {
+            *picture = Picture::Here(image(&file).map(texture));
+        }
+        match picture {
+            Picture::Here(texture) => texture.as_ref(),
+            Picture::Coming(_) => None,
+        }
     }
 }
 
@@ -65,9 +85,8 @@ fn beginning(name: &str, plugins: &Arc<Plugins>) -> Option<ColorImage> {
     Some(ColorImage::from_rgba_premultiplied(size, painter.paint(&frame).data()))
 }
 
-fn image(name: &str) -> Option<ColorImage> {
-    let at = FILES.binary_search_by_key(&name, |(known, _)| known).ok()?;
-    let mut decoder = png::Decoder::new(std::io::Cursor::new(FILES[at].1));
+fn image(file: &[u8]) -> Option<ColorImage> {
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info().ok()?;
     let mut pixels = vec![0; reader.output_buffer_size()?];
@@ -98,7 +117,8 @@ mod tests {
 
     #[test]
     fn every_scene_of_the_gallery_has_a_picture() {
-        let missing: Vec<_> = gallery::names().filter(|name| image(name).is_none()).collect();
+        let there = |name: &str| image(&crate::outside::thumbnail(name, &Context::default()).try_recv().ok()?);
+        let missing: Vec<_> = gallery::names().filter(|name| there(name).is_none()).collect();
         assert!(missing.is_empty(), "cargo run -p throng-studio --example thumbnails -- {}", missing.join(" "));
     }
 }
