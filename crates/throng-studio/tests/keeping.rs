@@ -123,5 +123,6 @@ fn what_is_dropped_is_opened_once_it_was_asked() {
     harness.run_steps(4);
     assert!(harness.query_by_label("circle has changes that are not saved.").is_some());
     click(&mut harness, "Discard");
-    assert!(harness.query_by_label_contains(&path.display().to_string()).is_some(), "the text panel has its name");
+    let named = harness.query_all_by_label_contains(&path.display().to_string()).count();
+    assert!(named > 0, "the text panel has its name");
 }

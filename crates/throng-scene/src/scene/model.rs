@@ -1,6 +1,6 @@
 //! A local model by its name, to try a scene with: `rvo`, `orca:time_horizon=4`.
 
-use super::{Avoid, Neighbours, Scene};
+use super::{Avoid, Group, Neighbours, Scene};
 use crate::error::{Error, Kind};
 use crate::file::{explain, keys_of, quoted, unknown_key, value_of};
 use std::fmt;
@@ -79,6 +79,31 @@ fn values_of(avoid: &Avoid) -> Table {
     match table_of(avoid).into_iter().next() {
         Some((_, Value::Table(values))) => values,
         _ => Table::new(),
+    }
+}
+
+impl Avoid {
+    /// What scene files call it.
+    ///
+    /// ```
+    /// assert_eq!(throng_scene::Group::default().local_model().name(), "orca");
+    /// ```
+    pub fn name(&self) -> String {
+        table_of(self).into_iter().next().map_or_else(String::new, |(name, _)| name)
+    }
+}
+
+impl Group {
+    /// What it says, as the table of a scene file, with its model even where it does not say that.
+    ///
+    /// ```
+    /// let table = throng_scene::Group::default().table();
+    /// assert!(table["avoid"]["orca"]["time_horizon"].is_float());
+    /// ```
+    pub fn table(&self) -> Table {
+        let mut table = Table::try_from(self).unwrap_or_default();
+        table.insert("avoid".into(), Value::Table(table_of(&self.local_model())));
+        table
     }
 }
 

@@ -23,8 +23,10 @@ pub fn beside_by(ui: &mut Ui, model: &mut String) -> bool {
 pub fn name_of_models(ui: &Ui, rect: Rect, scene: &Scene) {
     let mut names: Vec<String> = Vec::new();
     for group in &scene.groups {
-        let name = crate::view::model_name(group);
-        names.extend(name.filter(|name| !names.contains(name)));
+        let name = group.local_model().name();
+        if !names.contains(&name) {
+            names.push(name);
+        }
     }
     let at = rect.min + eframe::egui::vec2(12.0, 10.0);
     ui.painter_at(rect).text(

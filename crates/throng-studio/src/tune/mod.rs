@@ -47,10 +47,7 @@ impl Tunable {
     pub fn groups(&self, document: &Document) -> Vec<Section> {
         let (Ok(scene), Ok(text)) = (document.scene(), Edit::new(document.text())) else { return Vec::new() };
         let of = |(k, group): (usize, &throng_scene::Group)| {
-            let mut said = serde_json::to_value(group).unwrap_or_default();
-            if let (Some(said), Ok(model)) = (said.as_object_mut(), serde_json::to_value(group.local_model())) {
-                said.insert("avoid".into(), model);
-            }
+            let said = serde_json::to_value(group.table()).unwrap_or_default();
             let name = if group.name.is_empty() { format!("group {}", k + 1) } else { group.name.clone() };
             let mut section =
                 section::of(&self.schema, &self.schema["$defs"]["Group"], &said, &format!("group.{k}"), &name);

@@ -73,17 +73,11 @@ impl Coloring {
     }
 }
 
-/// What the model of a group is called in scene files.
-pub fn model_name(group: &Group) -> Option<String> {
-    let said = serde_json::to_value(group.local_model()).ok()?;
-    said.as_object()?.keys().next().cloned()
-}
-
 /// The number of each group's model among those that the scene has, and what those are called.
 pub(super) fn models(shown: &Shown) -> (Vec<usize>, Vec<String>) {
     let mut known: Vec<String> = Vec::new();
-    let number = |group| {
-        let name = model_name(group).unwrap_or_default();
+    let number = |group: &Group| {
+        let name = group.local_model().name();
         known.iter().position(|other| *other == name).unwrap_or_else(|| {
             known.push(name);
             known.len() - 1

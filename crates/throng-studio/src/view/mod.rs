@@ -18,7 +18,7 @@ mod shape;
 mod streams;
 mod thoughts;
 
-pub use colors::{Coloring, model_name};
+pub use colors::Coloring;
 pub use eye::{Eye, ground};
 pub use heat::Heat;
 pub use key::{Row, Sign};
