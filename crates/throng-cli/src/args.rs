@@ -103,7 +103,8 @@ Outputs, by the ending of the name:
   .mp4              video (H.264)
   .gif              looping animation
   .png, .svg        one picture: the last moment, or that of --frame
-  .csv              trajectories: every agent at every step
+  .csv              trajectories: every agent at every step, as text
+  .parquet          the same for data frames (Apache Parquet)
   NAME/             a folder of PNG files, one a picture
   .avi, .webm, ...  other video, through the program ffmpeg where that is installed
 
