@@ -253,6 +253,11 @@ impl Output {
         self.temporary.as_ref().map_or(&self.target, Temporary::path)
     }
 
+    /// The file that is being written, for what opens it by its name; `None` where bytes go elsewhere, to a pipe or into memory.
+    pub fn own_file(&self) -> Option<&Path> {
+        self.temporary.as_ref().map(Temporary::path)
+    }
+
     /// An error met while writing it, with its path.
     pub fn error(&self, source: io::Error) -> OutputError {
         failed(&self.path, self.temporary.as_ref(), source)

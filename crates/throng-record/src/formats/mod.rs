@@ -1,12 +1,16 @@
 //! The kinds of files that hold trajectories: by the ending of a name, what writes them, and what reads them back.
 
 pub mod csv;
+mod describe;
+pub mod keys;
 mod names;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 mod place;
 mod rate;
 pub mod rec;
+#[cfg(feature = "sqlite")]
+pub mod sqlite;
 #[cfg(test)]
 mod tests;
 
@@ -20,6 +24,8 @@ pub const FORMATS: &[Format] = &[
     #[cfg(feature = "parquet")]
     parquet::FORMAT,
     rec::FORMAT,
+    #[cfg(feature = "sqlite")]
+    sqlite::FORMAT,
 ];
 
 /// Writes trajectories, moment by moment. Dropped before it is finished, it leaves nothing, or what can be read

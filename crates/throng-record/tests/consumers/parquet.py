@@ -14,7 +14,7 @@ for name in rows[0]:
         assert column == [row[name] for row in rows], name
     else:
         # single numbers are written with their own digits
-        worst = max(abs(a - float(row[name])) for a, row in zip(column, rows))
+        worst = max(abs(a - float(row[name])) / max(1, abs(a)) for a, row in zip(column, rows))
         assert worst < 1e-6, (name, worst)
 assert set(table["group"].to_pylist()) <= set(json.loads(metadata["throng.groups"]))
 file = pq.ParquetFile(sys.argv[1])

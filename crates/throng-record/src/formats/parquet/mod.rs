@@ -14,7 +14,7 @@
 //! | `radius` | radius of the body; of one that is no disc, half of its narrower side | m | single |
 //! | `status` | `walking`, `waiting`, `arrived` or `stranded` | | text |
 //!
-//! The file's metadata has the keys of [`keys`]. Numbers are kept to the bit. Rows come in groups of 131,072, which is what
+//! The file's metadata has the keys of [`keys`](super::keys). Numbers are kept to the bit. Rows come in groups of 131,072, which is what
 //! is held in memory while a file is written.
 
 mod read;
@@ -32,23 +32,3 @@ pub(super) const FORMAT: Format = Format {
     create: Some(|output, setting| Ok(Box::new(ParquetWriter::new(output, setting)?))),
     read: Some(read::read),
 };
-
-/// What the metadata of a file is called.
-pub mod keys {
-    /// Title of the scene.
-    pub const TITLE: &str = "throng.title";
-    /// The program and its version.
-    pub const PROGRAM: &str = "throng.program";
-    /// The units of the columns, in words.
-    pub const UNITS: &str = "throng.units";
-    /// Moments a second; missing where they do not come evenly.
-    pub const RATE: &str = "throng.frame_rate";
-    /// The names of all groups, a JSON array of strings.
-    pub const GROUPS: &str = "throng.groups";
-    /// What can be walked on, WKT; empty: everywhere but on obstacles.
-    pub const WALKABLE: &str = "throng.walkable";
-    /// What is solid, WKT; a circle is a polygon of 64 corners.
-    pub const OBSTACLES: &str = "throng.obstacles";
-    /// `true` if somebody flies.
-    pub const IN_SPACE: &str = "throng.in_space";
-}

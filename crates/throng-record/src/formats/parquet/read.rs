@@ -1,9 +1,8 @@
 //! Parquet read.
 
-use super::keys;
 use crate::csv::status_of;
 use crate::formats::names::Names;
-use crate::formats::{Flaw, Reading, place};
+use crate::formats::{Flaw, Reading, describe, keys};
 use crate::tracks::{RADIUS, Spot, Tracks};
 use bytes::Bytes;
 use glam::{DVec3, Vec3};
@@ -34,6 +33,10 @@ pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
 fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, String> {
     let file = SerializedFileReader::new(Bytes::copy_from_slice(bytes)).map_err(broken)?;
     let metadata = file.metadata();
+    let chunks = metadata.row_groups().iter().flat_map(|group| group.columns());
+    if chunks.into_iter().any(|chunk| chunk.data_page_offset() < 0 || chunk.compressed_size() < 0) {
+        return Err("it is broken: a column lies nowhere".to_owned());
+    }
     let mut tracks = Tracks::default();
     let mut names = Names::default();
     let rate = describe(metadata, &mut tracks, &mut names)?;
@@ -57,23 +60,9 @@ fn broken(error: ParquetError) -> String {
 /// What the metadata says, and the frame rate.
 fn describe(metadata: &ParquetMetaData, tracks: &mut Tracks, names: &mut Names) -> Result<Option<f64>, String> {
     let pairs = metadata.file_metadata().key_value_metadata();
-    let value = |key: &str| {
-        let pair = pairs.and_then(|pairs| pairs.iter().find(|pair| pair.key == key));
-        pair.and_then(|pair| pair.value.as_deref()).filter(|value| !value.is_empty())
-    };
-    let setting = &mut tracks.setting;
-    setting.title = value(keys::TITLE).unwrap_or_default().to_owned();
-    setting.in_space = value(keys::IN_SPACE) == Some("true");
-    setting.walkable = value(keys::WALKABLE).map_or(Ok(vec![]), |text| place::read(text).map(|(areas, _)| areas))?;
-    setting.obstacles = value(keys::OBSTACLES).map_or(Ok(vec![]), place::read_solid)?;
-    if let Some(text) = value(keys::GROUPS) {
-        let groups: Vec<String> =
-            serde_json::from_str(text).map_err(|_| format!("{} is no list of names", keys::GROUPS))?;
-        for (k, name) in groups.iter().enumerate() {
-            names.index(if name.is_empty() { k.to_string() } else { name.clone() }.as_str());
-        }
-    }
-    let rate = |text: &str| text.parse().map_err(|_| format!("{} is `{text}`, no number", keys::RATE));
+    let value = |key: &str| pairs?.iter().find(|pair| pair.key == key)?.value.clone();
+    tracks.setting = describe::setting(value, names)?;
+    let rate = |text: String| text.parse().map_err(|_| format!("{} is `{text}`, no number", keys::RATE));
     value(keys::RATE).map(rate).transpose()
 }
 

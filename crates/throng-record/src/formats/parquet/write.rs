@@ -1,8 +1,7 @@
 //! Parquet written.
 
-use super::keys;
 use crate::csv::status_name;
-use crate::formats::{Writer, names, place, rate::Rate};
+use crate::formats::{Writer, describe, keys, names, rate::Rate};
 use crate::{Body, Frame, Output, OutputError, Setting};
 use parquet::basic::{Compression, Encoding, ZstdLevel};
 use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, FloatType, Int32Type};
@@ -85,7 +84,7 @@ impl ParquetWriter {
         let path = output.path().to_path_buf();
         let schema = parse_message_type(SCHEMA).expect("the schema is one");
         let mut properties = WriterProperties::builder()
-            .set_created_by(program())
+            .set_created_by(describe::program())
             .set_compression(Compression::ZSTD(ZstdLevel::try_new(1).expect("1 is a level")))
             .set_column_dictionary_enabled("number".into(), false)
             .set_column_encoding("number".into(), Encoding::DELTA_BINARY_PACKED);
@@ -129,19 +128,8 @@ impl ParquetWriter {
 
     /// What is known of the file when everybody is in it.
     fn describe(&mut self) {
-        let setting = &self.setting;
-        let groups = serde_json::to_string(&setting.groups).expect("texts are JSON");
-        let walkable = if setting.walkable.is_empty() { String::new() } else { place::ground(&setting.walkable) };
-        let mut pairs = vec![
-            (keys::TITLE, setting.title.clone()),
-            (keys::PROGRAM, program()),
-            (keys::UNITS, "seconds, metres, metres a second, radians".to_owned()),
-            (keys::GROUPS, groups),
-            (keys::WALKABLE, walkable),
-            (keys::OBSTACLES, place::solid(&setting.obstacles)),
-            (keys::IN_SPACE, setting.in_space.to_string()),
-        ];
-        pairs.extend(self.rate.even().map(|rate| (keys::RATE, rate.to_string())));
+        let rate = self.rate.even().map(|rate| (keys::RATE, rate.to_string()));
+        let pairs = describe::pairs(&self.setting).into_iter().chain(rate);
         for (key, value) in pairs {
             self.file.append_key_value_metadata(KeyValue::new(key.to_owned(), value));
         }
@@ -193,10 +181,6 @@ fn write<T: DataType>(to: &mut SerializedRowGroupWriter<'_, Output>, values: &[T
     let mut column = to.next_column()?.expect("the schema has as many columns");
     column.typed::<T>().write_batch(values, None, None)?;
     column.close()
-}
-
-fn program() -> String {
-    concat!("throng ", env!("CARGO_PKG_VERSION")).to_owned()
 }
 
 /// What the system said.

@@ -2,6 +2,7 @@
 
 use super::pack::Rest;
 use crate::Setting;
+use crate::formats::describe;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use throng::{Obstacle, Walkable};
@@ -32,8 +33,7 @@ pub(super) struct Head {
 impl Head {
     pub(super) fn of(setting: &Setting) -> Self {
         let Setting { title, groups, walkable, obstacles, in_space, origin, .. } = setting.clone();
-        let program = concat!("throng ", env!("CARGO_PKG_VERSION")).to_owned();
-        Self { program, title, groups, walkable, obstacles, in_space, origin }
+        Self { program: describe::program(), title, groups, walkable, obstacles, in_space, origin }
     }
 
     pub(super) fn into_setting(self) -> Setting {
