@@ -3,16 +3,19 @@
 pub mod csv;
 mod describe;
 pub mod keys;
+mod mesh;
 mod names;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 mod place;
 mod rate;
 pub mod rec;
+mod spill;
 #[cfg(feature = "sqlite")]
 pub mod sqlite;
 #[cfg(test)]
 mod tests;
+pub mod usda;
 
 use crate::tracks::Tracks;
 use crate::{Frame, Output, OutputError, Setting};
@@ -26,6 +29,7 @@ pub const FORMATS: &[Format] = &[
     rec::FORMAT,
     #[cfg(feature = "sqlite")]
     sqlite::FORMAT,
+    usda::FORMAT,
 ];
 
 /// Writes trajectories, moment by moment. Dropped before it is finished, it leaves nothing, or what can be read
