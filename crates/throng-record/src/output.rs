@@ -125,22 +125,39 @@ pub struct Output {
 enum Temporary {
     /// Is removed when dropped.
     Removed(TempPath),
-    /// Stays; and when its bytes were last handed to the system.
-    Kept(PathBuf, Instant),
+    /// Stays.
+    Kept(Part),
+}
+
+/// A file that stays as soon as the system has something of it.
+#[derive(Debug)]
+struct Part {
+    path: PathBuf,
+    /// When its bytes were last handed to the system.
+    settled: Option<Instant>,
+}
+
+impl Drop for Part {
+    fn drop(&mut self) {
+        if self.settled.is_none() {
+            // what cannot be removed stays, and is empty
+            let _ = std::fs::remove_file(&self.path);
+        }
+    }
 }
 
 impl Temporary {
     fn path(&self) -> &Path {
         match self {
             Self::Removed(path) => path,
-            Self::Kept(path, _) => path,
+            Self::Kept(part) => &part.path,
         }
     }
 
     fn persist(self, target: &Path) -> io::Result<()> {
         match self {
             Self::Removed(path) => path.persist(target).map_err(|error| error.error),
-            Self::Kept(path, _) => std::fs::rename(path, target),
+            Self::Kept(part) => std::fs::rename(&part.path, target),
         }
     }
 }
@@ -191,13 +208,14 @@ impl Output {
     }
 
     /// Begins a file that can be read before it is complete: until then it is called as `path` with `.part` behind it, and so it
-    /// stays if the program ends, or the output is dropped. What was there under that name is gone.
+    /// stays if the program ends, or the output is dropped, once something was [settled](Self::settle). What was there under that name is gone.
     ///
     /// ```
     /// # let folder = tempfile::tempdir()?;
     /// # let path = folder.path().join("diary");
     /// let mut output = throng_record::Output::create_kept(&path)?;
     /// output.put(b"Monday. ")?;
+    /// output.settle(true)?;
     /// drop(output);
     /// assert_eq!(std::fs::read(folder.path().join("diary.part"))?, b"Monday. ");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -210,7 +228,7 @@ impl Output {
             let mut part = target.as_os_str().to_owned();
             part.push(".part");
             let file = File::create(&part)?;
-            Ok((file, Temporary::Kept(part.into(), Instant::now())))
+            Ok((file, Temporary::Kept(Part { path: part.into(), settled: None })))
         })
     }
 
@@ -263,16 +281,16 @@ impl Output {
         failed(&self.path, self.temporary.as_ref(), source)
     }
 
-    /// Hands what was written to the system, so that it outlives the program: at once where `now`, else if it has not been done
-    /// for a second. Of a file that is not [kept](Self::create_kept) nothing is to outlive it.
+    /// Hands what was written to the system, so that it outlives the program: at once where `now`, else the first time and
+    /// if it has not been done for a second. Of a file that is not [kept](Self::create_kept) nothing is to outlive it.
     ///
     /// # Errors
     /// The system's, such as a full disk.
     pub fn settle(&mut self, now: bool) -> Result<(), OutputError> {
-        if let Some(Temporary::Kept(_, settled)) = &mut self.temporary
-            && (now || settled.elapsed() > SETTLED)
+        if let Some(Temporary::Kept(part)) = &mut self.temporary
+            && (now || part.settled.is_none_or(|settled| settled.elapsed() > SETTLED))
         {
-            *settled = Instant::now();
+            part.settled = Some(Instant::now());
             self.file.of().flush().map_err(|source| self.error(source))?;
         }
         Ok(())
@@ -321,7 +339,9 @@ impl Write for Output {
 fn failed(path: &Path, temporary: Option<&Temporary>, source: io::Error) -> OutputError {
     let error = OutputError::new(path, source);
     match temporary {
-        Some(Temporary::Kept(part, _)) => OutputError::Kept { error: Box::new(error), part: part.clone() },
+        Some(Temporary::Kept(part)) if part.settled.is_some() => {
+            OutputError::Kept { error: Box::new(error), part: part.path.clone() }
+        }
         _ => error,
     }
 }

@@ -51,7 +51,6 @@ impl RecWriter {
         };
         writer.put(&MAGIC)?;
         writer.put_record()?;
-        writer.output.settle(true)?;
         Ok(writer)
     }
 

@@ -133,7 +133,7 @@ impl UsdaWriter {
 
     /// An attribute of everybody, moment by moment.
     fn samples(&mut self, name: &str, one: List) -> Result<(), OutputError> {
-        self.moments(name, |_, states, _| list(states.iter(), |out, state| one(out, state)))
+        self.moments(name, |_, states, _| list(states.iter(), one))
     }
 
     /// An attribute at every moment: of the numbers of everybody, their states, and whether they are there.
