@@ -103,7 +103,11 @@ Outputs, by the ending of the name:
   .mp4              video (H.264)
   .gif              looping animation
   .png, .svg        one picture: the last moment, or that of --frame
-  .csv              trajectories: every agent at every step
+  .csv              trajectories: every agent at every step, as text
+  .parquet          the same for data frames (Apache Parquet)
+  .rec              the same in few bytes; what is written so far is in NAME.rec.part, and can be read, whatever happens
+  .sqlite           the same for JuPedSim and PedPy
+  .usda             the same for film and animation (Universal Scene Description)
   NAME/             a folder of PNG files, one a picture
   .avi, .webm, ...  other video, through the program ffmpeg where that is installed
 

@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 use throng_draw::record::{Files, Plan, Recorder};
 use throng_draw::sink::Kind;
 use throng_draw::{Film, Sheet, Style};
+use throng_record::Format;
+use throng_record::formats::FORMATS;
 
 /// Begins the files of a run.
 ///
@@ -13,12 +15,17 @@ use throng_draw::{Film, Sheet, Style};
 pub fn create(paths: &[PathBuf], plan: &Plan) -> Result<Files, Failure> {
     distinct(paths)?;
     let begin = |path: &PathBuf| {
-        if !is(path, "csv") {
-            named(path, &["csv"])?;
+        if path.is_dir() || Format::of(path).is_none() {
+            named(path, &trajectories())?;
         }
         Ok::<_, Failure>(Recorder::create(path, plan)?)
     };
     Ok(Files::new(paths.iter().map(begin).collect::<Result<_, _>>()?, plan))
+}
+
+/// How the names of trajectories end that are written.
+fn trajectories() -> Vec<&'static str> {
+    FORMATS.iter().filter(|format| format.is_written()).map(|format| format.ending).collect()
 }
 
 /// That no file is named twice.

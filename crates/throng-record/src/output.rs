@@ -4,6 +4,7 @@ use std::fmt;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 use tempfile::{NamedTempFile, TempPath};
 
 /// Why a file could not be written. Every message names the path and says what to do.
@@ -45,6 +46,14 @@ pub enum OutputError {
         /// The file.
         path: PathBuf,
     },
+    /// It could not be completed, and what there is of it can be read.
+    #[error("{error}\n  hint: what was written until then is in {}, and is read as the whole would be", part.display())]
+    Kept {
+        /// Why.
+        error: Box<OutputError>,
+        /// The file that is there.
+        part: PathBuf,
+    },
     /// Anything else the system reports.
     #[error("cannot write {}: {source}", path.display())]
     Io {
@@ -78,12 +87,15 @@ impl OutputError {
             | Self::Full { path }
             | Self::TooLarge { path }
             | Self::Io { path, .. } => path,
+            Self::Kept { error, .. } => error.path(),
         }
     }
 }
 
 /// A file being written: it grows under a temporary name in the folder of its target and takes the target's name,
 /// replacing what was there, in [`finish`](Self::finish). Dropped before that, it leaves nothing behind.
+///
+/// What can be read before it is complete is begun with [`create_kept`](Self::create_kept) instead, and stays.
 ///
 /// A target that exists and is no ordinary file (a pipe, `/dev/stdout`) is written to directly.
 ///
@@ -104,9 +116,54 @@ pub struct Output {
     /// Where the finished file goes: `path` with symbolic links followed.
     target: PathBuf,
     file: Place,
-    /// Removes the temporary file when dropped; `None`: `file` is the target itself.
-    temporary: Option<TempPath>,
+    /// `None`: `file` is the target itself.
+    temporary: Option<Temporary>,
 }
+
+/// The file that is not yet complete.
+#[derive(Debug)]
+enum Temporary {
+    /// Is removed when dropped.
+    Removed(TempPath),
+    /// Stays.
+    Kept(Part),
+}
+
+/// A file that stays as soon as the system has something of it.
+#[derive(Debug)]
+struct Part {
+    path: PathBuf,
+    /// When its bytes were last handed to the system.
+    settled: Option<Instant>,
+}
+
+impl Drop for Part {
+    fn drop(&mut self) {
+        if self.settled.is_none() {
+            // what cannot be removed stays, and is empty
+            let _ = std::fs::remove_file(&self.path);
+        }
+    }
+}
+
+impl Temporary {
+    fn path(&self) -> &Path {
+        match self {
+            Self::Removed(path) => path,
+            Self::Kept(part) => &part.path,
+        }
+    }
+
+    fn persist(self, target: &Path) -> io::Result<()> {
+        match self {
+            Self::Removed(path) => path.persist(target).map_err(|error| error.error),
+            Self::Kept(part) => std::fs::rename(&part.path, target),
+        }
+    }
+}
+
+/// How long bytes of a file that is kept may wait before the system has them.
+const SETTLED: Duration = Duration::from_secs(1);
 
 /// What takes a complete file, under its name, where there are no folders.
 pub type Hand = fn(&Path, Vec<u8>) -> io::Result<()>;
@@ -141,7 +198,43 @@ impl Output {
     /// # Errors
     /// The folder is missing or cannot be written to, or `path` is a folder.
     pub fn create(path: impl AsRef<Path>) -> Result<Self, OutputError> {
-        let path = path.as_ref().to_path_buf();
+        Self::begin(path.as_ref(), |target| {
+            let folder = folder_of(target);
+            // The extension is kept, for programs that go by it.
+            let suffix = target.extension().map(|e| format!(".{}", e.to_string_lossy())).unwrap_or_default();
+            let (file, temporary) = temporary(&folder, &suffix)?.into_parts();
+            Ok((file, Temporary::Removed(temporary)))
+        })
+    }
+
+    /// Begins a file that can be read before it is complete: until then it is called as `path` with `.part` behind it, and so it
+    /// stays if the program ends, or the output is dropped, once something was [settled](Self::settle). What was there under that name is gone.
+    ///
+    /// ```
+    /// # let folder = tempfile::tempdir()?;
+    /// # let path = folder.path().join("diary");
+    /// let mut output = throng_record::Output::create_kept(&path)?;
+    /// output.put(b"Monday. ")?;
+    /// output.settle(true)?;
+    /// drop(output);
+    /// assert_eq!(std::fs::read(folder.path().join("diary.part"))?, b"Monday. ");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`create`](Self::create).
+    pub fn create_kept(path: impl AsRef<Path>) -> Result<Self, OutputError> {
+        Self::begin(path.as_ref(), |target| {
+            let mut part = target.as_os_str().to_owned();
+            part.push(".part");
+            let file = File::create(&part)?;
+            Ok((file, Temporary::Kept(Part { path: part.into(), settled: None })))
+        })
+    }
+
+    /// Begins a file; `open` makes the one in which it grows.
+    fn begin(path: &Path, open: impl FnOnce(&Path) -> io::Result<(File, Temporary)>) -> Result<Self, OutputError> {
+        let path = path.to_path_buf();
         let fail = |source| OutputError::new(&path, source);
         // A name that ends in a separator means a folder, whether or not it exists.
         if path.is_dir() || path.as_os_str().as_encoded_bytes().last().is_some_and(|&b| b == b'/') {
@@ -157,10 +250,7 @@ impl Output {
         if !folder.is_dir() {
             return Err(OutputError::FolderMissing { path, folder });
         }
-        // The extension is kept, for programs that go by it.
-        let suffix = target.extension().map(|e| format!(".{}", e.to_string_lossy())).unwrap_or_default();
-        let file = temporary(&folder, &suffix).map_err(fail)?;
-        let (file, temporary) = file.into_parts();
+        let (file, temporary) = open(&target).map_err(fail)?;
         let file = Place::File(BufWriter::with_capacity(1 << 16, file));
         Ok(Self { path, target, file, temporary: Some(temporary) })
     }
@@ -178,12 +268,32 @@ impl Output {
 
     /// The name of the file that is being written now.
     pub fn temporary_path(&self) -> &Path {
-        self.temporary.as_deref().unwrap_or(&self.target)
+        self.temporary.as_ref().map_or(&self.target, Temporary::path)
+    }
+
+    /// The file that is being written, for what opens it by its name; `None` where bytes go elsewhere, to a pipe or into memory.
+    pub fn own_file(&self) -> Option<&Path> {
+        self.temporary.as_ref().map(Temporary::path)
     }
 
     /// An error met while writing it, with its path.
     pub fn error(&self, source: io::Error) -> OutputError {
-        OutputError::new(&self.path, source)
+        failed(&self.path, self.temporary.as_ref(), source)
+    }
+
+    /// Hands what was written to the system, so that it outlives the program: at once where `now`, else the first time and
+    /// if it has not been done for a second. Of a file that is not [kept](Self::create_kept) nothing is to outlive it.
+    ///
+    /// # Errors
+    /// The system's, such as a full disk.
+    pub fn settle(&mut self, now: bool) -> Result<(), OutputError> {
+        if let Some(Temporary::Kept(part)) = &mut self.temporary
+            && (now || part.settled.is_none_or(|settled| settled.elapsed() > SETTLED))
+        {
+            part.settled = Some(Instant::now());
+            self.file.of().flush().map_err(|source| self.error(source))?;
+        }
+        Ok(())
     }
 
     /// Appends `bytes`.
@@ -191,24 +301,23 @@ impl Output {
     /// # Errors
     /// The system's, such as a full disk.
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), OutputError> {
-        self.file.of().write_all(bytes).map_err(|source| OutputError::new(&self.path, source))
+        self.file.of().write_all(bytes).map_err(|source| self.error(source))
     }
 
     /// Gives the complete file its name.
     ///
     /// # Errors
-    /// The last bytes cannot be written, or the file cannot be renamed. Nothing is left behind then.
+    /// The last bytes cannot be written, or the file cannot be renamed. Nothing is left behind then, but of a file that is
+    /// [kept](Self::create_kept).
     pub fn finish(self) -> Result<(), OutputError> {
         let Self { path, target, file, temporary } = self;
         let done = match file {
             Place::File(mut file) => file.flush(),
             Place::Memory(bytes, hand) => hand(&target, bytes),
         };
-        done.map_err(|source| OutputError::new(&path, source))?;
-        match temporary {
-            Some(temporary) => temporary.persist(&target).map_err(|e| OutputError::new(&path, e.error)),
-            None => Ok(()),
-        }
+        let Some(temporary) = temporary else { return done.map_err(|source| OutputError::new(&path, source)) };
+        done.map_err(|source| failed(&path, Some(&temporary), source))?;
+        temporary.persist(&target).map_err(|source| OutputError::new(&path, source))
     }
 }
 
@@ -223,6 +332,17 @@ impl Write for Output {
 
     fn flush(&mut self) -> io::Result<()> {
         self.file.of().flush()
+    }
+}
+
+/// An error about a file that has been begun.
+fn failed(path: &Path, temporary: Option<&Temporary>, source: io::Error) -> OutputError {
+    let error = OutputError::new(path, source);
+    match temporary {
+        Some(Temporary::Kept(part)) if part.settled.is_some() => {
+            OutputError::Kept { error: Box::new(error), part: part.path.clone() }
+        }
+        _ => error,
     }
 }
 

@@ -277,6 +277,12 @@ const CASES: &[Case] = &[
         command: "trap '' XFSZ; ulimit -f 8; throng run headon -q -o a.csv",
         code: 2,
     },
+    Case {
+        what: "A file that could not be completed, and can be read",
+        files: &[],
+        command: "trap '' XFSZ; ulimit -f 8; throng run doorway -q -o a.rec",
+        code: 2,
+    },
     Case { what: "A full disk behind standard output", files: &[], command: "throng list > /dev/full", code: 2 },
     Case { what: "A reader that goes", files: &[], command: "throng schema | head -n 1", code: 0 },
     Case {

@@ -63,6 +63,32 @@ fn an_interrupted_run_finishes_its_files() {
     assert!(holds(&video, b"moov") && holds(&video, b"mdat"), "the video has its index");
 }
 
+#[cfg(unix)]
+#[test]
+fn a_run_that_is_killed_leaves_what_it_wrote() {
+    let folder = folder();
+    let part = folder.path().join("a.rec.part");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_throng"))
+        .current_dir(folder.path())
+        .args("run circle -o a.rec -q --duration 100000".split_whitespace())
+        .spawn()
+        .unwrap();
+    let begin = Instant::now();
+    while !std::fs::metadata(&part).is_ok_and(|part| part.len() > 100_000) {
+        assert!(begin.elapsed() < Duration::from_secs(20), "the run does not begin");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    // no signal that it could catch
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert_eq!(names(folder.path()), ["a.rec.part"]);
+    let tracks = throng_record::Tracks::read(&part).unwrap();
+    let moments: Vec<_> = tracks.moments(0).collect();
+    assert!(moments.len() > 100 && moments.iter().all(|(_, people)| people.len() == 36));
+    let even = |(k, (time, _)): (usize, &(f64, _))| (time - moments[1].0 * k as f64).abs() < 1e-6;
+    assert!(moments.iter().enumerate().all(even), "no moment is missing");
+}
+
 fn holds(bytes: &[u8], part: &[u8]) -> bool {
     bytes.windows(part.len()).any(|window| window == part)
 }

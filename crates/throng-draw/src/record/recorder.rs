@@ -18,7 +18,7 @@ pub struct Moment {
     pub rows: bool,
 }
 
-/// A file being written. Dropped before it is finished, it leaves nothing.
+/// A file being written. Dropped before it is finished, it leaves nothing, or what can be read ([`Format::output`]).
 pub enum Recorder {
     /// A picture or a video.
     Film(Box<Behind<Film, Moment, Error>>),
@@ -34,7 +34,7 @@ impl Recorder {
     pub fn create(path: impl AsRef<Path>, plan: &Plan) -> Result<Self, Error> {
         let path = path.as_ref();
         if let Some(format) = table(path) {
-            let writer = format.create(Output::create(path)?, plan.setting);
+            let writer = format.create(format.output(path)?, plan.setting);
             return Ok(Self::table(writer.ok_or_else(|| Error::Extension { path: path.into() })??));
         }
         Ok(Self::film(Film::create(path, plan.setting, plan.style, plan.rate)?.still(plan.still)))

@@ -1,15 +1,39 @@
 //! The kinds of files that hold trajectories: by the ending of a name, what writes them, and what reads them back.
 
 pub mod csv;
+mod describe;
+pub mod keys;
+mod mesh;
+mod names;
+#[cfg(feature = "parquet")]
+pub mod parquet;
+mod place;
+mod rate;
+pub mod rec;
+mod spill;
+#[cfg(feature = "sqlite")]
+pub mod sqlite;
+#[cfg(test)]
+mod tests;
+pub mod usda;
 
 use crate::tracks::Tracks;
 use crate::{Frame, Output, OutputError, Setting};
 use std::path::Path;
 
 /// Every kind that there is.
-pub const FORMATS: &[Format] = &[csv::FORMAT];
+pub const FORMATS: &[Format] = &[
+    csv::FORMAT,
+    #[cfg(feature = "parquet")]
+    parquet::FORMAT,
+    rec::FORMAT,
+    #[cfg(feature = "sqlite")]
+    sqlite::FORMAT,
+    usda::FORMAT,
+];
 
-/// Writes trajectories, moment by moment. Dropped before it is finished, it leaves nothing.
+/// Writes trajectories, moment by moment. Dropped before it is finished, it leaves nothing, or what can be read
+/// ([`Output::create_kept`]).
 pub trait Writer: Send {
     /// Writes everybody of one moment, which is later than those before.
     ///
@@ -37,6 +61,8 @@ pub struct Format {
     pub ending: &'static str,
     /// What it is, for people.
     pub title: &'static str,
+    /// Whether a file that is not complete can be read: it is called `NAME.part` until it is.
+    kept: bool,
     create: Option<Create>,
     read: Option<Read>,
 }
@@ -62,10 +88,24 @@ pub struct Flaw {
 }
 
 impl Format {
-    /// The kind of a file, by the ending of its name.
+    /// The kind of a file, by the ending of its name; `.part` behind that of a kind that can be read before it is complete does not
+    /// count.
     pub fn of(path: impl AsRef<Path>) -> Option<&'static Self> {
-        let extension = path.as_ref().extension()?;
-        FORMATS.iter().find(|format| extension.eq_ignore_ascii_case(format.ending))
+        let path = path.as_ref();
+        let extension = path.extension()?;
+        let (extension, part) = match Path::new(path.file_stem()?).extension() {
+            Some(inner) if extension == "part" => (inner, true),
+            _ => (extension, false),
+        };
+        FORMATS.iter().find(|format| extension.eq_ignore_ascii_case(format.ending) && (format.kept || !part))
+    }
+
+    /// Begins the file in which [`create`](Self::create) writes.
+    ///
+    /// # Errors
+    /// Those of [`Output::create`].
+    pub fn output(&self, path: impl AsRef<Path>) -> Result<Output, OutputError> {
+        if self.kept { Output::create_kept(path) } else { Output::create(path) }
     }
 
     pub(crate) fn reader(&self) -> Option<Read> {

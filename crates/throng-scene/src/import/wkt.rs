@@ -12,14 +12,14 @@ use wkt::types::Polygon;
 /// Collections may be nested this deep.
 const DEEPEST: usize = 64;
 
-/// All polygons of a WKT text: POLYGON, MULTIPOLYGON, and GEOMETRYCOLLECTIONs of them, nested or not. Points and
-/// lines are left out.
+const HINT: &str = "a floor plan is WKT text such as POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0))";
+
+/// A WKT text of any kind, nested no more than 64 deep.
 ///
 /// # Errors
-/// It is not WKT, has no polygons, or a coordinate is not finite.
-pub fn areas(text: &str) -> Result<Vec<Area>, Error> {
-    let hint = "a floor plan is WKT text such as POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0))";
-    let wrong = |what: String| Error::new(Kind::Syntax, what).hint(hint);
+/// It is not WKT, or nested deeper.
+pub fn parse(text: &str) -> Result<Wkt<f64>, Error> {
+    let wrong = |what: String| Error::new(Kind::Syntax, what).hint(HINT);
     let mut depth = 0usize;
     for byte in text.bytes() {
         match byte {
@@ -31,11 +31,20 @@ pub fn areas(text: &str) -> Result<Vec<Area>, Error> {
             return Err(wrong(format!("this WKT is nested more than {DEEPEST} deep")));
         }
     }
-    let parsed = Wkt::<f64>::from_str(text.trim()).map_err(|error| wrong(format!("this is not WKT: {error}")))?;
+    Wkt::from_str(text.trim()).map_err(|error| wrong(format!("this is not WKT: {error}")))
+}
+
+/// All polygons of a WKT text: POLYGON, MULTIPOLYGON, and GEOMETRYCOLLECTIONs of them, nested or not. Points and
+/// lines are left out.
+///
+/// # Errors
+/// It is not WKT, has no polygons, or a coordinate is not finite.
+pub fn areas(text: &str) -> Result<Vec<Area>, Error> {
+    let parsed = parse(text)?;
     let mut out = vec![];
     collect(&parsed, &mut out);
     if out.is_empty() {
-        return Err(Error::new(Kind::Geometry, "this WKT has no polygon").hint(hint));
+        return Err(Error::new(Kind::Geometry, "this WKT has no polygon").hint(HINT));
     }
     let points = out.iter().flat_map(|area| area.holes.iter().flatten().chain(&area.outer));
     if let Some([x, y]) = points.into_iter().find(|p| !p.iter().all(|x| x.is_finite())) {

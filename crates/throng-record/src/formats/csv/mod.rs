@@ -23,6 +23,8 @@
 mod read;
 mod write;
 
+#[cfg(feature = "parquet")]
+pub(super) use write::status_of;
 pub use write::{COLUMNS, CsvWriter, status_name};
 
 use super::Format;
@@ -31,6 +33,7 @@ use super::Format;
 pub(super) const FORMAT: Format = Format {
     ending: "csv",
     title: "a table of comma-separated values",
+    kept: false,
     create: Some(|output, setting| Ok(Box::new(CsvWriter::new(output, setting)?))),
     read: Some(read::read),
 };

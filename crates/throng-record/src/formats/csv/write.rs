@@ -139,7 +139,7 @@ pub fn status_name(status: Status) -> &'static str {
 }
 
 /// The status that is called so in files.
-pub(super) fn status_of(name: &str) -> Option<Status> {
+pub(in crate::formats) fn status_of(name: &str) -> Option<Status> {
     [Status::Walking, Status::Waiting, Status::Arrived, Status::Stranded]
         .into_iter()
         .find(|&status| status_name(status) == name)

@@ -1,0 +1,55 @@
+//! How many bytes each kind of file takes for one agent at one moment, and how long it takes to write them.
+//!
+//! `cargo run --release -p throng-record --example sizes [SCENE [SECONDS [FOLDER]]]`: a scene of the gallery, every step of it. Files
+//! stay where a folder is named.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+use throng_record::formats::FORMATS;
+use throng_record::{Frame, moment};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut words = std::env::args().skip(1);
+    let name = words.next().unwrap_or_else(|| "doorway".into());
+    let seconds: f64 = words.next().map_or(Ok(60.0), |word| word.parse())?;
+    let temporary = tempfile::tempdir()?;
+    let folder = words.next().map_or_else(|| temporary.path().to_path_buf(), PathBuf::from);
+
+    let scene = throng_scene::gallery::scene(&name)?;
+    let (mut world, built) = scene.build()?;
+    let setting = moment::setting(&world, &built, &scene.title);
+    let mut files = Vec::new();
+    for format in FORMATS.iter().filter(|format| format.is_written()) {
+        let path = folder.join(&name).with_extension(format.ending);
+        let writer = format.create(format.output(&path)?, &setting).ok_or("it is not written")??;
+        files.push((format, path, writer, Duration::ZERO));
+    }
+    let (mut frame, mut rows, mut moments, mut stepping) = (Frame::default(), 0, 0, Duration::ZERO);
+    while world.time() < seconds {
+        moment::capture(&world, &mut frame);
+        rows += frame.bodies.len();
+        moments += 1;
+        for (_, _, writer, spent) in &mut files {
+            let start = Instant::now();
+            writer.push(&frame)?;
+            *spent += start.elapsed();
+        }
+        let start = Instant::now();
+        world.step();
+        stepping += start.elapsed();
+    }
+    println!("{name}: {moments} moments, {rows} agent-frames, {:.0} ms of stepping", 1e3 * stepping.as_secs_f64());
+    for (format, path, writer, spent) in files {
+        let start = Instant::now();
+        writer.finish()?;
+        let (size, end) = (std::fs::metadata(path)?.len(), start.elapsed());
+        println!(
+            "  .{:8} {:6.2} bytes an agent-frame, {:6.0} ns for one, {:6.0} ms at the end",
+            format.ending,
+            size as f64 / rows as f64,
+            spent.as_secs_f64() * 1e9 / rows as f64,
+            end.as_secs_f64() * 1e3
+        );
+    }
+    Ok(())
+}

@@ -1,0 +1,100 @@
+//! `.rec` written.
+
+use super::file::{END, HEAD, Head, INDEX, Index, MAGIC, encode, prefix};
+use super::frame::{Memory, Moment};
+use super::state::State;
+use crate::formats::Writer;
+use crate::{Frame, Output, OutputError, Setting};
+
+/// So many moments apart are those that stand by themselves.
+pub(super) const APART: u64 = 64;
+
+/// Writes trajectories as they happen. See the [module](super) for what is kept.
+///
+/// ```
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("run.rec");
+/// use throng_record::formats::rec::RecWriter;
+/// use throng_record::{Frame, Output, Setting, Tracks, Writer};
+/// let mut writer = RecWriter::new(Output::create_kept(&path)?, &Setting::default())?;
+/// writer.push(&Frame::default())?;
+/// drop(writer);
+/// assert!(Tracks::read(folder.path().join("run.rec.part")).is_ok());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct RecWriter {
+    output: Output,
+    /// Bytes written.
+    written: u64,
+    index: Index,
+    /// The moment before, and the one being written.
+    moments: [Moment; 2],
+    memory: Memory,
+    record: Vec<u8>,
+}
+
+impl RecWriter {
+    /// Begins with what stays the same.
+    ///
+    /// # Errors
+    /// The system's, such as a full disk.
+    pub fn new(output: Output, setting: &Setting) -> Result<Self, OutputError> {
+        let record = encode(HEAD, &Head::of(setting));
+        let mut writer = Self {
+            output,
+            written: 0,
+            index: Index::default(),
+            moments: Default::default(),
+            memory: Memory::default(),
+            record,
+        };
+        writer.put(&MAGIC)?;
+        writer.put_record()?;
+        Ok(writer)
+    }
+
+    fn put(&mut self, bytes: &[u8]) -> Result<(), OutputError> {
+        self.written += bytes.len() as u64;
+        self.output.put(bytes)
+    }
+
+    fn put_record(&mut self) -> Result<(), OutputError> {
+        let record = std::mem::take(&mut self.record);
+        self.put(&prefix(&record))?;
+        self.put(&record)?;
+        self.record = record;
+        Ok(())
+    }
+}
+
+impl Writer for RecWriter {
+    fn push(&mut self, frame: &Frame) -> Result<(), OutputError> {
+        self.moments.swap(0, 1);
+        let [last, now] = &mut self.moments;
+        now.time = frame.time;
+        now.states.clear();
+        now.states.extend(frame.bodies.iter().map(State::of));
+        now.states.sort_unstable_by_key(|state| state.number);
+        now.states.dedup_by_key(|state| state.number);
+        let key = self.index.moments.is_multiple_of(APART);
+        if key {
+            self.index.keys.push((self.written, self.index.moments, frame.time));
+        }
+        self.record.clear();
+        self.memory.write(now, (!key).then_some(last), &mut self.record);
+        self.index.moments += 1;
+        self.index.last = frame.time;
+        self.put_record()?;
+        self.output.settle(false)
+    }
+
+    fn finish(mut self: Box<Self>) -> Result<(), OutputError> {
+        let at = self.written;
+        self.record = encode(INDEX, &self.index);
+        self.put_record()?;
+        self.put(&at.to_le_bytes())?;
+        self.put(&END)?;
+        self.output.finish()
+    }
+}

@@ -1,0 +1,169 @@
+//! What holds for every kind of file: what is written comes back, and what is broken is told.
+
+mod crowd;
+
+use super::{FORMATS, Flaw, Format, Reading};
+use crate::tracks::{Spot, Tracks};
+use crate::{Frame, Output, Setting};
+use crowd::{Times, crowd};
+use glam::DVec3;
+use proptest::prelude::*;
+use std::path::Path;
+
+/// How far from what was written what is read may be.
+struct Errors {
+    place: f64,
+    velocity: f32,
+    heading: f32,
+    radius: f32,
+    /// Whether times come back to the bit.
+    uneven: bool,
+    /// Whether a file that was cut is read as far as it goes.
+    cut: bool,
+    /// Whether it holds places in the plane, and the numbers, groups, radii and headings of who is there, and nothing else.
+    flat: bool,
+}
+
+const EXACT: Errors =
+    Errors { place: 0.0, velocity: 0.0, heading: 0.0, radius: 0.0, uneven: true, cut: false, flat: false };
+
+fn errors(format: &Format) -> Errors {
+    match format.ending {
+        "parquet" => EXACT,
+        "rec" => Errors { place: 0.051e-3, velocity: 0.51e-3, heading: 0.39e-3, radius: 0.051e-3, cut: true, ..EXACT },
+        // neither heights nor what people do; velocities are ways over time
+        "sqlite" => Errors { heading: 1e-5, flat: true, ..EXACT },
+        // heights are single: their decimals are not the double's
+        "csv" => Errors { place: 1e-6, cut: true, ..EXACT },
+        other => panic!("what error has .{other}?"),
+    }
+}
+
+/// The bytes of a file with all these moments.
+fn written(format: &Format, setting: &Setting, frames: &[Frame]) -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run").with_extension(format.ending);
+    write(format, &path, setting, frames);
+    std::fs::read(path).unwrap()
+}
+
+fn write(format: &Format, path: &Path, setting: &Setting, frames: &[Frame]) {
+    let mut writer = format.create(Output::create(path).unwrap(), setting).unwrap().unwrap();
+    frames.iter().for_each(|frame| writer.push(frame).unwrap());
+    writer.finish().unwrap();
+}
+
+fn read(format: &Format, bytes: &[u8]) -> Result<Tracks, Flaw> {
+    format.reader().unwrap()(bytes, &Reading::default())
+}
+
+/// What was written, as it is to come back.
+fn spots(frames: &[Frame]) -> Vec<Spot> {
+    let of = |frame: &Frame| {
+        let time = frame.time;
+        frame
+            .bodies
+            .iter()
+            .map(move |body| Spot {
+                number: body.number,
+                group: body.group,
+                time,
+                place: body.center(),
+                velocity: body.velocity.extend(body.climb),
+                heading: body.heading,
+                radius: body.shape().girth(),
+                status: body.status,
+            })
+            .collect::<Vec<_>>()
+    };
+    let mut tracks = Tracks { spots: frames.iter().flat_map(of).collect(), ..Tracks::default() };
+    tracks.sort();
+    tracks.spots
+}
+
+fn both() -> impl Iterator<Item = &'static Format> {
+    FORMATS.iter().filter(|format| format.is_written() && format.reader().is_some())
+}
+
+fn compare(format: &Format, setting: &Setting, frames: &[Frame]) -> Result<(), TestCaseError> {
+    let tracks = read(format, &written(format, setting, frames)).unwrap();
+    let (errors, want) = (errors(format), spots(frames));
+    prop_assert_eq!(tracks.spots.len(), want.len());
+    for (found, want) in tracks.spots.iter().zip(&want) {
+        let want = Spot {
+            place: if errors.flat { want.place.with_z(0.0) } else { want.place },
+            velocity: if errors.flat { found.velocity } else { want.velocity },
+            status: if errors.flat { found.status } else { want.status },
+            ..*want
+        };
+        prop_assert_eq!((found.number, found.status), (want.number, want.status), "{}", format.ending);
+        prop_assert_eq!(&tracks.setting.groups[found.group as usize], &setting.groups[want.group as usize]);
+        let late = (found.time - want.time).abs();
+        prop_assert!(late <= if errors.uneven { 0.0 } else { 1e-9 }, "{}: {late} s late", format.ending);
+        let off: DVec3 = (found.place - want.place).abs();
+        prop_assert!(off.max_element() <= errors.place, "{}: {off} m off", format.ending);
+        let off = (found.velocity - want.velocity).abs().max_element();
+        prop_assert!(off <= errors.velocity, "{}: {off} m/s off", format.ending);
+        let turned = (found.heading - want.heading).rem_euclid(std::f32::consts::TAU);
+        let turned = turned.min(std::f32::consts::TAU - turned);
+        prop_assert!(turned <= errors.heading, "{}: {turned} rad off", format.ending);
+        prop_assert!((found.radius - want.radius).abs() <= errors.radius);
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn what_is_written_comes_back((setting, frames) in crowd(Times::Uneven), (even_setting, even) in crowd(Times::Even)) {
+        for format in both() {
+            if errors(format).uneven {
+                compare(format, &setting, &frames)?;
+            }
+            compare(format, &even_setting, &even)?;
+        }
+    }
+
+    /// Whatever happens to the bytes of a file, it is read or it is not: nothing panics.
+    #[test]
+    fn what_is_broken_is_told(
+        (setting, frames) in crowd(Times::Even),
+        cut in 0.0..1.0f64,
+        flips in proptest::collection::vec((0.0..1.0f64, 1u8..), 1..4),
+    ) {
+        for format in both() {
+            let whole = written(format, &setting, &frames);
+            let cut = &whole[..(cut * whole.len() as f64) as usize];
+            let of_cut = read(format, cut);
+            if !errors(format).cut {
+                prop_assert!(of_cut.is_err(), "{}: {} of {} bytes", format.ending, cut.len(), whole.len());
+            }
+            let mut flipped = whole.clone();
+            for (at, with) in &flips {
+                flipped[(at * whole.len() as f64) as usize] ^= with;
+            }
+            let _ = read(format, &flipped);
+        }
+    }
+}
+
+/// A small file, cut at every byte, and with every byte turned over.
+#[test]
+fn every_byte_counts() {
+    let (setting, frames) = crowd::small();
+    for format in both() {
+        let mut whole = written(format, &setting, &frames);
+        for end in 0..whole.len() {
+            let read = read(format, &whole[..end]);
+            assert!(errors(format).cut || read.is_err(), "{}: {end} of {} bytes", format.ending, whole.len());
+        }
+        for at in 0..whole.len() {
+            for turn in [0x01, 0x80, 0xff] {
+                whole[at] ^= turn;
+                let _ = read(format, &whole);
+                whole[at] ^= turn;
+            }
+        }
+    }
+}

@@ -1,0 +1,29 @@
+//! Trajectories as a stage of [Universal Scene Description](https://openusd.org), as text: for film and animation.
+//!
+//! Z is up, a unit a metre. `/World` stands at the origin of the scene, and has
+//!
+//! | prim | what |
+//! |---|---|
+//! | `Ground`, `Obstacles` | meshes; what is solid is 1 m high |
+//! | `Agents` | a `PointInstancer`: `positions`, `orientations`, `velocities` (m/s) and `invisibleIds` at every moment; `ids` (the agents' numbers), `scales` (their radii) and `protoIndices` (their groups) once |
+//! | `Agents.primvars:group`, `primvars:speed` | the index of the group, and the speed in m/s |
+//! | `Agents/Prototypes/Group_0` and so on | a body a group, in a colour of its own, of radius 1: an upright cylinder, 1.75 m high, or, where somebody flies, a sphere, and a cone that points where it faces |
+//!
+//! Everybody has a place in the lists from beginning to end: who has not come yet, or has gone, is among the `invisibleIds`, at the place where it came or
+//! went. Time codes are moments where these come evenly, else 24ths of a second. Places are written to 0.1 mm, velocities to 1 mm/s;
+//! orientations are halves, good to 0.06°. While a file is made, 32 bytes an agent and moment wait beside it on the disk.
+
+mod write;
+
+pub use write::UsdaWriter;
+
+use super::Format;
+
+/// USD as text: written.
+pub(super) const FORMAT: Format = Format {
+    ending: "usda",
+    title: "Universal Scene Description, as text",
+    kept: false,
+    create: Some(|output, setting| Ok(Box::new(UsdaWriter::new(output, setting)?))),
+    read: None,
+};
