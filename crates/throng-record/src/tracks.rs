@@ -103,8 +103,9 @@ impl Tracks {
     /// As [`read`](Self::read), but the first.
     pub fn of_file(path: impl AsRef<Path>, bytes: &[u8], reading: &Reading) -> Result<Self, TracksError> {
         let path = path.as_ref();
-        let read =
-            Format::of(path).and_then(Format::reader).ok_or_else(|| TracksError::Unknown { path: path.into() })?;
+        let read = Format::of_file(path, bytes)
+            .and_then(Format::reader)
+            .ok_or_else(|| TracksError::Unknown { path: path.into() })?;
         read(bytes, reading).map_err(|flaw| TracksError::Content { path: path.into(), flaw })
     }
 

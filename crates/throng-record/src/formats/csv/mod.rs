@@ -33,4 +33,5 @@ pub(super) const FORMAT: Format = Format {
     title: "a table of comma-separated values",
     create: Some(|output, setting| Ok(Box::new(CsvWriter::new(output, setting)?))),
     read: Some(read::read),
+    sniff: None,
 };
