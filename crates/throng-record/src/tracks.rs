@@ -14,6 +14,8 @@ pub struct Tracks {
     pub setting: Setting,
     /// Everything that the file says, by time, then by number.
     pub spots: Vec<Spot>,
+    /// Metres in the unit of length of the file, of a kind that has none of its own: as it was said or found.
+    pub unit: Option<f64>,
 }
 
 /// Where somebody was.

@@ -54,6 +54,18 @@ fn recorded_people_are_read() {
 }
 
 #[test]
+fn units_are_as_the_files_say_or_as_people_walk() {
+    for (name, unit) in [("040_c_56_h-.txt", 1.0), ("AO_300_bottleneck.txt", 1.0), ("bi_corr_400_b_03.txt", 0.01)] {
+        let Some(path) = data(&format!("juelich/{name}")) else { continue };
+        assert_eq!(Tracks::read(&path).unwrap().unit, Some(unit), "{name}");
+        let bytes = std::fs::read(&path).unwrap();
+        let said: Vec<&[u8]> = bytes.split(|&byte| byte == b'\n').filter(|line| !line.starts_with(b"#")).collect();
+        let silent = Tracks::of_file(&path, &said.join(&b'\n'), &Reading { rate: Some(25.0), unit: None }).unwrap();
+        assert_eq!(silent.unit, Some(unit), "{name} without its comments");
+    }
+}
+
+#[test]
 fn hdf5_says_the_walkable_area() {
     let Some(path) = data("juelich/00_01a.h5") else { return };
     let walkable = Tracks::read(path).unwrap().setting.walkable;

@@ -38,7 +38,7 @@ fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
     let unit = reading.unit.or_else(|| comments(&text).find_map(said_unit));
     let unit = unit.unwrap_or_else(|| if are_centimetres(&mut spots) { 0.01 } else { 1.0 });
     spots.iter_mut().for_each(|spot| spot.place *= unit);
-    people(spots, false)
+    Ok(Tracks { unit: Some(unit), ..people(spots, false)? })
 }
 
 /// The first number behind the word `framerate`.
@@ -112,6 +112,7 @@ mod tests {
             let tracks = read(file(scale).as_bytes(), &Reading::default()).unwrap();
             let last = tracks.spots.last().unwrap();
             assert!((last.place.x - 4.95).abs() < 1e-9 && (last.time - 99.0 / 25.0).abs() < 1e-12);
+            assert_eq!(tracks.unit, Some(1.0 / scale));
             assert!((last.velocity.x - 1.25).abs() < 1e-5 && last.heading == 0.0);
         }
         let said = Reading { unit: Some(0.5), rate: Some(1.0) };

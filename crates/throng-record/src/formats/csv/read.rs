@@ -73,7 +73,7 @@ impl<'a> Table<'a> {
         let [vx, vy, vz] = ["vx", "vy", "vz"].map(column);
         let [heading, radius, status] = ["heading", "radius", "status"].map(column);
         let Self { names, records } = self;
-        let mut tracks = Tracks::default();
+        let mut tracks = Tracks { unit: Some(unit), ..Tracks::default() };
         for (line, fields) in records {
             if fields.len() < names.len() {
                 return Err((line, format!("{} fields, but {} names", fields.len(), names.len())));

@@ -1,0 +1,92 @@
+//! How near people come to each other, and how soon they would touch.
+
+use super::people::{Here, People};
+use super::speed::Velocities;
+use glam::DVec2;
+use std::collections::BTreeSet;
+
+/// A time to collision below this is a near miss, seconds: the least in which people are seen to react (I. Karamouzas, B. Skinner,
+/// S. J. Guy, *Universal power law governing pedestrian interactions*, Phys. Rev. Lett. 113, 2014, see hardly any below).
+pub const NEAR_MISS: f64 = 0.5;
+
+/// What came of all pairs at all moments.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contacts {
+    /// Least distance of two centres, metres; infinite where two are never there at once.
+    pub least: f64,
+    /// Least distance of two centres over the sum of their radii; 1: they touch.
+    pub separation: f64,
+    /// How often two bodies came to overlap: pairs count once as long as they do.
+    pub collisions: usize,
+    /// How often the time to collision of two that do not overlap came to be below [`NEAR_MISS`].
+    pub near_misses: usize,
+    /// Least time to collision of two that do not overlap, seconds; infinite where nobody is on a collision course.
+    pub least_time: f64,
+}
+
+impl Contacts {
+    /// Of everybody, with these velocities.
+    pub fn of(people: &People, velocities: &Velocities) -> Self {
+        let mut out = Self {
+            least: f64::INFINITY,
+            separation: f64::INFINITY,
+            collisions: 0,
+            near_misses: 0,
+            least_time: f64::INFINITY,
+        };
+        let radius = |here: &Here| people.walks[here.walk].radius;
+        let (mut overlapped, mut missed) = (BTreeSet::new(), BTreeSet::new());
+        for moment in &people.moments {
+            let (mut overlap, mut miss) = (BTreeSet::new(), BTreeSet::new());
+            let mut order: Vec<(DVec2, Here)> = moment.here.iter().map(|&here| (people.place(here), here)).collect();
+            order.sort_by(|a, b| a.0.x.total_cmp(&b.0.x).then(a.1.walk.cmp(&b.1.walk)));
+            let speed = |here: Here| velocities.at(here).unwrap_or_default();
+            let fastest = order.iter().map(|(_, here)| speed(*here).length()).fold(0.0, f64::max);
+            let widest = order.iter().map(|(_, here)| radius(here)).fold(0.0, f64::max);
+            for (k, &(place, here)) in order.iter().enumerate() {
+                // beyond, nobody can matter
+                let reach = 2.0 * (widest + fastest * NEAR_MISS);
+                for &(other, there) in &order[k + 1..] {
+                    let aside = other.x - place.x;
+                    if aside > reach && aside > out.least && aside > out.separation * 2.0 * widest {
+                        break;
+                    }
+                    let (radii, apart) = (radius(&here) + radius(&there), other - place);
+                    out.least = out.least.min(apart.length());
+                    out.separation = out.separation.min(apart.length() / radii);
+                    let pair = (here.walk.min(there.walk), here.walk.max(there.walk));
+                    if apart.length() < radii {
+                        overlap.insert(pair);
+                    } else if let Some(time) = time_to_collision(apart, speed(there) - speed(here), radii) {
+                        out.least_time = out.least_time.min(time);
+                        if time < NEAR_MISS {
+                            miss.insert(pair);
+                        }
+                    }
+                }
+            }
+            out.collisions += overlap.difference(&overlapped).count();
+            out.near_misses += miss.difference(&missed).count();
+            (overlapped, missed) = (overlap, miss);
+        }
+        out
+    }
+}
+
+/// When two discs touch that go on as they do, seconds: where the other is and how it moves, seen from the one, and the sum of
+/// their radii. `None` if they never do; 0 for those that overlap.
+///
+/// ```
+/// use glam::DVec2;
+/// use throng_record::pedestrian::time_to_collision;
+/// assert_eq!(time_to_collision(DVec2::X * 5.0, -DVec2::X * 2.0, 1.0), Some(2.0));
+/// assert_eq!(time_to_collision(DVec2::X * 5.0, DVec2::Y, 1.0), None);
+/// ```
+pub fn time_to_collision(apart: DVec2, velocity: DVec2, radii: f64) -> Option<f64> {
+    let (a, b, c) = (velocity.length_squared(), apart.dot(velocity), apart.length_squared() - radii * radii);
+    if c < 0.0 {
+        return Some(0.0);
+    }
+    let root = b * b - a * c;
+    (b < 0.0 && root >= 0.0).then(|| c / (root.sqrt() - b))
+}
