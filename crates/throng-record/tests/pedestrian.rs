@@ -4,7 +4,7 @@
 use glam::DVec2;
 use std::path::{Path, PathBuf};
 use throng::Walkable;
-use throng_record::pedestrian::{Area, Figures, Ground, Line, People, Question, flows, steady_flow};
+use throng_record::pedestrian::{Area, Figures, Ground, Line, People, Question, flows, median, steady_flow};
 use throng_record::{Reading, Tracks};
 
 fn data(name: &str) -> Option<PathBuf> {
@@ -98,6 +98,12 @@ fn flow_and_lanes_are_those_that_are_known_of_them() {
     if let Some(people) = people("juelich/bi_corr_400_b_03.txt") {
         let found = Figures::of(&people, &Question::default());
         near(found.steady_lane_order(), 0.76, 0.02);
+    }
+    if let Some(people) = people("juelich/traj_UNI_CORR_500_01.txt") {
+        let ground = Ground { walkable: vec![], cut_off: Some(1.0) };
+        let found = Figures::of(&people, &question([-2.0, 0.5, 4.0, 4.0], [0.0, 0.0, 0.0, 5.0], ground));
+        let half = found.fundamental_diagram().into_iter().filter(|[density, _]| (0.25..0.75).contains(density));
+        near(median(half.map(|[_, speed]| speed).collect()), 1.45, 0.02);
     }
 }
 

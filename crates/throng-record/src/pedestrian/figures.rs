@@ -116,10 +116,11 @@ impl Figures {
         }
     }
 
-    /// The fundamental diagram: density and speed of every moment at which somebody is in the area; Voronoi's.
+    /// The fundamental diagram: Voronoi density and mean speed of the area at every moment at which somebody is in it. Voronoi speeds
+    /// would be too low where cells are cut off and leave ground to nobody.
     pub fn fundamental_diagram(&self) -> Vec<[f64; 2]> {
         let known = self.instants.iter().filter(|at| at.voronoi_density > 0.0 && at.area_speed.is_finite());
-        known.map(|at| [at.voronoi_density, at.voronoi_speed]).collect()
+        known.map(|at| [at.voronoi_density, at.area_speed]).collect()
     }
 
     /// The mean over moments of what is known.
