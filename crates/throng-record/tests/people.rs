@@ -72,11 +72,51 @@ fn hdf5_says_the_walkable_area() {
     assert_eq!((walkable.len(), walkable[0].outer.len(), walkable[0].holes.len()), (1, 4, 2));
 }
 
+/// A generator of numbers that look random.
+fn draws() -> impl FnMut() -> usize {
+    let mut state = 11u64;
+    move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize
+    }
+}
+
+#[test]
+fn broken_text_is_an_error_or_read_and_never_large() {
+    let files: [(&str, &str); 5] = [
+        ("a.txt", "# framerate: 25\n# id frame x/cm y/cm\n1 0 10.5 -2 176\n1 1 11 -2.5 176\n2 1 0 0 180\n"),
+        ("obsmat.txt", "1 1 2.5 0 3 0.1 0 -1\n11 1 2.6 0 2 0.1 0 -1\n"),
+        ("a.traj", "pedestrianId simTime endTime-PID1 startX startY endX endY\n1 0 0.5 0 0 1 1\n1 0.5 1 1 1 2 1\n"),
+        ("b.traj", "timeStep pedestrianId x y targetId\n1 1 0.5 2 1\n2 1 0.7 2 1\n"),
+        ("a.csv", "ID,Frame,x,y,v_x,v_y\n21,1010,0.2,-0.1,0.4,0.09\n21,1020,0.3,-0.1,0.4,0.03\n"),
+    ];
+    let mut draw = draws();
+    let pieces: [&[u8]; 9] = [b"\n", b" ", b"-", b"1e300", b"nan", b"#", b"\xff", b",\"", b"4294967296"];
+    for (name, text) in files {
+        assert!(Tracks::of_file(name, text.as_bytes(), &AT_25).is_ok(), "{name}");
+        for _ in 0..4000 {
+            let mut bytes = text.as_bytes().to_vec();
+            for _ in 0..=draw() % 4 {
+                let at = draw() % (bytes.len() + 1);
+                match draw() % 3 {
+                    0 => bytes.truncate(at),
+                    1 => drop(bytes.splice(at..at, pieces[draw() % pieces.len()].iter().copied())),
+                    _ => bytes.get_mut(at).into_iter().for_each(|byte| *byte = draw() as u8),
+                }
+            }
+            match Tracks::of_file(name, &bytes, &AT_25) {
+                Ok(tracks) => assert!(tracks.spots.len() <= 1000 * bytes.len()),
+                Err(error) => assert!(matches!(error, TracksError::Content { .. })),
+            }
+        }
+    }
+}
+
 #[test]
 fn a_broken_file_of_hdf5_is_an_error() {
     let Some(path) = data("juelich/00_01a.h5") else { return };
     let bytes = std::fs::read(path).unwrap();
-    let mut draw = 7u64;
+    let mut draw = draws();
     for k in 0..300 {
         let mut broken = bytes.clone();
         if k % 3 == 0 {
@@ -84,11 +124,10 @@ fn a_broken_file_of_hdf5_is_an_error() {
         }
         // where the structure is, and anywhere
         for _ in 0..k % 7 {
-            draw = draw.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            let reach = if draw & 1 == 0 { 8192 } else { bytes.len() };
-            let at = (draw >> 20) as usize % reach.min(broken.len().max(1));
+            let reach = if draw() % 2 == 0 { 8192 } else { bytes.len() };
+            let at = draw() % reach.min(broken.len().max(1));
             if let Some(byte) = broken.get_mut(at) {
-                *byte = (draw >> 8) as u8;
+                *byte = draw() as u8;
             }
         }
         if let Err(error) = Tracks::of_file("a.h5", &broken, &FROM_FILE) {

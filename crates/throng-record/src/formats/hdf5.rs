@@ -47,7 +47,7 @@ fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
     };
     let spots = rows.chunks_exact(columns.1).enumerate().map(spot).collect::<Result<_, Flaw>>()?;
     let mut tracks = people(spots, false)?;
-    if let Some(text) = file.root_group().and_then(|root| root.attribute("wkt_geometry")?.read_string()).ok() {
+    if let Ok(text) = file.root_group().and_then(|root| root.attribute("wkt_geometry")?.read_string()) {
         tracks.setting.walkable = walkable(&text, unit)?;
     }
     Ok(tracks)

@@ -5,8 +5,7 @@ use super::speed::Velocities;
 use glam::DVec2;
 use std::collections::BTreeSet;
 
-/// A time to collision below this is a near miss, seconds: the least in which people are seen to react (I. Karamouzas, B. Skinner,
-/// S. J. Guy, *Universal power law governing pedestrian interactions*, Phys. Rev. Lett. 113, 2014, see hardly any below).
+/// A time to collision below this is a near miss, seconds.
 pub const NEAR_MISS: f64 = 0.5;
 
 /// What came of all pairs at all moments.
@@ -20,7 +19,7 @@ pub struct Contacts {
     pub collisions: usize,
     /// How often the time to collision of two that do not overlap came to be below [`NEAR_MISS`].
     pub near_misses: usize,
-    /// Least time to collision of two that do not overlap, seconds; infinite where nobody is on a collision course.
+    /// Least time to collision of all near misses, seconds; infinite where there are none.
     pub least_time: f64,
 }
 
@@ -57,11 +56,11 @@ impl Contacts {
                     let pair = (here.walk.min(there.walk), here.walk.max(there.walk));
                     if apart.length() < radii {
                         overlap.insert(pair);
-                    } else if let Some(time) = time_to_collision(apart, speed(there) - speed(here), radii) {
+                    } else if let Some(time) = time_to_collision(apart, speed(there) - speed(here), radii)
+                        && time < NEAR_MISS
+                    {
                         out.least_time = out.least_time.min(time);
-                        if time < NEAR_MISS {
-                            miss.insert(pair);
-                        }
+                        miss.insert(pair);
                     }
                 }
             }
@@ -73,7 +72,8 @@ impl Contacts {
     }
 }
 
-/// When two discs touch that go on as they do, seconds: where the other is and how it moves, seen from the one, and the sum of
+/// Time to collision: when two discs touch that go on as they do, seconds (J. C. Hayward, *Near-miss determination through use of a
+/// scale of danger*, Highway Research Record 384, 1972): where the other is and how it moves, seen from the one, and the sum of
 /// their radii. `None` if they never do; 0 for those that overlap.
 ///
 /// ```
@@ -89,4 +89,64 @@ pub fn time_to_collision(apart: DVec2, velocity: DVec2, radii: f64) -> Option<f6
     }
     let root = b * b - a * c;
     (b < 0.0 && root >= 0.0).then(|| c / (root.sqrt() - b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pedestrian::{Border, Moment, Walk};
+
+    #[test]
+    fn contacts_are_those_of_all_pairs() {
+        let mut draw = 3u64;
+        let mut next = || {
+            draw = draw.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (draw >> 11) as f64 / (1u64 << 53) as f64
+        };
+        for count in [0, 1, 2, 5, 40] {
+            let walks: Vec<Walk> = (0..count)
+                .map(|number| {
+                    let (start, way) = (DVec2::new(9.0 * next(), 9.0 * next()), DVec2::new(next() - 0.5, next() - 0.5));
+                    let places = (0..20).map(|k| start + f64::from(k) * 0.3 * way).collect();
+                    let times = (0..20).map(|k| f64::from(k) * 0.1).collect();
+                    Walk { number, radius: 0.1 + 0.3 * next(), times, places }
+                })
+                .collect();
+            let here = |row: usize| (0..walks.len()).map(move |walk| Here { walk, row }).collect();
+            let moments = (0..20).map(|row| Moment { time: row as f64 * 0.1, here: here(row) }).collect();
+            let people = People { walks, moments };
+            let velocities = Velocities::of(&people, 1, Border::OneSided);
+            let found = Contacts::of(&people, &velocities);
+            let (mut collisions, mut misses) = (0, 0);
+            let (mut least, mut separation) = (f64::INFINITY, f64::INFINITY);
+            for (k, a) in people.walks.iter().enumerate() {
+                for (l, b) in people.walks[..k].iter().enumerate() {
+                    let (mut overlapped, mut missed) = (false, false);
+                    for row in 0..20 {
+                        let (apart, radii) = (b.places[row] - a.places[row], a.radius + b.radius);
+                        let speed = |walk| velocities.at(Here { walk, row }).unwrap();
+                        let time = time_to_collision(apart, speed(l) - speed(k), radii);
+                        let overlap = apart.length() < radii;
+                        let miss = !overlap && time.is_some_and(|time| time < NEAR_MISS);
+                        collisions += usize::from(overlap && !overlapped);
+                        misses += usize::from(miss && !missed);
+                        (overlapped, missed) = (overlap, miss);
+                        (least, separation) = (least.min(apart.length()), separation.min(apart.length() / radii));
+                    }
+                }
+            }
+            assert_eq!((found.collisions, found.near_misses), (collisions, misses));
+            assert_eq!((found.least, found.separation), (least, separation));
+        }
+    }
+
+    #[test]
+    fn a_time_to_collision_is_when_they_touch() {
+        let (apart, velocity) = (DVec2::new(3.0, 0.4), DVec2::new(-1.5, 0.1));
+        let time = time_to_collision(apart, velocity, 0.5).unwrap();
+        assert!(((apart + time * velocity).length() - 0.5).abs() < 1e-12);
+        assert_eq!(time_to_collision(apart, DVec2::ZERO, 0.5), None);
+        assert_eq!(time_to_collision(apart, -velocity, 0.5), None);
+        assert_eq!(time_to_collision(DVec2::ZERO, velocity, 0.5), Some(0.0));
+    }
 }

@@ -43,7 +43,8 @@ impl Directions {
 
 /// The lane order parameter of a moment: the mean over people of ((same - opposite) / (same + opposite))², of the others whose
 /// places are at most [`WIDTH`] to the side of one's own. 1: lanes; about 0 where all are mixed. `None` where not both
-/// directions are there. Rex and Löwen, *Lane formation in oppositely charged colloids*, Phys. Rev. E 75, 2007.
+/// directions are there. S. Nowak, A. Schadschneider, *Quantitative analysis of pedestrian counterflow in a cellular automaton model*,
+/// Phys. Rev. E 85, 2012, after Rex and Löwen.
 pub fn order(people: &People, moment: &Moment, directions: &Directions) -> Option<f64> {
     let across = directions.axis.perp();
     let walker = |&here: &Here| (people.place(here).dot(across), directions.sign(here));

@@ -44,3 +44,24 @@ impl Motion {
         out
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pedestrian::{Border, Walk};
+    use glam::DVec2;
+
+    #[test]
+    fn round_a_circle_one_turns_and_accelerates_evenly() {
+        let (radius, rate, step) = (3.0, 0.4, 0.02);
+        let times: Vec<f64> = (0..500).map(|k| f64::from(k) * step).collect();
+        let places = times.iter().map(|time| radius * DVec2::from_angle(rate * time)).collect();
+        let people = People { walks: vec![Walk { number: 1, radius: 0.2, times, places }], moments: vec![] };
+        let found = Motion::of(&people, &Velocities::of(&people, 5, Border::Exclude), 5);
+        assert!((found.turning.mean() - f64::to_degrees(rate)).abs() < 1e-9 && found.turning.deviation() < 1e-6);
+        assert!((found.speed.mean() - radius * rate).abs() < 1e-3);
+        assert!((found.acceleration.mean() - radius * rate * rate).abs() < 1e-3);
+        assert!((found.effort.mean() - (2.23 + 1.26 * 1.44)).abs() < 1e-2);
+        assert_eq!((found.speed.count(), found.acceleration.count()), (490, 490));
+    }
+}

@@ -81,11 +81,6 @@ impl People {
         self.walks[here.walk].places[here.row]
     }
 
-    /// How many rows there are in all.
-    pub fn rows(&self) -> usize {
-        self.moments.iter().map(|moment| moment.here.len()).sum()
-    }
-
     /// The time from one row of somebody to the next: the median, seconds; not a number where nobody has two.
     pub fn interval(&self) -> f64 {
         let steps = self.walks.iter().flat_map(|walk| walk.times.windows(2).map(|pair| pair[1] - pair[0]));

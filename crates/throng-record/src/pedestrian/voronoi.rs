@@ -59,7 +59,7 @@ pub fn cells(people: &People, moment: &Moment, ground: &Ground, area: &Area) -> 
         // who stands beside the ground has the largest part
         let largest = || walked.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
         let part = walked.iter().find(on).or_else(largest)?;
-        let inside = common(slice::from_ref(part), slice::from_ref(&region)).iter().map(|shape| size(shape)).sum();
+        let inside = common(slice::from_ref(part), slice::from_ref(&region)).iter().map(size).sum();
         Some(Cell { here: moment.here[order[at]], size: size(part), inside })
     };
     let mut cells: Vec<Cell> = (0..order.len()).filter_map(own).filter(|cell| cell.inside > 0.0).collect();

@@ -47,3 +47,26 @@ impl Ways {
 fn length(walk: &Walk) -> f64 {
     walk.places.windows(2).map(|pair: &[DVec2]| pair[0].distance(pair[1])).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pedestrian::Moment;
+
+    #[test]
+    fn ways_and_leaving_are_counted_from_first_to_last() {
+        let walk = |number: u32, times: &[f64], places: &[(f64, f64)]| {
+            let places = places.iter().map(|&place| place.into()).collect();
+            Walk { number, radius: 0.2, times: times.to_vec(), places }
+        };
+        let walks = vec![
+            walk(1, &[10.0, 12.0, 14.0], &[(0.0, 0.0), (3.0, 0.0), (3.0, 4.0)]),
+            walk(2, &[11.0, 13.0], &[(0.0, 0.0), (0.5, 0.0)]),
+            walk(3, &[20.0], &[(0.0, 0.0)]),
+        ];
+        let found = Ways::of(&People { walks, moments: vec![Moment { time: 10.0, here: vec![] }] });
+        assert_eq!((found.time.mean(), found.length.mean(), found.ratio.mean()), (3.0, 3.75, 1.4));
+        assert_eq!([0.0, 0.3, 0.5, 0.95, 1.0].map(|part| found.left(part).unwrap()), [3.0, 3.0, 4.0, 10.0, 10.0]);
+        assert_eq!(Ways::default().left(0.5), None);
+    }
+}

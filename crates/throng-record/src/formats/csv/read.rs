@@ -40,7 +40,7 @@ impl<'a> Table<'a> {
         let table = Self { names, records };
         match ["number", "time", "x", "y"]
             .iter()
-            .find(|name| !table.has(name) && !(**name == "time" && table.has("frame")))
+            .find(|&&name| !(table.has(name) || name == "time" && table.has("frame")))
         {
             Some(name) => Err((1, format!("there is no column `{name}`"))),
             None => Ok(table),
