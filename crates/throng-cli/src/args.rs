@@ -4,6 +4,7 @@ use crate::annotate::AnnotateArgs;
 use crate::bench::args::{self as bench, BenchArgs};
 use crate::compare::{COMPARE, COMPARE_SHORT, CompareArgs};
 use crate::explain::args::{self as explain, ExplainArgs};
+use crate::info::args::{self as info, InfoArgs};
 use crate::look::LookArgs;
 use crate::measure::args::{self as measure, MeasureArgs};
 use crate::options::{EndArgs, FilmArgs, ThreadArgs};
@@ -31,6 +32,7 @@ Examples:
   throng show doorway                a picture of the start, doorway.png
   throng sheet                       a still of each scene of the gallery, sheet.png
   throng measure flocking            how its members move: distributions of speeds and the like
+  throng info run.csv                what is in a file of trajectories
   throng explain circle --agent 3    why agent 3 goes where it goes, circle-agent-3.svg
   throng bench                       how long steps take on this machine
 
@@ -69,6 +71,9 @@ pub enum Command {
     /// under the headings of the gallery's groups. Without names, the whole gallery.
     #[command(after_help = sheet::EXAMPLES, after_long_help = sheet::EXAMPLES)]
     Sheet(SheetArgs),
+    /// Says what is in a file of trajectories: who, how many, when, where, how fast
+    #[command(after_help = info::LONG, after_long_help = info::LONG)]
+    Info(InfoArgs),
     /// Measures swarms: how speeds, accelerations and distances are distributed, how long velocities last, how wide they are
     ///
     /// Of the scene that it runs, or of a table of trajectories; docs/swarms.md says what the figures mean.

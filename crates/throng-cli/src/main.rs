@@ -11,6 +11,7 @@ mod explain;
 mod failure;
 mod field;
 mod files;
+mod info;
 mod interrupt;
 mod list;
 mod look;
@@ -27,6 +28,7 @@ mod show;
 mod source;
 mod swarms;
 mod threads;
+mod tracks;
 
 use args::{Arguments, Command};
 use clap::Parser;
@@ -50,6 +52,7 @@ fn main() -> ExitCode {
         Command::Check(args) => check::check(args, &mut out),
         Command::Show(args) => show::show(args, &mut out),
         Command::Sheet(args) => sheet::sheet(args, &mut out),
+        Command::Info(args) => info::info(args, &mut out),
         Command::Measure(args) => measure::measure(args, &mut out),
         Command::Explain(args) => explain::explain(args, &mut out),
         #[cfg(feature = "studio")]

@@ -1,6 +1,6 @@
 //! What happened in a world: its moments ([`Setting`], [`Frame`], [`Body`]) and the files that hold them.
 //!
-//! [`series`] makes figures over time of them, [`swarm`] those of a swarm; [`formats`] are the files of trajectories, [`Tracks`] what
+//! [`series`] makes figures over time of them, [`swarm`] those of a swarm, [`pedestrian`] those of people; [`formats`] are the files of trajectories, [`Tracks`] what
 //! is read back; [`moment`] makes moments of the world of a scene. Every file is written through [`Output`], under a temporary name until it is complete. [`Behind`] lets another
 //! thread write them.
 
@@ -11,6 +11,7 @@ pub mod formats;
 mod frame;
 pub mod moment;
 mod output;
+pub mod pedestrian;
 pub mod series;
 pub mod swarm;
 mod tracks;

@@ -14,6 +14,8 @@ pub struct Tracks {
     pub setting: Setting,
     /// Everything that the file says, by time, then by number.
     pub spots: Vec<Spot>,
+    /// Metres in the unit of length of the file, of a kind that has none of its own: as it was said or found.
+    pub unit: Option<f64>,
 }
 
 /// Where somebody was.
@@ -103,8 +105,9 @@ impl Tracks {
     /// As [`read`](Self::read), but the first.
     pub fn of_file(path: impl AsRef<Path>, bytes: &[u8], reading: &Reading) -> Result<Self, TracksError> {
         let path = path.as_ref();
-        let read =
-            Format::of(path).and_then(Format::reader).ok_or_else(|| TracksError::Unknown { path: path.into() })?;
+        let read = Format::of_file(path, bytes)
+            .and_then(Format::reader)
+            .ok_or_else(|| TracksError::Unknown { path: path.into() })?;
         read(bytes, reading).map_err(|flaw| TracksError::Content { path: path.into(), flaw })
     }
 

@@ -1,38 +1,38 @@
-//! What is measured, from a scene that runs or from a table.
+//! What is measured, from a scene that runs or from a file.
 
-use super::Measured;
 use super::args::MeasureArgs;
+use super::{Measured, Subject, people};
 use crate::failure::Failure;
-use crate::files::is;
 use crate::out::complain;
 use crate::progress::{Progress, share};
 use crate::source::Loaded;
 use crate::{interrupt, threads};
 use throng_record::swarm::Swarm;
-use throng_record::{Frame, Tracks, moment};
+use throng_record::{Frame, Spot, Tracks, moment};
 
-/// The name of what was measured, and its groups: those of which somebody was there.
+/// What was measured; of its groups those of which somebody was there.
 ///
 /// # Errors
 /// It cannot be read or built, or has no such group.
-pub fn gather(args: &MeasureArgs) -> Result<(String, Vec<Measured>), Failure> {
-    let (name, mut groups) = if is(&args.of, "csv") {
+pub fn gather(args: &MeasureArgs) -> Result<Subject, Failure> {
+    let mut subject = if Tracks::are_in(&args.of) && !args.of.is_dir() {
         let changes = &args.changes;
         if changes.seed.is_some() || !changes.set.is_empty() || changes.exit.is_some() || changes.people.is_some() {
             let text = format!("{}: what is recorded cannot be changed", args.of.display());
             return Err(Failure::hint(text, "leave out --seed, --set, --exit and --people"));
         }
-        (args.of.display().to_string(), recorded(args)?)
+        recorded(args)?
     } else {
+        people::not_of_scenes(args)?;
         let loaded = args.changes.load(&args.of)?;
         if !args.quiet {
             loaded.notes.iter().for_each(|note| complain(&format!("note: {note}")));
         }
         let groups = threads::with(args.threads.count(), || simulated(args, &loaded))?;
-        (loaded.name, groups)
+        Subject { name: loaded.name, groups, people: None }
     };
-    groups.retain(|group| group.swarm.moments().iter().any(|moment| moment.count > 0));
-    Ok((name, groups))
+    subject.groups.retain(|group| group.swarm.moments().iter().any(|moment| moment.count > 0));
+    Ok(subject)
 }
 
 fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failure> {
@@ -67,17 +67,20 @@ fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failu
     Ok(groups)
 }
 
-fn recorded(args: &MeasureArgs) -> Result<Vec<Measured>, Failure> {
-    let tracks = Tracks::read(&args.of)?;
+fn recorded(args: &MeasureArgs) -> Result<Subject, Failure> {
+    let tracks = args.tracks.read(&args.of)?;
     let chosen = chosen(args, &tracks.setting.groups)?;
-    let to = args.to.unwrap_or(f64::INFINITY);
+    // a little more, so that rounding leaves out nothing
+    let within = args.from - 1e-9..=args.to.unwrap_or(f64::INFINITY) + 1e-9;
     let measured = |&k: &usize| {
         let mut group = begin(args, &tracks.setting.groups[k]);
-        let within = tracks.moments(k as u32).filter(|&(time, _)| time >= args.from - 1e-9 && time <= to + 1e-9);
-        within.for_each(|(time, places)| group.swarm.push(time, &places));
+        let moments = tracks.moments(k as u32).filter(|(time, _)| within.contains(time));
+        moments.for_each(|(time, places)| group.swarm.push(time, &places));
         group
     };
-    Ok(chosen.iter().map(measured).collect())
+    let counts = |spot: &Spot| within.contains(&spot.time) && chosen.contains(&(spot.group as usize));
+    let groups = chosen.iter().map(measured).collect();
+    Ok(Subject { name: args.of.display().to_string(), groups, people: people::of(args, &tracks, counts)? })
 }
 
 fn begin(args: &MeasureArgs, name: &str) -> Measured {

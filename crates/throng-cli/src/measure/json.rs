@@ -1,19 +1,24 @@
 //! The figures as JSON; `throng measure --help` describes the keys.
 
-use super::{Measured, mean};
+use super::{Measured, Subject, mean, people};
 use crate::report::number;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use throng_record::swarm::{Distribution, Moment};
 
 /// Points over time, at most.
-const POINTS: usize = 500;
+pub const POINTS: usize = 500;
 /// Width of bins, in standard deviations.
 pub const BIN: f64 = 0.25;
 
 /// The figures as one object.
-pub fn of(name: &str, groups: &[Measured], files: &[PathBuf]) -> Value {
-    json!({ "scene": name, "groups": groups.iter().map(group).collect::<Vec<_>>(), "files": files })
+pub fn of(subject: &Subject, files: &[PathBuf]) -> Value {
+    json!({
+        "scene": subject.name,
+        "groups": subject.groups.iter().map(group).collect::<Vec<_>>(),
+        "people": subject.people.as_ref().map(people::json),
+        "files": files,
+    })
 }
 
 fn group(Measured { name, swarm }: &Measured) -> Value {
@@ -47,7 +52,8 @@ fn group(Measured { name, swarm }: &Measured) -> Value {
     })
 }
 
-fn distribution(all: &Distribution) -> Value {
+/// A distribution.
+pub fn distribution(all: &Distribution) -> Value {
     json!({
         "count": all.count(),
         "mean": number(all.mean()),

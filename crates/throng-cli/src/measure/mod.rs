@@ -1,9 +1,10 @@
-//! `throng measure`: what swarms are like.
+//! `throng measure`: what swarms and crowds are like.
 
 pub mod args;
 mod gather;
 mod json;
 mod page;
+mod people;
 mod text;
 
 use crate::failure::Failure;
@@ -23,35 +24,49 @@ pub struct Measured {
     pub swarm: Swarm,
 }
 
-/// Runs a scene, or reads a table, and tells the figures of its groups.
+/// What was measured.
+pub struct Subject {
+    /// Name of the scene or the file.
+    pub name: String,
+    /// Its groups, as swarms.
+    pub groups: Vec<Measured>,
+    /// Those of a file who walk, as people.
+    pub people: Option<people::People>,
+}
+
+/// Runs a scene, or reads a file of trajectories, and tells the figures of its groups.
 ///
 /// # Errors
-/// The scene or the table cannot be read, there is no such group, nobody was there, or a file cannot be written.
+/// The scene or the file cannot be read, there is no such group, nobody was there, or a file cannot be written.
 pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
     distinct(&args.output)?;
-    if let Some(path) = args.output.iter().find(|path| !is(path, "html") && !is(path, "htm")) {
-        let text = format!("{}: `measure` writes pages of plots", path.display());
-        return Err(Failure::hint(text, "end the name in .html; --json writes the figures to standard output"));
+    if let Some(path) = args.output.iter().find(|path| !["html", "htm", "csv"].iter().any(|ending| is(path, ending))) {
+        let text = format!("{}: `measure` writes pages of plots, and tables of people's figures", path.display());
+        return Err(Failure::hint(text, "end the name in .html or .csv; --json writes the figures to standard output"));
     }
     if let Some(to) = args.to.filter(|&to| to <= args.from) {
         return Err(Failure::hint(format!("--to {to}: it begins at {} s", args.from), "give --to more than --from"));
     }
     interrupt::watch();
-    let (name, groups) = gather::gather(args)?;
-    if groups.is_empty() {
+    let subject = gather::gather(args)?;
+    let name = &subject.name;
+    if subject.groups.is_empty() {
         let to = args.to.map_or_else(|| "the end".to_owned(), |to| format!("{to} s"));
         let text = format!("{name}: nobody was there from {} s to {to}", args.from);
         return Err(Failure::hint(text, "change --from and --to"));
     }
     for path in &args.output {
+        let text = if is(path, "csv") { people::table(path, &subject)? } else { page::text(&subject) };
         let mut output = Output::create(path)?;
-        output.put(page::text(&name, &groups).as_bytes())?;
+        output.put(text.as_bytes())?;
         output.finish()?;
     }
     if args.json {
-        out.line(format_args!("{}", json::of(&name, &groups, &args.output)))?;
+        out.line(format_args!("{}", json::of(&subject, &args.output)))?;
     } else if !args.quiet {
-        out.text(text::text(&name, &groups).as_bytes())?;
+        let people = subject.people.as_ref().map_or_else(String::new, |people| people.text(name));
+        out.text(people.as_bytes())?;
+        out.text(text::text(name, &subject.groups).as_bytes())?;
         args.output.iter().try_for_each(|path| out.line(format_args!("wrote {}", path.display())))?;
     }
     out.flush()?;

@@ -1,8 +1,7 @@
 //! The page: one file without network, the figures and their plots.
 
-use super::Measured;
 use super::json::BIN;
-use super::text;
+use super::{Measured, Subject, text};
 use crate::page::{Height, Plot, STYLE, escape, fill, swatch};
 use std::f64::consts::{PI, TAU};
 use throng_record::swarm::{Distribution, Moment, Swarm};
@@ -15,11 +14,14 @@ const RARE: f64 = 1e-4;
 /// Standard deviations to each side that plots show.
 const WIDE: f64 = 6.0;
 
-/// The page about these groups.
-pub fn text(name: &str, groups: &[Measured]) -> String {
-    let sections: String = groups.iter().map(|group| section(name, group)).collect();
+/// The page about what was measured.
+pub fn text(subject: &Subject) -> String {
+    let name = &subject.name;
+    let people = subject.people.as_ref().map_or_else(String::new, |people| people.section(name));
+    let sections: String = subject.groups.iter().map(|group| section(name, group)).collect();
     let parts = [
         ("title", escape(name)),
+        ("people", people),
         ("style", STYLE.to_owned()),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("groups", sections),
@@ -40,7 +42,7 @@ fn section(scene: &str, group: &Measured) -> String {
 }
 
 /// Text with its line breaks.
-fn escape_lines(text: &str) -> String {
+pub fn escape_lines(text: &str) -> String {
     text.lines().map(escape).collect::<Vec<_>>().join("\n")
 }
 

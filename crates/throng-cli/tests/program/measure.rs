@@ -96,3 +96,70 @@ fn mistakes_are_named() {
     }
     assert_eq!(names(folder.path()), ["run.csv"]);
 }
+
+/// Two files of people, 1 m apart, who walk east at 1.2 m/s, as the Archive writes them: centimetres, ten frames a second.
+fn stream() -> String {
+    let mut text = "# framerate: 10\n# id frame x/cm y/cm z/cm\n".to_owned();
+    for number in 0..80u32 {
+        let (start, y) = (-0.5 * f64::from(number), 0.5 + f64::from(number % 2));
+        for frame in 0..300u32 {
+            let x = start + 0.12 * f64::from(frame) + 0.003;
+            let _ = writeln!(text, "{number} {frame} {:.4} {:.4} 176", 100.0 * x, 100.0 * y);
+        }
+    }
+    text
+}
+
+#[test]
+fn a_stream_of_people_has_its_density_speed_and_flow() {
+    let folder = folder();
+    std::fs::write(folder.path().join("stream.txt"), stream()).unwrap();
+    let asked = "stream.txt --from 10 --to 25 --area 1,0,4,2 --line 2,0,2,2 --cut-off 3 -o s.html -o s.csv";
+    let people = &measured(folder.path(), asked)["people"];
+    let near = |value: &Value, want: f64, within: f64| {
+        assert!((number(value) - want).abs() < within, "{value}, not {want}");
+    };
+    assert_eq!(
+        (&people["people"], &people["moments"], &people["directions"]),
+        (&80.into(), &151.into(), &Value::from([80, 0]))
+    );
+    near(&people["speed"]["mean"], 1.2, 1e-5);
+    near(&people["effort"]["mean"], 2.23 + 1.26 * 1.44, 1e-4);
+    near(&people["path_ratio"]["most"], 1.0, 1e-6);
+    near(&people["nearest"], 1.0, 1e-6);
+    assert_eq!((&people["collisions"], &people["near_misses"]), (&0.into(), &0.into()));
+    let (area, line) = (&people["area"], &people["line"]);
+    near(&area["density"], 1.0, 0.05);
+    near(&area["voronoi_speed"], 1.2, 1e-4);
+    near(&line["steady_specific_flow"], 1.2, 0.02);
+    assert_eq!((&line["leftwards"], &line["length"]), (&0.into(), &2.0.into()));
+    assert!(people["lane_order"].is_null() && number(&people["frame_rate"]).round() == 10.0);
+    let table = std::fs::read_to_string(folder.path().join("s.csv")).unwrap();
+    assert_eq!((table.lines().count(), table.lines().nth(1).unwrap().split(',').count()), (152, 9));
+    assert!(std::fs::read_to_string(folder.path().join("s.html")).unwrap().contains("Fundamental diagram"));
+    let text = stdout(&call(folder.path(), "measure stream.txt --line 2,0,2,2").success());
+    assert!(text.contains("80 people") && text.contains("steady flow"), "{text}");
+}
+
+#[test]
+fn what_is_in_a_file_is_told() {
+    let folder = folder();
+    std::fs::write(folder.path().join("stream.txt"), stream()).unwrap();
+    std::fs::write(folder.path().join("frames.csv"), "ID,Frame,x,y\n4,10,0,0\n4,20,60,0\n").unwrap();
+    let info = |arguments: &str| -> Value {
+        serde_json::from_str(&stdout(&call(folder.path(), &format!("info {arguments} --json")).success())).unwrap()
+    };
+    let stream = info("stream.txt");
+    assert_eq!((&stream["people"], &stream["moments"], &stream["unit"]), (&80.into(), &300.into(), &0.01.into()));
+    assert!((number(&stream["speed"]["median"]) - 1.2).abs() < 1e-3 && number(&stream["frame_rate"]).round() == 10.0);
+    let frames = info("frames.csv --frame-rate 25 --unit cm");
+    assert!(
+        (number(&frames["speed"]["most"]) - 1.5).abs() < 1e-6 && (number(&frames["frame_rate"]) - 2.5).abs() < 1e-9
+    );
+    let text = stdout(&call(folder.path(), "info stream.txt").success());
+    assert!(text.contains("people     80") && text.contains("unit       0.01 m"), "{text}");
+    let wrong = stderr(&call(folder.path(), "info frames.csv").code(2));
+    assert!(wrong.contains("does not say how many") && wrong.contains("--frame-rate 25"), "{wrong}");
+    let wrong = stderr(&call(folder.path(), "measure flocking --line 0,0,1,1").code(2));
+    assert!(wrong.contains("throng run SCENE -o NAME.csv"), "{wrong}");
+}

@@ -1,10 +1,16 @@
 //! The kinds of files that hold trajectories: by the ending of a name, what writes them, and what reads them back.
+//!
+//! Where several kinds share an ending, the file itself says which it is.
 
+mod archive;
 pub mod csv;
 mod describe;
+#[cfg(feature = "hdf5")]
+mod hdf5;
 pub mod keys;
 mod mesh;
 mod names;
+mod obsmat;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 mod place;
@@ -15,7 +21,9 @@ mod spill;
 pub mod sqlite;
 #[cfg(test)]
 mod tests;
+mod text;
 pub mod usda;
+mod vadere;
 
 use crate::tracks::Tracks;
 use crate::{Frame, Output, OutputError, Setting};
@@ -30,6 +38,11 @@ pub const FORMATS: &[Format] = &[
     #[cfg(feature = "sqlite")]
     sqlite::FORMAT,
     usda::FORMAT,
+    obsmat::FORMAT,
+    archive::FORMAT,
+    vadere::FORMAT,
+    #[cfg(feature = "hdf5")]
+    hdf5::FORMAT,
 ];
 
 /// Writes trajectories, moment by moment. Dropped before it is finished, it leaves nothing, or what can be read
@@ -54,6 +67,9 @@ type Create = fn(Output, &Setting) -> Result<Box<dyn Writer>, OutputError>;
 /// What reads a file that is in memory.
 type Read = fn(&[u8], &Reading) -> Result<Tracks, Flaw>;
 
+/// What tells whether a file that is in memory is of a kind.
+type Sniff = fn(&[u8]) -> bool;
+
 /// A kind of file.
 #[derive(Clone, Copy, Debug)]
 pub struct Format {
@@ -65,12 +81,14 @@ pub struct Format {
     kept: bool,
     create: Option<Create>,
     read: Option<Read>,
+    /// Where another kind has the same ending: whether a file is of this one.
+    sniff: Option<Sniff>,
 }
 
-/// What people say of a file that it does not say itself.
+/// What people say of a file; it goes before what the file says itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reading {
-    /// Frames a second, where it counts frames.
+    /// Frames a second, where it counts frames; of a file of footsteps, at how many moments a second it is read.
     pub rate: Option<f64>,
     /// Metres in its unit of length.
     pub unit: Option<f64>,
@@ -106,6 +124,14 @@ impl Format {
     /// Those of [`Output::create`].
     pub fn output(&self, path: impl AsRef<Path>) -> Result<Output, OutputError> {
         if self.kept { Output::create_kept(path) } else { Output::create(path) }
+    }
+
+    /// The kind of a file that is in memory, by the ending of its name and by what is in it.
+    pub fn of_file(path: impl AsRef<Path>, bytes: &[u8]) -> Option<&'static Self> {
+        let first = Self::of(path)?;
+        let alike = FORMATS.iter().filter(|format| format.ending == first.ending);
+        let mut is = alike.filter(|format| format.sniff.is_none_or(|sniff| sniff(bytes)));
+        is.next().or(Some(first))
     }
 
     pub(crate) fn reader(&self) -> Option<Read> {

@@ -36,4 +36,5 @@ pub(super) const FORMAT: Format = Format {
     kept: false,
     create: Some(|output, setting| Ok(Box::new(CsvWriter::new(output, setting)?))),
     read: Some(read::read),
+    sniff: None,
 };

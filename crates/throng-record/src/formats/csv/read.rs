@@ -1,7 +1,7 @@
 //! Tables read.
 
 use super::write::status_of;
-use crate::formats::{Flaw, Reading};
+use crate::formats::{Flaw, Reading, text};
 use crate::tracks::{RADIUS, Spot, Tracks};
 use glam::{DVec3, Vec3};
 use std::borrow::Cow;
@@ -13,61 +13,106 @@ const HINT: &str = "a table of trajectories has the columns number, time, x and 
 /// be there; without `group` all are of one without a name, without `z` all are on the ground. Without `vx` and `vy`
 /// velocities are ways over time, without `heading` bodies face where they go, without `radius` they are 0.2 m large,
 /// without `status` they walk; other columns do not count.
-pub(super) fn read(bytes: &[u8], _: &Reading) -> Result<Tracks, Flaw> {
-    parse(bytes).map_err(|(line, why)| Flaw { line: Some(line), why, hint: Some(HINT) })
+///
+/// Names may be in capitals. As PedPy and others have them, `id` is the number, `v_x` and `v_y` the velocity; and
+/// where there is no `time`, `frame` counts frames, of which somebody must say how many a second has.
+pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
+    let flaw = |(line, why)| Flaw { line: Some(line), why, hint: Some(HINT) };
+    let table = Table::open(bytes).map_err(flaw)?;
+    let rate = if table.has("time") { 1.0 } else { text::rate(None, reading)? };
+    table.tracks(rate, reading.unit.unwrap_or(1.0)).map_err(flaw)
 }
 
-fn parse(bytes: &[u8]) -> Result<Tracks, (usize, String)> {
-    let text = std::str::from_utf8(bytes).map_err(|error| {
-        let before = &bytes[..error.valid_up_to()];
-        (1 + before.iter().filter(|&&byte| byte == b'\n').count(), "it is no text".to_owned())
-    })?;
-    let mut records = Records { rest: text.strip_prefix('\u{feff}').unwrap_or(text), line: 1 };
-    let (_, names) = records.next().ok_or((1, "it is empty".to_owned()))?;
-    let column = |name: &str| names.iter().position(|other| other.trim() == name);
-    let needed = |name: &str| column(name).ok_or_else(|| (1, format!("there is no column `{name}`")));
-    let [number, time, x, y] = [needed("number")?, needed("time")?, needed("x")?, needed("y")?];
-    let (group, z) = (column("group"), column("z"));
-    let [vx, vy, vz] = ["vx", "vy", "vz"].map(column);
-    let [heading, radius, status] = ["heading", "radius", "status"].map(column);
-    let mut tracks = Tracks::default();
-    for (line, fields) in records {
-        if fields.len() < names.len() {
-            return Err((line, format!("{} fields, but {} names", fields.len(), names.len())));
-        }
-        let value = |at: usize| {
-            let value = fields[at].trim().parse::<f64>().ok().filter(|value| value.is_finite());
-            value.ok_or_else(|| (line, format!("`{}` is no number for {}", fields[at], names[at])))
-        };
-        let name = group.map_or("", |at| &*fields[at]);
-        let group = tracks.setting.groups.iter().rposition(|other| other == name).unwrap_or_else(|| {
-            tracks.setting.groups.push(name.to_owned());
-            tracks.setting.groups.len() - 1
-        });
-        let place = DVec3::new(value(x)?, value(y)?, z.map_or(Ok(0.0), value)?);
-        let of = fields[number]
-            .trim()
-            .parse()
-            .map_err(|_| (line, format!("`{}` is no number of an agent", fields[number])))?;
-        let or = |column: Option<usize>, or: f32| column.map_or(Ok(or), |at| value(at).map(|value| value as f32));
-        let status = status.map_or(Ok(Status::Walking), |at| {
-            let found = status_of(fields[at].trim());
-            found.ok_or_else(|| (line, format!("`{}` is no status", fields[at])))
+/// A table whose line of names was read.
+struct Table<'a> {
+    names: Vec<Cow<'a, str>>,
+    records: Records<'a>,
+}
+
+impl<'a> Table<'a> {
+    fn open(bytes: &'a [u8]) -> Result<Self, (usize, String)> {
+        let text = std::str::from_utf8(bytes).map_err(|error| {
+            let before = &bytes[..error.valid_up_to()];
+            (1 + before.iter().filter(|&&byte| byte == b'\n').count(), "it is no text".to_owned())
         })?;
-        tracks.spots.push(Spot {
-            number: of,
-            group: group as u32,
-            time: value(time)?,
-            place,
-            velocity: Vec3::new(or(vx, 0.0)?, or(vy, 0.0)?, or(vz, 0.0)?),
-            heading: or(heading, 0.0)?,
-            radius: or(radius, RADIUS)?,
-            status,
-        });
+        let mut records = Records { rest: text.strip_prefix('\u{feff}').unwrap_or(text), line: 1 };
+        let (_, names) = records.next().ok_or((1, "it is empty".to_owned()))?;
+        let table = Self { names, records };
+        match ["number", "time", "x", "y"]
+            .iter()
+            .find(|&&name| !(table.has(name) || name == "time" && table.has("frame")))
+        {
+            Some(name) => Err((1, format!("there is no column `{name}`"))),
+            None => Ok(table),
+        }
     }
-    tracks.sort();
-    tracks.complete(vx.is_none() || vy.is_none(), heading.is_none());
-    Ok(tracks)
+
+    fn has(&self, name: &str) -> bool {
+        self.column(name).is_some()
+    }
+
+    /// Where a column is, by its name or another one it has.
+    fn column(&self, name: &str) -> Option<usize> {
+        let other = match name {
+            "number" => "id",
+            "vx" => "v_x",
+            "vy" => "v_y",
+            _ => name,
+        };
+        let find = |name: &str| self.names.iter().position(|found| found.trim().eq_ignore_ascii_case(name));
+        find(name).or_else(|| find(other))
+    }
+
+    /// What it says: frames of `rate` a second (1 for seconds), lengths of `unit` metres.
+    fn tracks(self, rate: f64, unit: f64) -> Result<Tracks, (usize, String)> {
+        let column = |name: &str| self.column(name);
+        let needed = |name: &str| column(name).ok_or_else(|| (1, format!("there is no column `{name}`")));
+        let [number, x, y] = [needed("number")?, needed("x")?, needed("y")?];
+        let time = column("time").map_or_else(|| needed("frame"), Ok)?;
+        let (group, z) = (column("group"), column("z"));
+        let [vx, vy, vz] = ["vx", "vy", "vz"].map(column);
+        let [heading, radius, status] = ["heading", "radius", "status"].map(column);
+        let Self { names, records } = self;
+        let mut tracks = Tracks { unit: Some(unit), ..Tracks::default() };
+        for (line, fields) in records {
+            if fields.len() < names.len() {
+                return Err((line, format!("{} fields, but {} names", fields.len(), names.len())));
+            }
+            let value = |at: usize| {
+                let value = fields[at].trim().parse::<f64>().ok().filter(|value| value.is_finite());
+                value.ok_or_else(|| (line, format!("`{}` is no number for {}", fields[at], names[at])))
+            };
+            let length = |at: usize| value(at).map(|value| value * unit);
+            let name = group.map_or("", |at| &*fields[at]);
+            let group = tracks.setting.groups.iter().rposition(|other| other == name).unwrap_or_else(|| {
+                tracks.setting.groups.push(name.to_owned());
+                tracks.setting.groups.len() - 1
+            });
+            let place = DVec3::new(length(x)?, length(y)?, z.map_or(Ok(0.0), length)?);
+            let of = fields[number]
+                .trim()
+                .parse()
+                .map_err(|_| (line, format!("`{}` is no number of an agent", fields[number])))?;
+            let or = |column: Option<usize>, or: f32| column.map_or(Ok(or), |at| length(at).map(|value| value as f32));
+            let status = status.map_or(Ok(Status::Walking), |at| {
+                let found = status_of(fields[at].trim());
+                found.ok_or_else(|| (line, format!("`{}` is no status", fields[at])))
+            })?;
+            tracks.spots.push(Spot {
+                number: of,
+                group: group as u32,
+                time: value(time)? / rate,
+                place,
+                velocity: Vec3::new(or(vx, 0.0)?, or(vy, 0.0)?, or(vz, 0.0)?),
+                heading: heading.map_or(Ok(0.0), value)? as f32,
+                radius: or(radius, RADIUS)?,
+                status,
+            });
+        }
+        tracks.sort();
+        tracks.complete(vx.is_none() || vy.is_none(), heading.is_none());
+        Ok(tracks)
+    }
 }
 
 /// The records of a text of comma-separated values, with the lines on which they begin; empty lines are none.
@@ -131,6 +176,10 @@ mod tests {
     use super::*;
     use crate::{Body, Frame, Setting, Writer};
 
+    fn parse(bytes: &[u8]) -> Result<Tracks, (usize, String)> {
+        Table::open(bytes)?.tracks(1.0, 1.0)
+    }
+
     fn body(number: u32, group: u32, place: DVec3) -> Body {
         Body { group, altitude: place.z as f32, ..Body::walking(number, place.truncate()) }
     }
@@ -167,6 +216,16 @@ mod tests {
         let tracks = parse(b"number,time,x,y,status,radius\n3,0,0,0,arrived,0.3\n").unwrap();
         assert_eq!((tracks.spots[0].radius, tracks.spots[0].status), (0.3, Status::Arrived));
         assert!(Tracks::are_in("a/b.CSV") && !Tracks::are_in("a.toml") && !Tracks::are_in("csv"));
+    }
+
+    #[test]
+    fn frames_count_where_somebody_says_how_long_they_are() {
+        let bytes = b"ID,Frame,x,y,v_x,v_y\n21,1010,50,-10,100,0\n";
+        let missing = read(bytes, &Reading::default()).unwrap_err();
+        assert!(missing.hint.unwrap().contains("--frame-rate") && missing.line.is_none());
+        let spot = read(bytes, &Reading { rate: Some(25.0), unit: Some(0.01) }).unwrap().spots[0];
+        assert_eq!((spot.number, spot.time, spot.place), (21, 40.4, DVec3::new(0.5, -0.1, 0.0)));
+        assert_eq!((spot.velocity, spot.radius), (Vec3::X, RADIUS));
     }
 
     #[test]

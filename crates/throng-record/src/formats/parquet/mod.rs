@@ -29,6 +29,7 @@ pub(super) const FORMAT: Format = Format {
     ending: "parquet",
     title: "Apache Parquet",
     kept: false,
+    sniff: None,
     create: Some(|output, setting| Ok(Box::new(ParquetWriter::new(output, setting)?))),
     read: Some(read::read),
 };

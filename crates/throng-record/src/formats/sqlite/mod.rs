@@ -27,6 +27,7 @@ pub(super) const FORMAT: Format = Format {
     ending: "sqlite",
     title: "JuPedSim's trajectories",
     kept: false,
+    sniff: None,
     create: Some(|output, setting| Ok(Box::new(SqliteWriter::new(output, setting)?))),
     read: Some(read::read),
 };

@@ -24,6 +24,7 @@ pub(super) const FORMAT: Format = Format {
     ending: "usda",
     title: "Universal Scene Description, as text",
     kept: false,
+    sniff: None,
     create: Some(|output, setting| Ok(Box::new(UsdaWriter::new(output, setting)?))),
     read: None,
 };

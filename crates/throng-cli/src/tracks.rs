@@ -1,0 +1,48 @@
+//! Files of trajectories that a command reads.
+
+use crate::failure::Failure;
+use crate::look::parse_positive;
+use clap::Args;
+use std::path::Path;
+use throng_record::{Reading, Tracks};
+
+/// What a file of trajectories does not say itself.
+#[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
+#[command(next_help_heading = "Trajectories")]
+pub struct TrackArgs {
+    /// Frames a second of a file that counts frames and does not say how long they are; goes before what it says
+    #[arg(long, value_name = "N", value_parser = parse_positive)]
+    pub frame_rate: Option<f64>,
+
+    /// The unit of length of a file of trajectories: m, cm, mm, ft, in, or so many metres; goes before what it says
+    #[arg(long, value_name = "UNIT", value_parser = parse_unit)]
+    pub unit: Option<f64>,
+}
+
+impl TrackArgs {
+    /// What is said of a file.
+    pub fn reading(&self) -> Reading {
+        Reading { rate: self.frame_rate, unit: self.unit }
+    }
+
+    /// Reads a file of trajectories.
+    ///
+    /// # Errors
+    /// Those of [`Tracks::read_as`].
+    pub fn read(&self, path: &Path) -> Result<Tracks, Failure> {
+        Ok(Tracks::read_as(path, &self.reading())?)
+    }
+}
+
+/// Reads a unit of length: metres.
+fn parse_unit(text: &str) -> Result<f64, String> {
+    let wrong = || "write m, cm, mm, ft or in, or how many metres it has, such as 0.01".to_owned();
+    match text {
+        "m" => Ok(1.0),
+        "cm" => Ok(0.01),
+        "mm" => Ok(0.001),
+        "ft" => Ok(0.3048),
+        "in" => Ok(0.0254),
+        _ => parse_positive(text).map_err(|_| wrong()),
+    }
+}

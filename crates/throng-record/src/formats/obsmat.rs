@@ -1,0 +1,61 @@
+//! `obsmat.txt` of the crowds of the University of Cyprus, as OpenTraj and others hand them on.
+//!
+//! A line a person and frame, eight numbers between blanks: `frame id x z y vx vz vy`. The ground is the plane of x and y,
+//! the third and the fifth; metres and m/s. The file does not say the frame rate: the videos have 25 frames a second, which
+//! is taken where nobody says otherwise.
+
+use super::text::{lines, people, rate, text, walker};
+use super::{Flaw, Format, Reading};
+use crate::tracks::{Spot, Tracks};
+use glam::DVec2;
+
+/// Read only.
+pub(super) const FORMAT: Format = Format {
+    ending: "txt",
+    title: "people's trajectories as text: UCY's obsmat",
+    create: None,
+    read: Some(read),
+    kept: false,
+    sniff: Some(is),
+};
+
+const HINT: &str = "such a file has lines of `frame id x z y vx vz vy`";
+/// Frames a second of the videos.
+const RATE: f64 = 25.0;
+
+/// Whether the first line has eight numbers.
+fn is(bytes: &[u8]) -> bool {
+    let text = text(&bytes[..bytes.len().min(4096)]);
+    let first = lines(&text).next();
+    first.is_some_and(|first| first.fields.len() == 8 && first.fields.iter().all(|field| field.parse::<f64>().is_ok()))
+}
+
+fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
+    let rate = rate(Some(RATE), reading)?;
+    let unit = reading.unit.unwrap_or(1.0);
+    let mut spots = Vec::new();
+    for fields in lines(&text(bytes)) {
+        let number = |at, what| fields.number(at, what, HINT);
+        let place = DVec2::new(number(2, "x")?, number(4, "y")?) * unit;
+        let velocity = DVec2::new(number(5, "vx")?, number(7, "vy")?) * unit;
+        let spot = walker(fields.person(1, HINT)?, number(0, "the frame")? / rate, place);
+        spots.push(Spot { velocity: velocity.as_vec2().extend(0.0), ..spot });
+    }
+    people(spots, true)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::{DVec3, Vec3};
+
+    #[test]
+    fn the_ground_is_the_third_and_the_fifth_column() {
+        let text = b"  1.1e+01 2 3.5 0 -4.5 0.5 0 -1\n1 2 3.5 0 -4.1 0.5 0 -1\n";
+        assert!(is(text) && !is(b"# a comment\n1 0 2.5 3.5 1.7\n") && !is(b"") && !is(b"a b c d e f g h"));
+        let spots = read(text, &Reading::default()).unwrap().spots;
+        assert_eq!((spots[1].number, spots[1].time, spots[1].place), (2, 0.44, DVec3::new(3.5, -4.5, 0.0)));
+        assert_eq!(spots[0].velocity, Vec3::new(0.5, -1.0, 0.0));
+        assert_eq!(read(b"1 1 0 0 0 0 0 0\n1 2 0 0 0 0 0\n", &Reading::default()).unwrap_err().line, Some(2));
+    }
+}

@@ -1,0 +1,152 @@
+//! How near people come to each other, and how soon they would touch.
+
+use super::people::{Here, People};
+use super::speed::Velocities;
+use glam::DVec2;
+use std::collections::BTreeSet;
+
+/// A time to collision below this is a near miss, seconds.
+pub const NEAR_MISS: f64 = 0.5;
+
+/// What came of all pairs at all moments.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contacts {
+    /// Least distance of two centres, metres; infinite where two are never there at once.
+    pub least: f64,
+    /// Least distance of two centres over the sum of their radii; 1: they touch.
+    pub separation: f64,
+    /// How often two bodies came to overlap: pairs count once as long as they do.
+    pub collisions: usize,
+    /// How often the time to collision of two that do not overlap came to be below [`NEAR_MISS`].
+    pub near_misses: usize,
+    /// Least time to collision of all near misses, seconds; infinite where there are none.
+    pub least_time: f64,
+}
+
+impl Contacts {
+    /// Of everybody, with these velocities.
+    pub fn of(people: &People, velocities: &Velocities) -> Self {
+        let mut out = Self {
+            least: f64::INFINITY,
+            separation: f64::INFINITY,
+            collisions: 0,
+            near_misses: 0,
+            least_time: f64::INFINITY,
+        };
+        let radius = |here: &Here| people.walks[here.walk].radius;
+        let (mut overlapped, mut missed) = (BTreeSet::new(), BTreeSet::new());
+        for moment in &people.moments {
+            let (mut overlap, mut miss) = (BTreeSet::new(), BTreeSet::new());
+            let mut order: Vec<(DVec2, Here)> = moment.here.iter().map(|&here| (people.place(here), here)).collect();
+            order.sort_by(|a, b| a.0.x.total_cmp(&b.0.x).then(a.1.walk.cmp(&b.1.walk)));
+            let speed = |here: Here| velocities.at(here).unwrap_or_default();
+            let fastest = order.iter().map(|(_, here)| speed(*here).length()).fold(0.0, f64::max);
+            let widest = order.iter().map(|(_, here)| radius(here)).fold(0.0, f64::max);
+            for (k, &(place, here)) in order.iter().enumerate() {
+                // beyond, nobody can matter
+                let reach = 2.0 * (widest + fastest * NEAR_MISS);
+                for &(other, there) in &order[k + 1..] {
+                    let aside = other.x - place.x;
+                    if aside > reach && aside > out.least && aside > out.separation * 2.0 * widest {
+                        break;
+                    }
+                    let (radii, apart) = (radius(&here) + radius(&there), other - place);
+                    out.least = out.least.min(apart.length());
+                    out.separation = out.separation.min(apart.length() / radii);
+                    let pair = (here.walk.min(there.walk), here.walk.max(there.walk));
+                    if apart.length() < radii {
+                        overlap.insert(pair);
+                    } else if let Some(time) = time_to_collision(apart, speed(there) - speed(here), radii)
+                        && time < NEAR_MISS
+                    {
+                        out.least_time = out.least_time.min(time);
+                        miss.insert(pair);
+                    }
+                }
+            }
+            out.collisions += overlap.difference(&overlapped).count();
+            out.near_misses += miss.difference(&missed).count();
+            (overlapped, missed) = (overlap, miss);
+        }
+        out
+    }
+}
+
+/// Time to collision: when two discs touch that go on as they do, seconds (J. C. Hayward, *Near-miss determination through use of a
+/// scale of danger*, Highway Research Record 384, 1972): where the other is and how it moves, seen from the one, and the sum of
+/// their radii. `None` if they never do; 0 for those that overlap.
+///
+/// ```
+/// use glam::DVec2;
+/// use throng_record::pedestrian::time_to_collision;
+/// assert_eq!(time_to_collision(DVec2::X * 5.0, -DVec2::X * 2.0, 1.0), Some(2.0));
+/// assert_eq!(time_to_collision(DVec2::X * 5.0, DVec2::Y, 1.0), None);
+/// ```
+pub fn time_to_collision(apart: DVec2, velocity: DVec2, radii: f64) -> Option<f64> {
+    let (a, b, c) = (velocity.length_squared(), apart.dot(velocity), apart.length_squared() - radii * radii);
+    if c < 0.0 {
+        return Some(0.0);
+    }
+    let root = b * b - a * c;
+    (b < 0.0 && root >= 0.0).then(|| c / (root.sqrt() - b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pedestrian::{Border, Moment, Walk};
+
+    #[test]
+    fn contacts_are_those_of_all_pairs() {
+        let mut draw = 3u64;
+        let mut next = || {
+            draw = draw.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (draw >> 11) as f64 / (1u64 << 53) as f64
+        };
+        for count in [0, 1, 2, 5, 40] {
+            let walks: Vec<Walk> = (0..count)
+                .map(|number| {
+                    let (start, way) = (DVec2::new(9.0 * next(), 9.0 * next()), DVec2::new(next() - 0.5, next() - 0.5));
+                    let places = (0..20).map(|k| start + f64::from(k) * 0.3 * way).collect();
+                    let times = (0..20).map(|k| f64::from(k) * 0.1).collect();
+                    Walk { number, radius: 0.1 + 0.3 * next(), times, places }
+                })
+                .collect();
+            let here = |row: usize| (0..walks.len()).map(move |walk| Here { walk, row }).collect();
+            let moments = (0..20).map(|row| Moment { time: row as f64 * 0.1, here: here(row) }).collect();
+            let people = People { walks, moments };
+            let velocities = Velocities::of(&people, 1, Border::OneSided);
+            let found = Contacts::of(&people, &velocities);
+            let (mut collisions, mut misses) = (0, 0);
+            let (mut least, mut separation) = (f64::INFINITY, f64::INFINITY);
+            for (k, a) in people.walks.iter().enumerate() {
+                for (l, b) in people.walks[..k].iter().enumerate() {
+                    let (mut overlapped, mut missed) = (false, false);
+                    for row in 0..20 {
+                        let (apart, radii) = (b.places[row] - a.places[row], a.radius + b.radius);
+                        let speed = |walk| velocities.at(Here { walk, row }).unwrap();
+                        let time = time_to_collision(apart, speed(l) - speed(k), radii);
+                        let overlap = apart.length() < radii;
+                        let miss = !overlap && time.is_some_and(|time| time < NEAR_MISS);
+                        collisions += usize::from(overlap && !overlapped);
+                        misses += usize::from(miss && !missed);
+                        (overlapped, missed) = (overlap, miss);
+                        (least, separation) = (least.min(apart.length()), separation.min(apart.length() / radii));
+                    }
+                }
+            }
+            assert_eq!((found.collisions, found.near_misses), (collisions, misses));
+            assert_eq!((found.least, found.separation), (least, separation));
+        }
+    }
+
+    #[test]
+    fn a_time_to_collision_is_when_they_touch() {
+        let (apart, velocity) = (DVec2::new(3.0, 0.4), DVec2::new(-1.5, 0.1));
+        let time = time_to_collision(apart, velocity, 0.5).unwrap();
+        assert!(((apart + time * velocity).length() - 0.5).abs() < 1e-12);
+        assert_eq!(time_to_collision(apart, DVec2::ZERO, 0.5), None);
+        assert_eq!(time_to_collision(apart, -velocity, 0.5), None);
+        assert_eq!(time_to_collision(DVec2::ZERO, velocity, 0.5), Some(0.0));
+    }
+}

@@ -1,0 +1,151 @@
+//! Who crosses a line, and when: N(t) and flows.
+
+use super::people::{People, Walk};
+use glam::DVec2;
+
+/// A line that people cross, from one end to the other, metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// Where it begins.
+    pub from: DVec2,
+    /// Where it ends.
+    pub to: DVec2,
+}
+
+/// Somebody's first crossing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Whose.
+    pub number: u32,
+    /// The first time at which one is beyond the line, seconds.
+    pub time: f64,
+    /// Whether from its right to its left, seen along the line.
+    pub leftwards: bool,
+}
+
+/// Nearer than this one is on the line, and not beyond it yet, metres.
+const ON: f64 = 1e-5;
+/// The part of those who cross that counts as the beginning, and as the end.
+const TAIL: f64 = 0.05;
+
+impl Line {
+    /// How long it is, metres.
+    pub fn length(&self) -> f64 {
+        self.from.distance(self.to)
+    }
+
+    /// The first crossing of everybody who crosses it, by time, then by number. Who ends a step on the line crosses it with
+    /// the next one. PedPy's `compute_n_t`.
+    pub fn crossings(&self, people: &People) -> Vec<Crossing> {
+        let mut all: Vec<Crossing> = people.walks.iter().filter_map(|walk| self.first(walk)).collect();
+        all.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.number.cmp(&b.number)));
+        all
+    }
+
+    fn first(&self, walk: &Walk) -> Option<Crossing> {
+        let crosses = |pair: &[DVec2]| self.meets(pair[0], pair[1]) && self.distance(pair[1]) >= ON;
+        let step = walk.places.windows(2).position(crosses)?;
+        let way = walk.places[step + 1] - walk.places[step];
+        let leftwards = (self.to - self.from).perp_dot(way) > 0.0;
+        Some(Crossing { number: walk.number, time: walk.times[step + 1], leftwards })
+    }
+
+    /// Whether it and the way from `a` to `b` have a point in common.
+    fn meets(&self, a: DVec2, b: DVec2) -> bool {
+        let side = |from: DVec2, to: DVec2, of: DVec2| (to - from).perp_dot(of - from);
+        let (p, q) = (side(self.from, self.to, a), side(self.from, self.to, b));
+        let (r, s) = (side(a, b, self.from), side(a, b, self.to));
+        if p == 0.0 && q == 0.0 {
+            // along it
+            return self.distance(a) == 0.0 || self.distance(b) == 0.0;
+        }
+        p * q <= 0.0 && r * s <= 0.0
+    }
+
+    fn distance(&self, place: DVec2) -> f64 {
+        let along = self.to - self.from;
+        let share = ((place - self.from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        place.distance(self.from + share * along)
+    }
+}
+
+/// How many have crossed up to a time, that included: N(t).
+pub fn count(crossings: &[Crossing], time: f64) -> usize {
+    crossings.partition_point(|crossing| crossing.time <= time)
+}
+
+/// Mean flow, people a second: those after the first over the time from the first to the last; not a number for fewer than two.
+pub fn flow(crossings: &[Crossing]) -> f64 {
+    match crossings {
+        [first, .., last] => (crossings.len() - 1) as f64 / (last.time - first.time),
+        _ => f64::NAN,
+    }
+}
+
+/// The same without the twentieth that crosses first and the one that crosses last: without how a crowd sets in and thins out.
+pub fn steady_flow(crossings: &[Crossing]) -> f64 {
+    let n = crossings.len();
+    let first = (TAIL * n as f64) as usize;
+    // as many people as there are from the first to the last of them
+    let last = (((1.0 - TAIL) * n as f64) as usize).max(first);
+    flow(crossings.get(first..last).unwrap_or_default())
+}
+
+/// The flow in windows of so many seconds, from the first crossing on, people a second: in each, those who cross over the time
+/// from the last crossing before to their last one. PedPy's `compute_flow`; `interval` is the time between frames, `end` the last.
+pub fn flows(crossings: &[Crossing], window: f64, interval: f64, end: f64) -> Vec<f64> {
+    let Some(first) = crossings.first().filter(|_| window > 0.0) else { return Vec::new() };
+    let (mut before, mut since) = (0, first.time);
+    let mut out = Vec::new();
+    // half a frame, so that rounding counts nobody twice
+    let half = 0.5 * interval;
+    for k in 1.. {
+        let time = first.time + f64::from(k) * window;
+        if time >= end - half {
+            break;
+        }
+        let crossed = count(crossings, time + half);
+        if crossed > before {
+            let last = crossings[crossed - 1].time + interval;
+            out.push((crossed - before) as f64 / (last - since));
+            (before, since) = (crossed, last);
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn walk(number: u32, places: &[(f64, f64)]) -> Walk {
+        let times = (0..places.len()).map(|k| k as f64 * 0.5).collect();
+        Walk { number, radius: 0.2, times, places: places.iter().map(|&at| at.into()).collect() }
+    }
+
+    #[test]
+    fn a_crossing_is_complete_beyond_the_line() {
+        let line = Line { from: DVec2::new(0.0, -1.0), to: DVec2::new(0.0, 1.0) };
+        let walks = vec![
+            walk(1, &[(-1.0, 0.0), (-0.1, 0.0), (0.1, 0.0), (-0.1, 0.0)]),
+            walk(2, &[(1.0, 0.5), (0.0, 0.5), (0.0, 0.6), (-1.0, 0.6)]),
+            walk(3, &[(-1.0, 1.1), (1.0, 1.1)]),
+            walk(4, &[(-1.0, 1.0), (1.0, 1.0)]),
+            walk(5, &[(0.0, -3.0), (0.0, 3.0)]),
+            walk(6, &[(0.0, 0.0)]),
+        ];
+        let people = People { walks, moments: vec![] };
+        let found: Vec<_> = line.crossings(&people).iter().map(|at| (at.number, at.time, at.leftwards)).collect();
+        assert_eq!(found, [(4, 0.5, false), (1, 1.0, false), (2, 1.5, true)]);
+    }
+
+    #[test]
+    fn flows_are_people_over_time() {
+        let crossing = |k: u32| Crossing { number: k, time: 3.0 + 0.25 * f64::from(k), leftwards: true };
+        let all: Vec<_> = (0..101).map(crossing).collect();
+        assert_eq!((flow(&all), steady_flow(&all), count(&all, 4.0)), (4.0, 4.0, 5));
+        assert!(flow(&all[..1]).is_nan() && steady_flow(&[]).is_nan() && flows(&[], 1.0, 0.1, 9.0).is_empty());
+        let windows = flows(&all, 5.0, 0.25, 28.0);
+        assert!(windows.len() == 4 && windows.iter().all(|flow| (flow - 4.0).abs() < 1e-9), "{windows:?}");
+    }
+}

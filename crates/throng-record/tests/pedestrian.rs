@@ -1,0 +1,142 @@
+//! Measures of recorded people beside PedPy 1.5.1's of the same files (`consumers/pedpy_reference.py` prints them) and beside what
+//! shared/data/README.md says of them. Skipped where the data is not there.
+
+use glam::DVec2;
+use std::path::{Path, PathBuf};
+use throng::Walkable;
+use throng_record::pedestrian::{Area, Figures, Ground, Line, People, Question, flows, median, steady_flow};
+use throng_record::{Reading, Tracks};
+
+fn data(name: &str) -> Option<PathBuf> {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let found = here.ancestors().map(|up| up.join("shared/data/trajectories").join(name)).find(|path| path.is_file());
+    if found.is_none() {
+        eprintln!("skipped: no shared/data/trajectories/{name} above {}", here.display());
+    }
+    found
+}
+
+fn people(name: &str) -> Option<People> {
+    let tracks = Tracks::read_as(data(name)?, &Reading::default()).unwrap();
+    Some(People::of(&tracks, |_| true))
+}
+
+fn question(area: [f64; 4], line: [f64; 4], ground: Ground) -> Question {
+    let [x0, y0, x1, y1] = line;
+    let line = Line { from: DVec2::new(x0, y0), to: DVec2::new(x1, y1) };
+    Question { interval: 0.4, area: Area::rectangle(area), line: Some(line), ground }
+}
+
+#[track_caller]
+fn near(found: f64, want: f64, within: f64) {
+    assert!((found / want - 1.0).abs() <= within, "{found}, not {want}");
+}
+
+/// The bottleneck of 3 m, and PedPy's figures of it.
+fn bottleneck(people: &People) -> Figures {
+    let ground = Ground { walkable: vec![], cut_off: Some(0.8) };
+    Figures::of(people, &question([-1.0, -2.0, 2.0, 2.0], [-2.5, 0.0, 2.5, 0.0], ground))
+}
+
+#[test]
+fn a_bottleneck_is_as_pedpy_measures_it() {
+    let Some(people) = people("juelich/AO_300_bottleneck.txt") else { return };
+    let found = bottleneck(&people);
+    near(found.motion.speed.mean(), 0.4962644212205205, 1e-6);
+    near(found.motion.acceleration.mean(), 0.7999714164212164, 1e-6);
+    near(found.mean(|at| at.density), 3.5302398331595413, 1e-6);
+    near(found.mean(|at| at.area_speed.max(0.0)), 0.4126326968915901, 1e-6);
+    near(found.mean(|at| at.voronoi_density), 3.3891118816304764, 1e-4);
+    near(found.mean(|at| at.voronoi_speed), 0.4163920647359844, 1e-4);
+    for (frame, density, speed, crossed) in [
+        (200, 4.5385644366358235, 0.43891711766471386, 96),
+        (400, 5.196535838797724, 0.4460856916204608, 186),
+        (600, 3.9128615001925096, 0.47351647836162103, 274),
+    ] {
+        let at = &found.instants[frame];
+        assert_eq!((at.time, at.crossed), (frame as f64 / 16.0, crossed));
+        near(at.voronoi_density, density, 1e-4);
+        near(at.voronoi_speed, speed, 1e-4);
+    }
+    let (first, last) = (found.crossings[0], found.crossings[347]);
+    assert_eq!((found.crossings.len(), first.time * 16.0, last.time * 16.0), (348, 14.0, 844.0));
+    let end = found.instants.last().unwrap().time;
+    let windows = flows(&found.crossings, 100.0 / 16.0, found.interval, end);
+    assert_eq!(windows.len(), 9);
+    near(windows.iter().sum::<f64>() / 9.0, 6.379742717769176, 1e-6);
+}
+
+#[test]
+fn a_ground_with_walls_is_as_pedpy_measures_it() {
+    let Some(people) = people("juelich/00_01a.h5") else { return };
+    let ring = |corners: &[(f64, f64)]| corners.iter().map(|&corner| DVec2::from(corner)).collect::<Vec<_>>();
+    let wall = |s: f64| ring(&[(s * 0.5, -0.2), (s * 2.39, -0.2), (s * 2.39, 0.2), (s * 0.5, 0.2)]);
+    let outer = ring(&[(-4.0, -4.0), (4.0, -4.0), (4.0, 6.0), (-4.0, 6.0)]);
+    let walkable = vec![Walkable { outer, holes: vec![wall(1.0), wall(-1.0)] }];
+    let ground = Ground { walkable, cut_off: None };
+    let found = Figures::of(&people, &question([-1.0, 0.5, 2.0, 2.0], [-0.4, 0.0, 0.4, 0.0], ground));
+    near(found.motion.speed.mean(), 0.2833325483512421, 1e-6);
+    near(found.motion.acceleration.mean(), 0.6916899575985208, 1e-6);
+    near(found.mean(|at| at.density), 2.563361611876988, 1e-6);
+    near(found.mean(|at| at.area_speed.max(0.0)), 0.21767319144607852, 1e-6);
+    near(found.mean(|at| at.voronoi_density), 1.9697259569722319, 1e-4);
+    near(found.mean(|at| at.voronoi_speed), 0.3298213097419225, 1e-4);
+    near(found.instants[400].voronoi_density, 2.315628150092231, 1e-4);
+    near(found.instants[600].voronoi_speed, 0.27070289566033695, 1e-4);
+    let (first, last) = (found.crossings[0], found.crossings[45]);
+    assert_eq!((found.crossings.len(), (first.time * 25.0).round(), (last.time * 25.0).round()), (46, 428.0, 861.0));
+    let windows = flows(&found.crossings, 4.0, found.interval, found.instants.last().unwrap().time);
+    assert_eq!(windows.len(), 5);
+    near(windows.iter().sum::<f64>() / 5.0, 2.555978093283292, 1e-6);
+}
+
+#[test]
+fn flow_and_lanes_are_those_that_are_known_of_them() {
+    if let Some(people) = people("juelich/AO_300_bottleneck.txt") {
+        near(steady_flow(&bottleneck(&people).crossings) / 3.0, 2.34, 0.02);
+    }
+    if let Some(people) = people("juelich/bi_corr_400_b_03.txt") {
+        let found = Figures::of(&people, &Question::default());
+        near(found.steady_lane_order(), 0.76, 0.02);
+    }
+    if let Some(people) = people("juelich/traj_UNI_CORR_500_01.txt") {
+        let ground = Ground { walkable: vec![], cut_off: Some(1.0) };
+        let found = Figures::of(&people, &question([-2.0, 0.5, 4.0, 4.0], [0.0, 0.0, 0.0, 5.0], ground));
+        let half = found.fundamental_diagram().into_iter().filter(|[density, _]| (0.25..0.75).contains(density));
+        near(median(half.map(|[_, speed]| speed).collect()), 1.45, 0.02);
+    }
+}
+
+#[test]
+fn cells_share_out_the_ground() {
+    // whatever the area, all of it is somebody's where there is no cut-off; a point of it is whose is nearest
+    let mut draw = 5u64;
+    let mut next = || {
+        draw = draw.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (draw >> 11) as f64 / (1u64 << 53) as f64
+    };
+    for count in [1, 2, 3, 10, 60] {
+        let text: String = (0..count).map(|k| format!("{k},0,{},{}\n", 10.0 * next(), 10.0 * next())).collect();
+        let tracks =
+            Tracks::of_file("a.csv", format!("number,time,x,y\n{text}").as_bytes(), &Reading::default()).unwrap();
+        let people = People::of(&tracks, |_| true);
+        let area = Area::rectangle([2.0, 3.0, 4.0, 5.0]).unwrap();
+        let moment = &people.moments[0];
+        let cells = throng_record::pedestrian::voronoi::cells(&people, moment, &Ground::default(), &area);
+        near(cells.iter().map(|cell| cell.inside).sum(), 20.0, 1e-6);
+        // Monte Carlo
+        let mut hits = vec![0u32; count];
+        for _ in 0..20000 {
+            let place = DVec2::new(2.0 + 4.0 * next(), 3.0 + 5.0 * next());
+            let nearest = (0..count).min_by(|&a, &b| {
+                let away = |k: usize| people.walks[k].places[0].distance(place);
+                away(a).total_cmp(&away(b))
+            });
+            hits[nearest.unwrap()] += 1;
+        }
+        for (walk, &hits) in hits.iter().enumerate() {
+            let inside = cells.iter().find(|cell| cell.here.walk == walk).map_or(0.0, |cell| cell.inside);
+            assert!((inside - f64::from(hits) / 1000.0).abs() < 0.3, "{count}: {inside}, not {hits} of 20000");
+        }
+    }
+}
