@@ -94,7 +94,7 @@ impl<'a> Contents<'a> {
     pub fn between(&self, from: f64, to: f64) -> Result<Tracks, Flaw> {
         let first = self.keys.iter().rfind(|key| key.time <= from).map_or(self.start, |key| key.at);
         let mut rest = Rest(self.bytes.get(first..).unwrap_or_default());
-        let mut tracks = Tracks { setting: self.setting.clone(), spots: Vec::new() };
+        let mut tracks = Tracks { setting: self.setting.clone(), ..Tracks::default() };
         let (mut last, mut memory) = (None, Memory::default());
         loop {
             let at = self.bytes.len() - rest.0.len();

@@ -49,7 +49,7 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, Wrong> {
     let mut names = Names::default();
     let metadata = metadata(&database, bytes.len())?;
     let value = |key: &str| metadata.get(key).cloned();
-    let mut tracks = Tracks { setting: describe::setting(value, &mut names)?, spots: Vec::new() };
+    let mut tracks = Tracks { setting: describe::setting(value, &mut names)?, ..Tracks::default() };
     if let Some(version) = value("version").filter(|version| !["1", "2"].contains(&version.as_str())) {
         return Err(Wrong(format!("it is of version {version}")));
     }
