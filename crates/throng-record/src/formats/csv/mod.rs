@@ -15,7 +15,7 @@
 //! | `z` | height of the centre above the ground | m |
 //! | `vz` | velocity upwards | m/s |
 //!
-//! The last two are there only where somebody flies, or will ([`Setting::in_space`]).
+//! The last two are there only where somebody flies, or will ([`Setting::in_space`](crate::Setting::in_space)).
 //!
 //! Numbers are written with as many digits as it takes to read the same bits back. Text is UTF-8, quoted where it
 //! holds commas, quotes or line breaks; lines end in a line feed.

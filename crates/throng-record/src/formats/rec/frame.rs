@@ -125,7 +125,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn moment() -> impl Strategy<Value = Moment> {
-        let states = proptest::collection::btree_map(any::<u32>(), any::<[i16; COLUMNS]>(), 0..200);
+        let states = proptest::collection::btree_map(any::<u32>(), any::<[i16; COLUMNS]>(), 0..80);
         (0.0..100.0, states).prop_map(|(time, states)| Moment {
             time,
             states: states

@@ -148,17 +148,18 @@ proptest! {
     }
 }
 
-/// A small file, cut at every byte, and with every byte turned over.
+/// A small file, cut at every byte, and with every byte turned over; of one that is not so small, at a few thousand.
 #[test]
 fn every_byte_counts() {
     let (setting, frames) = crowd::small();
     for format in both() {
         let mut whole = written(format, &setting, &frames);
-        for end in 0..whole.len() {
+        let step = whole.len().div_ceil(3000);
+        for end in (0..whole.len()).step_by(step) {
             let read = read(format, &whole[..end]);
             assert!(errors(format).cut || read.is_err(), "{}: {end} of {} bytes", format.ending, whole.len());
         }
-        for at in 0..whole.len() {
+        for at in (0..whole.len()).step_by(step) {
             for turn in [0x01, 0x80, 0xff] {
                 whole[at] ^= turn;
                 let _ = read(format, &whole);
