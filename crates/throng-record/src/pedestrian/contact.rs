@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn a_time_to_collision_is_when_they_touch() {
-        let (apart, velocity) = (DVec2::new(3.0, 0.4), DVec2::new(-1.5, 0.1));
+        let (apart, velocity) = (DVec2::new(3.0, 0.4), DVec2::new(-1.5, -0.1));
         let time = time_to_collision(apart, velocity, 0.5).unwrap();
         assert!(((apart + time * velocity).length() - 0.5).abs() < 1e-12);
         assert_eq!(time_to_collision(apart, DVec2::ZERO, 0.5), None);
