@@ -1,8 +1,8 @@
 //! What happened in a world: its moments ([`Setting`], [`Frame`], [`Body`]) and the files that hold them.
 //!
-//! [`series`] makes figures over time of them, [`swarm`] those of a swarm, [`pedestrian`] those of people; [`formats`] are the files of trajectories, [`Tracks`] what
-//! is read back; [`moment`] makes moments of the world of a scene. Every file is written through [`Output`], under a temporary name until it is complete. [`Behind`] lets another
-//! thread write them.
+//! [`series`] makes figures over time of them, [`swarm`] those of a swarm, [`pedestrian`] those of people; [`formats`] are the files of
+//! trajectories, [`Tracks`] what is read back; [`moment`] makes moments of the world of a scene. Every file is written through
+//! [`Output`], under a temporary name until it is complete. [`Behind`] lets another thread write them.
 
 mod behind;
 mod capture;

@@ -17,11 +17,12 @@ fn data(name: &str) -> Option<PathBuf> {
 const FROM_FILE: Reading = Reading { rate: None, unit: None };
 const AT_25: Reading = Reading { rate: Some(25.0), unit: None };
 
+/// What is known of a file, as in [`FILES`].
+type Known = (&'static str, Reading, usize, usize, f64, [f64; 2]);
+
 /// A file, what people must say of it, how many are in it, how many lines it has, how many of its frames are a second, and between
 /// which the median of all speeds must be, m/s: a wrong unit or rate is far from it.
-type File = (&'static str, Reading, usize, usize, f64, [f64; 2]);
-
-const FILES: [File; 9] = [
+const FILES: [Known; 9] = [
     ("juelich/040_c_56_h-.txt", FROM_FILE, 75, 63110, 25.0, [0.1, 0.6]),
     ("juelich/AO_300_bottleneck.txt", FROM_FILE, 348, 128_783, 16.0, [0.2, 0.9]),
     ("juelich/bi_corr_400_b_03.txt", FROM_FILE, 480, 120_790, 25.0, [0.7, 1.3]),

@@ -27,6 +27,7 @@ mod vadere;
 
 use crate::tracks::Tracks;
 use crate::{Frame, Output, OutputError, Setting};
+use std::fmt;
 use std::path::Path;
 
 /// Every kind that there is.
@@ -104,6 +105,14 @@ pub struct Flaw {
     /// What to do about it.
     pub hint: Option<&'static str>,
 }
+
+impl fmt::Display for Flaw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.why)
+    }
+}
+
+impl std::error::Error for Flaw {}
 
 impl Format {
     /// The kind of a file, by the ending of its name; `.part` behind that of a kind that can be read before it is complete does not

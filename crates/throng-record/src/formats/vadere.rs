@@ -25,7 +25,8 @@ pub(super) const FORMAT: Format = Format {
     sniff: None,
 };
 
-const HINT: &str = "a .traj file begins with names of columns: pedestrianId simTime endTime startX startY endX endY, or timeStep pedestrianId x y";
+const HINT: &str = "a .traj file begins with names of columns: pedestrianId simTime endTime startX startY endX endY, or \
+                    timeStep pedestrianId x y";
 /// Moments a second of footsteps, where nobody says how many.
 const RATE: f64 = 10.0;
 /// A file of footsteps has at most so many moments a line, on average: what has more stands for hours.
