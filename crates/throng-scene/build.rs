@@ -1,12 +1,28 @@
-//! Packs the JSON schema of scene files.
+//! Packs the JSON schema of scene files, and the scenes of the gallery.
 
+use std::fs;
 use std::path::Path;
-use std::{env, fs};
+
+const SCENES: &str = "../../scenes";
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let out = std::env::var("OUT_DIR")?;
+    let pack = |name: &str, text: &str| {
+        fs::write(Path::new(&out).join(name), miniz_oxide::deflate::compress_to_vec(text.as_bytes(), 9))
+    };
     println!("cargo::rerun-if-changed=scene.schema.json");
     let schema: serde_json::Value = serde_json::from_slice(&fs::read("scene.schema.json")?)?;
-    let packed = miniz_oxide::deflate::compress_to_vec(schema.to_string().as_bytes(), 9);
-    fs::write(Path::new(&env::var("OUT_DIR")?).join("schema.deflate"), packed)?;
+    pack("schema.deflate", &schema.to_string())?;
+
+    println!("cargo::rerun-if-changed={SCENES}");
+    let mut scenes = Vec::new();
+    for file in fs::read_dir(SCENES)? {
+        let path = file?.path();
+        if let (Some(stem), Some("toml")) = (path.file_stem(), path.extension().and_then(|ending| ending.to_str())) {
+            scenes.push(format!("{}\0{}", stem.to_string_lossy(), fs::read_to_string(&path)?));
+        }
+    }
+    scenes.sort();
+    pack("scenes.deflate", &scenes.join("\0"))?;
     Ok(())
 }

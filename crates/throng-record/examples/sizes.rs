@@ -3,7 +3,6 @@
 //! `cargo run --release -p throng-record --example sizes [SCENE [SECONDS [FOLDER]]]`: a scene of the gallery, every step of it. Files
 //! stay where a folder is named.
 #![allow(clippy::print_stdout)]
-#![allow(clippy::print_stdout)]
 
 use std::path::PathBuf;
 use std::time::{Duration, Instant};

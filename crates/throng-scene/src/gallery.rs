@@ -1,19 +1,28 @@
-//! The scenes that come with the project: the files of the folder `scenes`, embedded.
+//! The scenes that come with the project: the files of the folder `scenes`, packed into the library.
 
 use crate::error::{Error, Kind};
 use crate::scene::Scene;
-
-/// The scenes of a group: the names, and the files' texts.
-type Scenes = &'static [(&'static str, &'static str)];
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 /// Every group: its name, and its scenes.
 macro_rules! groups {
-    ($($group:literal: $($name:literal),* ;)*) => {
-        &[$(($group, &[$(($name, include_str!(concat!("../../../scenes/", $name, ".toml")))),*])),*]
-    };
+    ($($group:literal: $($name:literal),* ;)*) => { &[$(($group, &[$($name),*])),*] };
 }
 
-const GROUPS: &[(&str, Scenes)] = groups! {
+/// The texts of all files, each after its name, between zeros.
+const PACKED: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scenes.deflate"));
+
+/// The texts by name, as they were packed.
+static TEXTS: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
+    // what the build has packed is what comes out
+    let all = miniz_oxide::inflate::decompress_to_vec(PACKED).unwrap_or_default();
+    let all = String::from_utf8(all).unwrap_or_default();
+    let mut parts = all.split('\0').map(str::to_owned);
+    std::iter::from_fn(|| Some((parts.next()?, parts.next()?))).collect()
+});
+
+const GROUPS: &[(&str, &[&str])] = groups! {
     // the seed labs' four, and their algorithm
     "labs": "columns", "circle", "box", "pillars", "circle-lab";
     "meetings": "headon", "ring", "ring-1000", "crossing", "overtaking", "gathering", "robots";
@@ -37,22 +46,17 @@ const GROUPS: &[(&str, Scenes)] = groups! {
 
 /// The groups of scenes: the name of each, and the names of its scenes.
 pub fn groups() -> impl Iterator<Item = (&'static str, impl Iterator<Item = &'static str>)> {
-    GROUPS.iter().map(|(group, scenes)| (*group, scenes.iter().map(|(name, _)| *name)))
-}
-
-/// Every scene: its name, and its file's text.
-fn scenes() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
-    GROUPS.iter().flat_map(|(_, scenes)| scenes.iter())
+    GROUPS.iter().map(|(group, scenes)| (*group, scenes.iter().copied()))
 }
 
 /// The names of all scenes.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    scenes().map(|(name, _)| *name)
+    groups().flat_map(|(_, scenes)| scenes)
 }
 
 /// The text of a scene's file.
 pub fn text(name: &str) -> Option<&'static str> {
-    scenes().find(|(known, _)| *known == name).map(|(_, text)| *text)
+    TEXTS.get(name).map(String::as_str)
 }
 
 /// The title of a scene.
