@@ -156,6 +156,6 @@ fn content(path: &Path, flaw: &Flaw) -> String {
 
 /// How the names of all files end that are read.
 fn endings() -> String {
-    let read = FORMATS.iter().filter(|format| format.reader().is_some()).map(|format| format!(".{}", format.ending));
+    let read = FORMATS.iter().filter(|format| format.is_read()).map(|format| format!(".{}", format.ending));
     read.collect::<Vec<_>>().join(", ")
 }

@@ -94,7 +94,7 @@ impl App {
             tuning: Tuning::default(),
             director: Director::default(),
             save_as: panels::Naming::new("Save as", "Save", "name.toml"),
-            open: panels::Naming::new("Open", "Open", "a scene (.toml) or trajectories (.csv)"),
+            open: panels::Naming::new("Open", "Open", "a scene (.toml) or trajectories (.rec, .csv, ..)"),
             meters: Meters::default(),
             record: panels::Record::default(),
             recording: None,

@@ -8,6 +8,7 @@ mod describe;
 #[cfg(feature = "hdf5")]
 mod hdf5;
 pub mod keys;
+#[cfg(feature = "usda")]
 mod mesh;
 mod names;
 mod obsmat;
@@ -16,12 +17,14 @@ pub mod parquet;
 mod place;
 mod rate;
 pub mod rec;
+#[cfg(feature = "usda")]
 mod spill;
 #[cfg(feature = "sqlite")]
 pub mod sqlite;
 #[cfg(test)]
 mod tests;
 mod text;
+#[cfg(feature = "usda")]
 pub mod usda;
 mod vadere;
 
@@ -38,6 +41,7 @@ pub const FORMATS: &[Format] = &[
     rec::FORMAT,
     #[cfg(feature = "sqlite")]
     sqlite::FORMAT,
+    #[cfg(feature = "usda")]
     usda::FORMAT,
     obsmat::FORMAT,
     archive::FORMAT,
@@ -145,6 +149,11 @@ impl Format {
 
     pub(crate) fn reader(&self) -> Option<Read> {
         self.read
+    }
+
+    /// Whether such files are read.
+    pub fn is_read(&self) -> bool {
+        self.read.is_some()
     }
 
     /// Whether such files are written.

@@ -13,6 +13,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 use throng_draw::record::{Plan, Recorder};
 use throng_record::Output;
+use throng_record::formats::FORMATS;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
@@ -93,7 +94,8 @@ impl Folder {
             return false;
         };
         input.set_type("file");
-        input.set_accept(".toml,.csv");
+        let films = FORMATS.iter().filter(|format| format.is_read()).map(|format| format!(",.{}", format.ending));
+        input.set_accept(&format!(".toml{}", films.collect::<String>()));
         input.set_multiple(true);
         let (sender, ctx, picked) = (self.coming.0.clone(), ctx.clone(), input.clone());
         let done = Closure::once_into_js(move || {

@@ -33,7 +33,7 @@ impl Format {
             Self::Video => "video (.mp4)",
             Self::Gif => "animation (.gif)",
             Self::Pictures => "pictures (a folder of .png)",
-            Self::Trajectories => "trajectories (.csv)",
+            Self::Trajectories => "trajectories (.csv, .rec, ..)",
         }
     }
 
@@ -52,9 +52,9 @@ impl Format {
     /// # Errors
     /// It says nothing that can be recorded; how names end.
     pub fn of(path: &Path) -> Result<Self, String> {
-        let csv = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
+        let table = throng_record::Format::of(path).is_some_and(throng_record::Format::is_written);
         let said = match Kind::of(path) {
-            Err(_) if csv => Some(Self::Trajectories),
+            Err(_) if table => Some(Self::Trajectories),
             Ok(Kind::Mp4 | Kind::Pipe) => Some(Self::Video),
             Ok(Kind::Gif) => Some(Self::Gif),
             Ok(Kind::Folder) => Some(Self::Pictures),
