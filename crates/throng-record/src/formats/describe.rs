@@ -1,19 +1,14 @@
 //! A setting as names and texts ([`keys`](super::keys)), and back.
 
-use super::{keys, names::Names, place};
+use super::{PROGRAM, keys, names::Names, place};
 use crate::Setting;
-
-/// The program and its version.
-pub(super) fn program() -> String {
-    concat!("throng ", env!("CARGO_PKG_VERSION")).to_owned()
-}
 
 /// What is said of a file.
 pub(super) fn pairs(setting: &Setting) -> [(&'static str, String); 7] {
     let walkable = if setting.walkable.is_empty() { String::new() } else { place::ground(&setting.walkable) };
     [
         (keys::TITLE, setting.title.clone()),
-        (keys::PROGRAM, program()),
+        (keys::PROGRAM, PROGRAM.to_owned()),
         (keys::UNITS, "seconds, metres, metres a second, radians".to_owned()),
         (keys::GROUPS, serde_json::to_string(&setting.groups).expect("texts are JSON")),
         (keys::WALKABLE, walkable),

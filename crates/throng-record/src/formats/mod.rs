@@ -4,17 +4,21 @@
 
 mod archive;
 pub mod csv;
+#[cfg(any(feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod describe;
 #[cfg(feature = "hdf5")]
 mod hdf5;
 pub mod keys;
 #[cfg(feature = "usda")]
 mod mesh;
+#[cfg(any(feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod names;
 mod obsmat;
 #[cfg(feature = "parquet")]
 pub mod parquet;
+#[cfg(any(feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod place;
+#[cfg(any(feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod rate;
 pub mod rec;
 #[cfg(feature = "usda")]
@@ -32,6 +36,9 @@ use crate::tracks::Tracks;
 use crate::{Frame, Output, OutputError, Setting};
 use std::fmt;
 use std::path::Path;
+
+/// The program and its version, as files name it.
+const PROGRAM: &str = concat!("throng ", env!("CARGO_PKG_VERSION"));
 
 /// Every kind that there is.
 pub const FORMATS: &[Format] = &[

@@ -1,7 +1,7 @@
 //! Parquet written.
 
 use crate::csv::status_name;
-use crate::formats::{Writer, describe, keys, names, rate::Rate};
+use crate::formats::{PROGRAM, Writer, describe, keys, names, rate::Rate};
 use crate::{Body, Frame, Output, OutputError, Setting};
 use parquet::basic::{Compression, Encoding, ZstdLevel};
 use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, FloatType, Int32Type};
@@ -84,7 +84,7 @@ impl ParquetWriter {
         let path = output.path().to_path_buf();
         let schema = parse_message_type(SCHEMA).expect("the schema is one");
         let mut properties = WriterProperties::builder()
-            .set_created_by(describe::program())
+            .set_created_by(PROGRAM.to_owned())
             .set_compression(Compression::ZSTD(ZstdLevel::try_new(1).expect("1 is a level")))
             .set_column_dictionary_enabled("number".into(), false)
             .set_column_encoding("number".into(), Encoding::DELTA_BINARY_PACKED);

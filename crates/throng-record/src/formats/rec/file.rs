@@ -2,7 +2,7 @@
 
 use super::pack::Rest;
 use crate::Setting;
-use crate::formats::describe;
+use crate::formats::PROGRAM;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use throng::{Obstacle, Walkable};
@@ -33,7 +33,7 @@ pub(super) struct Head {
 impl Head {
     pub(super) fn of(setting: &Setting) -> Self {
         let Setting { title, groups, walkable, obstacles, in_space, origin, .. } = setting.clone();
-        Self { program: describe::program(), title, groups, walkable, obstacles, in_space, origin }
+        Self { program: PROGRAM.to_owned(), title, groups, walkable, obstacles, in_space, origin }
     }
 
     pub(super) fn into_setting(self) -> Setting {

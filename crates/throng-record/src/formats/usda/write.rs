@@ -2,7 +2,7 @@
 
 use crate::formats::mesh::{self, Mesh};
 use crate::formats::spill::{Spill, State};
-use crate::formats::{Writer, describe, names};
+use crate::formats::{PROGRAM, Writer, names};
 use crate::{Frame, Output, OutputError, Setting};
 use glam::Vec3;
 use std::fmt::Write;
@@ -49,7 +49,7 @@ impl UsdaWriter {
         let (setting, codes) = (&self.setting, self.codes());
         let [first, last] = [self.spill.moments.first(), self.spill.moments.last()]
             .map(|moment| code(moment.map_or(0.0, |&(time, _)| time), codes));
-        let (title, program) = (quoted(&setting.title), quoted(&describe::program()));
+        let (title, program) = (quoted(&setting.title), quoted(PROGRAM));
         let groups = list(setting.groups.iter(), |out, name| out.push_str(&quoted(name)));
         let origin = setting.origin;
         let text = format!(
