@@ -1,20 +1,13 @@
 //! Measures of recorded people beside PedPy 1.5.1's of the same files (`consumers/pedpy_reference.py` prints them) and beside what
 //! shared/data/README.md says of them. Skipped where the data is not there.
 
+mod shared;
+
 use glam::DVec2;
-use std::path::{Path, PathBuf};
+use shared::data;
 use throng::Walkable;
 use throng_record::pedestrian::{Area, Figures, Ground, Line, People, Question, flows, median, steady_flow};
 use throng_record::{Reading, Tracks};
-
-fn data(name: &str) -> Option<PathBuf> {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let found = here.ancestors().map(|up| up.join("shared/data/trajectories").join(name)).find(|path| path.is_file());
-    if found.is_none() {
-        eprintln!("skipped: no shared/data/trajectories/{name} above {}", here.display());
-    }
-    found
-}
 
 fn people(name: &str) -> Option<People> {
     let tracks = Tracks::read_as(data(name)?, &Reading::default()).unwrap();

@@ -1,18 +1,10 @@
 //! The recorded trajectories of real people that lie in shared/data are read as what they are. Skipped where they are not there.
 
-use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
-use throng_record::{Reading, Tracks, TracksError};
+mod shared;
 
-/// A file of the trajectories, if they are there.
-fn data(name: &str) -> Option<PathBuf> {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let found = here.ancestors().map(|up| up.join("shared/data/trajectories").join(name)).find(|path| path.is_file());
-    if found.is_none() {
-        eprintln!("skipped: no shared/data/trajectories/{name} above {}", here.display());
-    }
-    found
-}
+use shared::data;
+use std::collections::BTreeSet;
+use throng_record::{Reading, Tracks, TracksError};
 
 const FROM_FILE: Reading = Reading { rate: None, unit: None };
 const AT_25: Reading = Reading { rate: Some(25.0), unit: None };
