@@ -2,12 +2,14 @@
 
 use crate::annotate::AnnotateArgs;
 use crate::bench::args::{self as bench, BenchArgs};
+use crate::choice::ChoiceArgs;
 use crate::compare::{COMPARE, COMPARE_SHORT, CompareArgs};
 use crate::explain::args::{self as explain, ExplainArgs};
 use crate::info::args::{self as info, InfoArgs};
 use crate::look::LookArgs;
 use crate::measure::args::{self as measure, MeasureArgs};
 use crate::options::{EndArgs, FilmArgs, ThreadArgs};
+use crate::recorded::args::{self as recorded, ConvertArgs, RenderArgs};
 use crate::sheet::args::{self as sheet, SheetArgs};
 use crate::source::SceneArgs;
 use clap::{Args, Parser, Subcommand};
@@ -33,6 +35,8 @@ Examples:
   throng sheet                       a still of each scene of the gallery, sheet.png
   throng measure flocking            how its members move: distributions of speeds and the like
   throng info run.csv                what is in a file of trajectories
+  throng convert run.csv -o run.usda the same as another kind of file
+  throng render people.txt -o a.mp4  a video of it
   throng explain circle --agent 3    why agent 3 goes where it goes, circle-agent-3.svg
   throng bench                       how long steps take on this machine
 
@@ -79,6 +83,12 @@ pub enum Command {
     /// Of the scene that it runs, or of a table of trajectories; docs/swarms.md says what the figures mean.
     #[command(after_help = measure::SHORT, after_long_help = measure::LONG)]
     Measure(Box<MeasureArgs>),
+    /// Writes trajectories as other trajectories: another kind of file, other moments, some of the people
+    #[command(after_help = recorded::CONVERT, after_long_help = recorded::CONVERT)]
+    Convert(Box<ConvertArgs>),
+    /// Draws trajectories: video and pictures of a file
+    #[command(after_help = recorded::RENDER, after_long_help = recorded::RENDER)]
+    Render(Box<RenderArgs>),
     /// Draws why one agent goes where it goes: its velocity space at one moment
     #[command(after_help = explain::SHORT, after_long_help = explain::LONG)]
     Explain(Box<ExplainArgs>),
@@ -155,6 +165,7 @@ Examples:
   throng run office.toml -o frames/ --fps 10 --size 1280x720 --camera 0,0,20,15
   throng run bottleneck --speed-up 4 --trails 5
   throng run drones --projection plan
+  throng run corridor -o people.csv --rate 10 --from 5 --to 20 --columns number,time,x,y
   throng run crossing --annotate=velocity,targets --annotate-agents 1,5
   throng run street.toml --field=speed,streamlines
   throng run headon --json --no-files --set avoid.orca.time_horizon=3
@@ -206,6 +217,10 @@ pub struct RunArgs {
     /// Writes the summary as one JSON object to standard output
     #[arg(long)]
     pub json: bool,
+
+    /// What of it is written.
+    #[command(flatten)]
+    pub choice: ChoiceArgs,
 
     /// Which moments pictures show, and how they look.
     #[command(flatten)]

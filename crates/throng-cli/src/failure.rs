@@ -1,6 +1,6 @@
 //! Why a command did not succeed, and the exit code that says so.
 
-use throng_record::{OutputError, TracksError};
+use throng_record::{ChoiceError, OutputError, TracksError};
 
 /// Why a command did not succeed.
 #[derive(Debug)]
@@ -51,4 +51,4 @@ macro_rules! errors {
     };
 }
 
-errors!(throng_scene::Error, throng_draw::Error, OutputError, TracksError);
+errors!(throng_scene::Error, throng_draw::Error, OutputError, TracksError, ChoiceError);

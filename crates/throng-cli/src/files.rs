@@ -11,12 +11,14 @@ use throng_record::formats::FORMATS;
 /// Begins the files of a run.
 ///
 /// # Errors
-/// A name does not say what to write or comes twice, or a file cannot be begun.
+/// A name does not say what to write or comes twice, what is chosen is not there, or a file cannot be begun.
 pub fn create(paths: &[PathBuf], plan: &Plan) -> Result<Files, Failure> {
     distinct(paths)?;
+    let kinds = paths.iter().filter(|path| !path.is_dir()).filter_map(Format::of);
+    plan.choice.check(plan.setting, kinds)?;
     let begin = |path: &PathBuf| {
         if path.is_dir() || Format::of(path).is_none() {
-            named(path, &trajectories())?;
+            named(path, &written())?;
         }
         Ok::<_, Failure>(Recorder::create(path, plan)?)
     };
@@ -24,8 +26,15 @@ pub fn create(paths: &[PathBuf], plan: &Plan) -> Result<Files, Failure> {
 }
 
 /// How the names of trajectories end that are written.
-fn trajectories() -> Vec<&'static str> {
+fn written() -> Vec<&'static str> {
     FORMATS.iter().filter(|format| format.is_written()).map(|format| format.ending).collect()
+}
+
+/// The same in words.
+pub fn trajectories() -> String {
+    let all: Vec<String> = written().iter().map(|ending| format!(".{ending}")).collect();
+    let (last, others) = all.split_last().expect("some are written");
+    format!("{} or {last}", others.join(", "))
 }
 
 /// That no file is named twice.

@@ -4,6 +4,7 @@ mod annotate;
 mod args;
 mod bench;
 mod check;
+mod choice;
 mod columns;
 mod compare;
 mod completions;
@@ -20,6 +21,7 @@ mod options;
 mod out;
 mod page;
 mod progress;
+mod recorded;
 mod report;
 mod run;
 mod schema;
@@ -54,6 +56,8 @@ fn main() -> ExitCode {
         Command::Sheet(args) => sheet::sheet(args, &mut out),
         Command::Info(args) => info::info(args, &mut out),
         Command::Measure(args) => measure::measure(args, &mut out),
+        Command::Convert(args) => recorded::convert(args, &mut out),
+        Command::Render(args) => recorded::render(args, &mut out),
         Command::Explain(args) => explain::explain(args, &mut out),
         #[cfg(feature = "studio")]
         Command::Studio(args) => {

@@ -67,13 +67,15 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         world.ask(annotations.asked());
     }
     let style = Style { annotations, ..args.film.look.style(scene, built.bounds)? };
+    let choice = args.choice.choice();
     let plan = Plan {
         setting: &moment::setting(&world, &built, loaded.title()),
         style: &style,
         rate: args.film.rate(scene),
         speed_up: args.film.speed_up,
         still: args.film.still(),
-        from: 0.0,
+        from: choice.from.max(0.0),
+        choice: &choice,
     };
     let paths = outputs(args, name);
     let mut files = files::create(&paths, &plan)?;

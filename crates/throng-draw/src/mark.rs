@@ -89,7 +89,8 @@ pub struct Stroke {
 }
 
 impl Stroke {
-    pub(crate) fn plain(width: f32, color: Color) -> Self {
+    /// Without dashes.
+    pub fn plain(width: f32, color: Color) -> Self {
         Self { width, color, dash: None }
     }
 }

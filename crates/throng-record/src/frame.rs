@@ -2,6 +2,8 @@
 
 use crate::Flow;
 use glam::{DVec2, DVec3, Vec2, Vec3};
+use std::borrow::Cow;
+use std::f32::consts::{PI, TAU};
 use std::sync::Arc;
 use throng::motion::Basis;
 use throng::space::Pathway;
@@ -32,6 +34,16 @@ pub struct Setting {
     pub in_space: bool,
     /// World coordinates of what shells, paths, flows and places in [`Frame::accounts`] are relative to.
     pub origin: DVec2,
+}
+
+impl Setting {
+    /// What a group is called: its name; its index where it has none.
+    pub fn group_name(&self, group: u32) -> Cow<'_, str> {
+        match self.groups.get(group as usize) {
+            Some(name) if !name.is_empty() => name.into(),
+            _ => group.to_string().into(),
+        }
+    }
 }
 
 /// What there is to see of a surface.
@@ -131,6 +143,17 @@ impl Body {
     /// Where it is in space, metres.
     pub fn center(&self) -> DVec3 {
         self.position.extend(f64::from(self.altitude))
+    }
+
+    /// A share of the way from here to where it is at a later moment, straight on, turned the short way; all else is as it is here.
+    pub fn between(&self, later: &Self, share: f64) -> Self {
+        let turn = (later.heading - self.heading + PI).rem_euclid(TAU) - PI;
+        Self {
+            position: self.position.lerp(later.position, share),
+            altitude: self.altitude + (later.altitude - self.altitude) * share as f32,
+            heading: self.heading + turn * share as f32,
+            ..*self
+        }
     }
 
     /// The shape.

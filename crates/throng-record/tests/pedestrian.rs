@@ -6,7 +6,9 @@ mod shared;
 use glam::DVec2;
 use shared::data;
 use throng::Walkable;
-use throng_record::pedestrian::{Area, Figures, Ground, Line, People, Question, flows, median, steady_flow};
+use throng_record::pedestrian::{
+    Area, Figures, Ground, Inside, Line, People, Question, count, flows, median, steady_flow,
+};
 use throng_record::{Reading, Tracks};
 
 fn people(name: &str) -> Option<People> {
@@ -17,7 +19,7 @@ fn people(name: &str) -> Option<People> {
 fn question(area: [f64; 4], line: [f64; 4], ground: Ground) -> Question {
     let [x0, y0, x1, y1] = line;
     let line = Line { from: DVec2::new(x0, y0), to: DVec2::new(x1, y1) };
-    Question { interval: 0.4, area: Area::rectangle(area), line: Some(line), ground }
+    Question { interval: 0.4, areas: Area::rectangle(area).into_iter().collect(), lines: vec![line], ground }
 }
 
 #[track_caller]
@@ -37,24 +39,25 @@ fn a_bottleneck_is_as_pedpy_measures_it() {
     let found = bottleneck(&people);
     near(found.motion.speed.mean(), 0.4962644212205205, 1e-6);
     near(found.motion.acceleration.mean(), 0.7999714164212164, 1e-6);
-    near(found.mean(|at| at.density), 3.5302398331595413, 1e-6);
-    near(found.mean(|at| at.area_speed.max(0.0)), 0.4126326968915901, 1e-6);
-    near(found.mean(|at| at.voronoi_density), 3.3891118816304764, 1e-4);
-    near(found.mean(|at| at.voronoi_speed), 0.4163920647359844, 1e-4);
+    near(Inside::mean(&found.areas[0], |at| at.density), 3.5302398331595413, 1e-6);
+    near(Inside::mean(&found.areas[0], |at| at.speed.max(0.0)), 0.4126326968915901, 1e-6);
+    near(Inside::mean(&found.areas[0], |at| at.voronoi_density), 3.3891118816304764, 1e-4);
+    near(Inside::mean(&found.areas[0], |at| at.voronoi_speed), 0.4163920647359844, 1e-4);
     for (frame, density, speed, crossed) in [
         (200, 4.5385644366358235, 0.43891711766471386, 96),
         (400, 5.196535838797724, 0.4460856916204608, 186),
         (600, 3.9128615001925096, 0.47351647836162103, 274),
     ] {
         let at = &found.instants[frame];
-        assert_eq!((at.time, at.crossed), (frame as f64 / 16.0, crossed));
+        assert_eq!((at.time, count(&found.crossings[0], at.time)), (frame as f64 / 16.0, crossed));
+        let at = &found.areas[0][frame];
         near(at.voronoi_density, density, 1e-4);
         near(at.voronoi_speed, speed, 1e-4);
     }
-    let (first, last) = (found.crossings[0], found.crossings[347]);
-    assert_eq!((found.crossings.len(), first.time * 16.0, last.time * 16.0), (348, 14.0, 844.0));
+    let (first, last) = (found.crossings[0][0], found.crossings[0][347]);
+    assert_eq!((found.crossings[0].len(), first.time * 16.0, last.time * 16.0), (348, 14.0, 844.0));
     let end = found.instants.last().unwrap().time;
-    let windows = flows(&found.crossings, 100.0 / 16.0, found.interval, end);
+    let windows = flows(&found.crossings[0], 100.0 / 16.0, found.interval, end);
     assert_eq!(windows.len(), 9);
     near(windows.iter().sum::<f64>() / 9.0, 6.379742717769176, 1e-6);
 }
@@ -70,15 +73,15 @@ fn a_ground_with_walls_is_as_pedpy_measures_it() {
     let found = Figures::of(&people, &question([-1.0, 0.5, 2.0, 2.0], [-0.4, 0.0, 0.4, 0.0], ground));
     near(found.motion.speed.mean(), 0.2833325483512421, 1e-6);
     near(found.motion.acceleration.mean(), 0.6916899575985208, 1e-6);
-    near(found.mean(|at| at.density), 2.563361611876988, 1e-6);
-    near(found.mean(|at| at.area_speed.max(0.0)), 0.21767319144607852, 1e-6);
-    near(found.mean(|at| at.voronoi_density), 1.9697259569722319, 1e-4);
-    near(found.mean(|at| at.voronoi_speed), 0.3298213097419225, 1e-4);
-    near(found.instants[400].voronoi_density, 2.315628150092231, 1e-4);
-    near(found.instants[600].voronoi_speed, 0.27070289566033695, 1e-4);
-    let (first, last) = (found.crossings[0], found.crossings[45]);
-    assert_eq!((found.crossings.len(), (first.time * 25.0).round(), (last.time * 25.0).round()), (46, 428.0, 861.0));
-    let windows = flows(&found.crossings, 4.0, found.interval, found.instants.last().unwrap().time);
+    near(Inside::mean(&found.areas[0], |at| at.density), 2.563361611876988, 1e-6);
+    near(Inside::mean(&found.areas[0], |at| at.speed.max(0.0)), 0.21767319144607852, 1e-6);
+    near(Inside::mean(&found.areas[0], |at| at.voronoi_density), 1.9697259569722319, 1e-4);
+    near(Inside::mean(&found.areas[0], |at| at.voronoi_speed), 0.3298213097419225, 1e-4);
+    near(found.areas[0][400].voronoi_density, 2.315628150092231, 1e-4);
+    near(found.areas[0][600].voronoi_speed, 0.27070289566033695, 1e-4);
+    let (first, last) = (found.crossings[0][0], found.crossings[0][45]);
+    assert_eq!((found.crossings[0].len(), (first.time * 25.0).round(), (last.time * 25.0).round()), (46, 428.0, 861.0));
+    let windows = flows(&found.crossings[0], 4.0, found.interval, found.instants.last().unwrap().time);
     assert_eq!(windows.len(), 5);
     near(windows.iter().sum::<f64>() / 5.0, 2.555978093283292, 1e-6);
 }
@@ -86,7 +89,7 @@ fn a_ground_with_walls_is_as_pedpy_measures_it() {
 #[test]
 fn flow_and_lanes_are_those_that_are_known_of_them() {
     if let Some(people) = people("juelich/AO_300_bottleneck.txt") {
-        near(steady_flow(&bottleneck(&people).crossings) / 3.0, 2.34, 0.02);
+        near(steady_flow(&bottleneck(&people).crossings[0]) / 3.0, 2.34, 0.02);
     }
     if let Some(people) = people("juelich/bi_corr_400_b_03.txt") {
         let found = Figures::of(&people, &Question::default());
@@ -95,7 +98,9 @@ fn flow_and_lanes_are_those_that_are_known_of_them() {
     if let Some(people) = people("juelich/traj_UNI_CORR_500_01.txt") {
         let ground = Ground { walkable: vec![], cut_off: Some(1.0) };
         let found = Figures::of(&people, &question([-2.0, 0.5, 4.0, 4.0], [0.0, 0.0, 0.0, 5.0], ground));
-        let half = found.fundamental_diagram().into_iter().filter(|[density, _]| (0.25..0.75).contains(density));
+        let half = Inside::fundamental_diagram(&found.areas[0])
+            .into_iter()
+            .filter(|[density, _]| (0.25..0.75).contains(density));
         near(median(half.map(|[_, speed]| speed).collect()), 1.45, 0.02);
     }
 }

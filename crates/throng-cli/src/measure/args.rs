@@ -51,12 +51,11 @@ Keys of --json (one object on standard output; metres, seconds):
     nearest          least distance of two centres; separation: over the sum of their radii
     collisions, near_misses, time_to_collision   how often two came to overlap, or to be on a course to within 0.5 s; the least
     directions       [one way, the other]; lane_order, steady_lane_order: mean, and of the middle half of the time
-    area             null, or { size, density, speed, voronoi_density, voronoi_speed: means over moments,
-                     fundamental_diagram: [[Voronoi density, speed], ..] of all moments }
-    line             null, or { length, crossed, leftwards, first, last, flow, steady_flow, specific_flow,
-                     steady_specific_flow }: people a second, and a second and metre; steady: without the first and last 5 %
-    over_time        [[time, people, speed, density, area speed, Voronoi density, Voronoi speed, crossed, lane order], ..],
-                     at most 500; all of them with -o NAME.csv
+    areas            [{ size, density, speed, voronoi_density, voronoi_speed: means over moments,
+                     fundamental_diagram: [[Voronoi density, speed], ..] of all moments }, ..], one an --area
+    lines            [{ length, crossed, leftwards, first, last, flow, steady_flow, specific_flow, steady_specific_flow }, ..],
+                     one a --line: people a second, and a second and metre; steady: without the first and last 5 %
+    over_time        { columns: [name, ..], rows: [[..], ..] }, at most 500; all of them with -o NAME.csv or NAME.parquet
   files            the files written
 What is not known is null.
 
@@ -105,7 +104,8 @@ pub struct MeasureArgs {
     #[command(flatten)]
     pub tracks: TrackArgs,
 
-    /// A page of plots to write, .html, or people's figures of all moments, .csv; can be given several times
+    /// What to write: a page of plots, .html; the plots alone, .svg or .png; people's figures of all moments, .csv or .parquet;
+    /// can be given several times
     #[arg(short, long, value_name = "FILE")]
     pub output: Vec<PathBuf>,
 
@@ -127,13 +127,13 @@ pub struct MeasureArgs {
 #[command(next_help_heading = "People")]
 pub struct PeopleArgs {
     /// Where density and speed are measured: lower left corner, width and height of a rectangle, or the corners of a polygon,
-    /// metres
+    /// metres; can be given several times
     #[arg(long, value_name = "X,Y,W,H|\"X,Y X,Y X,Y ..\"", value_parser = parse_area, allow_hyphen_values = true)]
-    pub area: Option<Area>,
+    pub area: Vec<Area>,
 
-    /// The line at which people are counted, from one end to the other, metres
+    /// The line at which people are counted, from one end to the other, metres; can be given several times
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = parse_line, allow_hyphen_values = true)]
-    pub line: Option<Line>,
+    pub line: Vec<Line>,
 
     /// Over which time a velocity is taken, seconds: half before and half after
     #[arg(long, value_name = "SECONDS", value_parser = parse_positive, default_value_t = 0.4)]

@@ -12,9 +12,13 @@ use crate::files::{distinct, is};
 use crate::interrupt;
 use crate::out::{Out, complain};
 use args::MeasureArgs;
+use std::path::Path;
 pub use text::short;
 use throng_record::Output;
 use throng_record::swarm::{Moment, Swarm};
+
+/// How the names of what it writes end.
+const ENDINGS: [&str; 6] = ["html", "htm", "svg", "png", "csv", "parquet"];
 
 /// A group and what was measured.
 pub struct Measured {
@@ -40,9 +44,11 @@ pub struct Subject {
 /// The scene or the file cannot be read, there is no such group, nobody was there, or a file cannot be written.
 pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
     distinct(&args.output)?;
-    if let Some(path) = args.output.iter().find(|path| !["html", "htm", "csv"].iter().any(|ending| is(path, ending))) {
-        let text = format!("{}: `measure` writes pages of plots, and tables of people's figures", path.display());
-        return Err(Failure::hint(text, "end the name in .html or .csv; --json writes the figures to standard output"));
+    if let Some(path) = args.output.iter().find(|path| !ENDINGS.iter().any(|ending| is(path, ending))) {
+        let text =
+            format!("{}: `measure` writes pages of plots, plots, and tables of people's figures", path.display());
+        let hint = "end the name in .html, .svg, .png, .csv or .parquet; --json writes the figures to standard output";
+        return Err(Failure::hint(text, hint));
     }
     if let Some(to) = args.to.filter(|&to| to <= args.from) {
         return Err(Failure::hint(format!("--to {to}: it begins at {} s", args.from), "give --to more than --from"));
@@ -56,10 +62,7 @@ pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
         return Err(Failure::hint(text, "change --from and --to"));
     }
     for path in &args.output {
-        let text = if is(path, "csv") { people::table(path, &subject)? } else { page::text(&subject) };
-        let mut output = Output::create(path)?;
-        output.put(text.as_bytes())?;
-        output.finish()?;
+        write(path, &subject)?;
     }
     if args.json {
         out.line(format_args!("{}", json::of(&subject, &args.output)))?;
@@ -75,6 +78,22 @@ pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
             complain("interrupted; the figures are those up to there");
         }
         return Err(Failure::Interrupted);
+    }
+    Ok(())
+}
+
+/// Writes a file, its kind by its ending.
+fn write(path: &Path, subject: &Subject) -> Result<(), Failure> {
+    if is(path, "csv") {
+        people::table(path, subject)?.write_csv(Output::create(path)?)?;
+    } else if is(path, "parquet") {
+        people::table(path, subject)?.write_parquet(Output::create(path)?)?;
+    } else if is(path, "svg") || is(path, "png") {
+        page::figure(subject)?.write(path)?;
+    } else {
+        let mut output = Output::create(path)?;
+        output.put(page::text(subject).as_bytes())?;
+        output.finish()?;
     }
     Ok(())
 }

@@ -1,9 +1,11 @@
 //! The page: one file without network, the figures and their plots.
 
 use super::json::BIN;
-use super::{Measured, Subject, text};
-use crate::page::{Height, Plot, STYLE, escape, fill, swatch};
+use super::people::People;
+use super::{Measured, Subject, people, text};
+use crate::page::{Height, Plot, STYLE, TIME, escape, figure as sheet, fill, swatch};
 use std::f64::consts::{PI, TAU};
+use throng_draw::{Error, Figure};
 use throng_record::swarm::{Distribution, Moment, Swarm};
 
 const PAGE: &str = include_str!("page.html");
@@ -13,6 +15,21 @@ const POINTS: usize = 400;
 const RARE: f64 = 1e-4;
 /// Standard deviations to each side that plots show.
 const WIDE: f64 = 6.0;
+
+/// What the lines of plots are.
+const KEY: [(usize, &str); 4] =
+    [(0, "measured, or along x"), (1, "along y"), (2, "along z"), (3, "the closed form, or in all")];
+
+/// A picture of the plots: those of people where there are some, else those of the first group.
+///
+/// # Errors
+/// There are too many for a picture.
+pub fn figure(subject: &Subject) -> Result<Figure, Error> {
+    match &subject.people {
+        Some(people) => sheet(&subject.name, &people::KEY, &people.plots()),
+        None => sheet(&subject.name, &KEY, &plots(&subject.groups[0].swarm)),
+    }
+}
 
 /// The page about what was measured.
 pub fn text(subject: &Subject) -> String {
@@ -25,6 +42,7 @@ pub fn text(subject: &Subject) -> String {
         ("style", STYLE.to_owned()),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("groups", sections),
+        ("script", subject.people.as_ref().map_or_else(String::new, People::script)),
     ];
     fill(PAGE, &parts)
 }
@@ -33,8 +51,7 @@ fn section(scene: &str, group: &Measured) -> String {
     let Measured { name, swarm } = group;
     let figures = escape_lines(&text::of(scene, group));
     let plots: String = plots(swarm).iter().map(Plot::svg).collect();
-    let names = [(0, "measured, or along x"), (1, "along y"), (2, "along z"), (3, "the closed form, or in all")];
-    let legend: String = names.iter().map(|(k, name)| format!("<span>{}{name}</span>\n", swatch(*k))).collect();
+    let legend: String = KEY.iter().map(|(k, name)| format!("<span>{}{name}</span>\n", swatch(*k))).collect();
     format!(
         "<section>\n<h2>{}</h2>\n<pre>{figures}</pre>\n<p class=\"legend\">\n{legend}</p>\n<div class=\"plots\">\n{plots}</div>\n</section>\n",
         escape(name)
@@ -54,7 +71,15 @@ fn plots(swarm: &Swarm) -> Vec<Plot<'static>> {
         figures.iter().map(line).collect()
     };
     let span = [0, swarm.moments().len().saturating_sub(1)].map(|k| swarm.moments().get(k).map_or(0.0, |at| at.time));
-    let over_time = |title, unit, lines, height| Plot { title, unit, lines, height, mark: None, axis: "time, s", span };
+    let over_time = |title: &'static str, unit, lines, height| Plot {
+        title: title.into(),
+        unit,
+        lines,
+        height,
+        mark: None,
+        axis: TIME,
+        span,
+    };
     let correlation = swarm.correlation().points();
     let lowest = correlation.iter().map(|point| point.1).fold(0.0, f64::min);
     let longest = correlation.last().map_or(0.0, |point| point.0);
@@ -70,7 +95,7 @@ fn plots(swarm: &Swarm) -> Vec<Plot<'static>> {
         ),
         density("Distance to the nearest other", "density, 1/m", "distance, m", swarm.nearest(), |_, _| f64::NAN),
         Plot {
-            title: "Autocorrelation of velocities",
+            title: "Autocorrelation of velocities".into(),
             unit: "",
             lines: vec![correlation],
             height: Height::Between([if lowest < 0.0 { -1.0 } else { 0.0 }, 1.0]),
@@ -102,7 +127,15 @@ fn density(
     let found = all.density(BIN);
     let closed = (0..=100).map(|k| f64::from(k) * 0.01 * end).map(|x| (x, form(all, x))).collect();
     let height = Height::FromZero([1e-6, f64::INFINITY]);
-    Plot { title, unit, lines: vec![found, vec![], vec![], closed], height, mark: None, axis, span: [0.0, end] }
+    Plot {
+        title: title.into(),
+        unit,
+        lines: vec![found, vec![], vec![], closed],
+        height,
+        mark: None,
+        axis,
+        span: [0.0, end],
+    }
 }
 
 /// The density of Maxwell and Boltzmann with the same mean square, at a speed.
@@ -118,5 +151,5 @@ fn standardised(title: &'static str, unit: &'static str, axis: &'static str, all
     let mut lines: Vec<Vec<(f64, f64)>> = all.iter().map(line).collect();
     let normal = |x: f64| (-0.5 * x * x).exp() / TAU.sqrt();
     lines.push((-120..=120).map(|k| f64::from(k) * 0.05).map(|x| (x, normal(x))).collect());
-    Plot { title, unit, lines, height: Height::Decades(RARE), mark: None, axis, span: [-WIDE, WIDE] }
+    Plot { title: title.into(), unit, lines, height: Height::Decades(RARE), mark: None, axis, span: [-WIDE, WIDE] }
 }

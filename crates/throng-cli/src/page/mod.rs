@@ -1,8 +1,12 @@
-//! Pages of one file without network, and the plots on them.
+//! Pages of one file without network, the plots on them, which make a picture too, and the player.
 
+mod player;
 mod plot;
+mod sheet;
 
-pub use plot::{Height, Plot};
+pub use player::{Player, Scenery};
+pub use plot::{Height, Plot, TIME};
+pub use sheet::figure;
 
 /// How pages look.
 pub const STYLE: &str = include_str!("style.css");

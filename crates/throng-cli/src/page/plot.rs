@@ -1,17 +1,21 @@
 //! Figures over time, and distributions, as SVG; colours come from the page's style.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 /// Size of a plot, and where its axes cross: pixels from the left and from the bottom.
-const SIZE: [f64; 2] = [560.0, 250.0];
-const CORNER: [f64; 2] = [46.0, 38.0];
+pub(super) const SIZE: [f64; 2] = [560.0, 250.0];
+pub(super) const CORNER: [f64; 2] = [46.0, 38.0];
 /// Room above and right of the axes.
-const ROOM: [f64; 2] = [14.0, 12.0];
+pub(super) const ROOM: [f64; 2] = [14.0, 12.0];
+
+/// What is across where that is time.
+pub const TIME: &str = "time, s";
 
 /// What a plot shows.
 pub struct Plot<'a> {
     /// What is plotted.
-    pub title: &'a str,
+    pub title: Cow<'a, str>,
     /// Its unit, as it stands at the axis.
     pub unit: &'a str,
     /// The lines: what is across and values, ascending; gaps where a value is no number.
@@ -38,7 +42,7 @@ pub enum Height {
 }
 
 /// The axis upwards: its ends, as they are drawn, which are logarithms where it shows powers of ten.
-struct Up {
+pub(super) struct Up {
     low: f64,
     high: f64,
     decades: bool,
@@ -64,7 +68,7 @@ impl Up {
     }
 
     /// Values at the axis, and how they are written.
-    fn ticks(&self) -> Vec<(f64, String)> {
+    pub fn ticks(&self) -> Vec<(f64, String)> {
         if self.decades {
             let powers = self.low.ceil() as i32..=self.high as i32;
             return powers.map(|power| (10f64.powi(power), format!("1e{power}"))).collect();
@@ -73,35 +77,82 @@ impl Up {
     }
 }
 
+/// Where values are on a plot.
+pub(super) struct Scales {
+    pub up: Up,
+    start: f64,
+    end: f64,
+}
+
+impl Scales {
+    /// Pixels from the left.
+    pub fn x(&self, across: f64) -> f64 {
+        CORNER[0] + (across - self.start) / (self.end - self.start) * (SIZE[0] - CORNER[0] - ROOM[0])
+    }
+
+    /// Pixels from above; not a number for none.
+    pub fn y(&self, value: f64) -> f64 {
+        SIZE[1] - CORNER[1] - self.up.share(value) * (SIZE[1] - CORNER[1] - ROOM[1])
+    }
+
+    /// Numbers at the axis across, and how they are written.
+    pub fn across(&self) -> impl Iterator<Item = (f64, String)> {
+        ticks(self.start, self.end).into_iter().map(|tick| (tick, number(tick)))
+    }
+
+    /// A line in pieces without gaps, in pixels.
+    pub fn pieces(&self, line: &[(f64, f64)]) -> Vec<Vec<[f64; 2]>> {
+        let seen = |&(across, value): &(f64, f64)| {
+            let y = self.y(value);
+            (!y.is_nan() && (self.start..=self.end).contains(&across)).then(|| [self.x(across), y])
+        };
+        let points: Vec<Option<[f64; 2]>> = line.iter().map(seen).collect();
+        points
+            .split(Option::is_none)
+            .filter(|piece| !piece.is_empty())
+            .map(|piece| piece.iter().flatten().copied().collect())
+            .collect()
+    }
+}
+
 impl Plot<'_> {
+    /// Where its values are.
+    pub(super) fn scales(&self) -> Scales {
+        let up = Up::new(self.height, self.lines.iter().flatten().map(|point| point.1));
+        let start = self.span[0];
+        Scales { up, start, end: self.span[1].max(start + 1e-3) }
+    }
+
     /// The plot as an SVG element.
     pub fn svg(&self) -> String {
         let [width, height] = SIZE;
         let ([left, below], [right, above]) = (CORNER, ROOM);
-        let up = Up::new(self.height, self.lines.iter().flatten().map(|point| point.1));
-        let start = self.span[0];
-        let end = self.span[1].max(start + 1e-3);
-        let x = |t: f64| left + (t - start) / (end - start) * (width - left - right);
-        let y = |value: f64| height - below - up.share(value) * (height - below - above);
+        let scales = self.scales();
+        let (x, y) = (|across| scales.x(across), |value| scales.y(value));
         let mut out = format!(
             "<figure class=\"plot\"><figcaption>{} <small>{}</small></figcaption>\n\
              <svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{}\" data-left=\"{left}\" \
-             data-right=\"{}\" data-end=\"{end}\">\n",
+             data-right=\"{}\"{}>\n",
             self.title,
             self.unit,
             self.title,
-            width - right
+            width - right,
+            // by these the player finds its clock on it
+            if self.axis == TIME {
+                format!(" data-start=\"{}\" data-end=\"{}\"", scales.start, scales.end)
+            } else {
+                String::new()
+            }
         );
-        for (tick, label) in up.ticks() {
+        for (tick, label) in scales.up.ticks() {
             let at = y(tick);
             let _ = write!(out, "<path class=\"grid\" d=\"M{left} {at:.1}H{:.1}\"/>", width - right);
             let _ = writeln!(out, "<text class=\"tick end\" x=\"{}\" y=\"{:.1}\">{label}</text>", left - 7.0, at + 4.0);
         }
-        for tick in ticks(start, end) {
+        for (tick, label) in scales.across() {
             let (at, base) = (x(tick), height - below);
             let _ = write!(out, "<path class=\"axis\" d=\"M{at:.1} {base}v4\"/>");
-            let _ =
-                writeln!(out, "<text class=\"tick mid\" x=\"{at:.1}\" y=\"{}\">{}</text>", base + 18.0, number(tick));
+            let _ = writeln!(out, "<text class=\"tick mid\" x=\"{at:.1}\" y=\"{}\">{label}</text>", base + 18.0);
         }
         let _ = writeln!(out, "<path class=\"axis\" d=\"M{left} {}H{}\"/>", height - below, width - right);
         let (x_end, foot) = (width - right, height - 4.0);
@@ -110,16 +161,11 @@ impl Plot<'_> {
             let _ = writeln!(out, "<path class=\"mark\" d=\"M{left} {:.1}H{:.1}\"/>", y(value), width - right);
         }
         for (k, line) in self.lines.iter().enumerate() {
-            let mut path = String::new();
-            let mut pen = 'M';
-            for &(t, value) in line {
-                if !y(value).is_nan() && (start..=end).contains(&t) {
-                    let _ = write!(path, "{pen}{:.1} {:.1}", x(t), y(value));
-                    pen = 'L';
-                } else {
-                    pen = 'M';
-                }
-            }
+            let piece = |piece: Vec<[f64; 2]>| {
+                let points: Vec<String> = piece.iter().map(|[x, y]| format!("{x:.1} {y:.1}")).collect();
+                format!("M{}", points.join("L"))
+            };
+            let path: String = scales.pieces(line).into_iter().map(piece).collect();
             if !path.is_empty() {
                 let _ = writeln!(out, "<path class=\"line m{}\" d=\"{path}\"/>", k % 8);
             }
@@ -174,7 +220,8 @@ mod tests {
     }
 
     fn plot(line: Vec<(f64, f64)>, height: Height) -> String {
-        let plot = Plot { title: "", unit: "", lines: vec![line], height, mark: None, axis: "", span: [0.0, 4.0] };
+        let plot =
+            Plot { title: "".into(), unit: "", lines: vec![line], height, mark: None, axis: "", span: [0.0, 4.0] };
         plot.svg().lines().find(|line| line.contains("line m0")).unwrap_or_default().to_owned()
     }
 

@@ -87,7 +87,7 @@ fn mistakes_are_named() {
         ("run.csv --seed 3", "what is recorded cannot be changed"),
         ("run.csv --from 3 --to 2", "give --to more than --from"),
         ("run.csv --from 30", "nobody was there from 30 s to the end"),
-        ("run.csv -o a.png", "end the name in .html"),
+        ("run.csv -o a.mp4", "end the name in .html"),
         ("none.csv", "cannot read none.csv"),
         ("none.toml", "none.toml"),
     ] {
@@ -114,7 +114,8 @@ fn stream() -> String {
 fn a_stream_of_people_has_its_density_speed_and_flow() {
     let folder = folder();
     std::fs::write(folder.path().join("stream.txt"), stream()).unwrap();
-    let asked = "stream.txt --from 10 --to 25 --area 1,0,4,2 --line 2,0,2,2 --cut-off 3 -o s.html -o s.csv";
+    let asked =
+        "stream.txt --from 10 --to 25 --area 1,0,4,2 --line 2,0,2,2 --cut-off 3 -o s.html -o s.csv -o s.png -o s.svg";
     let people = &measured(folder.path(), asked)["people"];
     let near = |value: &Value, want: f64, within: f64| {
         assert!((number(value) - want).abs() < within, "{value}, not {want}");
@@ -128,7 +129,7 @@ fn a_stream_of_people_has_its_density_speed_and_flow() {
     near(&people["path_ratio"]["most"], 1.0, 1e-6);
     near(&people["nearest"], 1.0, 1e-6);
     assert_eq!((&people["collisions"], &people["near_misses"]), (&0.into(), &0.into()));
-    let (area, line) = (&people["area"], &people["line"]);
+    let (area, line) = (&people["areas"][0], &people["lines"][0]);
     near(&area["density"], 1.0, 0.05);
     near(&area["voronoi_speed"], 1.2, 1e-4);
     near(&line["steady_specific_flow"], 1.2, 0.02);
@@ -137,8 +138,34 @@ fn a_stream_of_people_has_its_density_speed_and_flow() {
     let table = std::fs::read_to_string(folder.path().join("s.csv")).unwrap();
     assert_eq!((table.lines().count(), table.lines().nth(1).unwrap().split(',').count()), (152, 9));
     assert!(std::fs::read_to_string(folder.path().join("s.html")).unwrap().contains("Fundamental diagram"));
+    let plots = std::fs::read_to_string(folder.path().join("s.svg")).unwrap();
+    assert!(plots.contains("N(t): how many have crossed line") && !plots.contains("NaN"), "{plots}");
     let text = stdout(&call(folder.path(), "measure stream.txt --line 2,0,2,2").success());
     assert!(text.contains("80 people") && text.contains("steady flow"), "{text}");
+}
+
+#[test]
+fn several_areas_and_lines_are_measured_at_once() {
+    let folder = folder();
+    std::fs::write(folder.path().join("stream.txt"), stream()).unwrap();
+    let areas = ["1,0,4,2", "8,0,2,1"];
+    let lines = ["2,0,2,2", "5,2,5,0"];
+    let each = |k: usize| {
+        let asked = format!("stream.txt --from 10 --to 25 --area {} --line {} --cut-off 3", areas[k], lines[k]);
+        measured(folder.path(), &asked)["people"].clone()
+    };
+    let (one, two) = (each(0), each(1));
+    let asked: String = (0..2).map(|k| format!(" --area {} --line {}", areas[k], lines[k])).collect();
+    let all =
+        measured(folder.path(), &format!("stream.txt --from 10 --to 25{asked} --cut-off 3 -o a.csv -o a.parquet"));
+    let both = |key: &str| Value::from([one[key][0].clone(), two[key][0].clone()].to_vec());
+    assert_eq!((&all["people"]["areas"], &all["people"]["lines"]), (&both("areas"), &both("lines")));
+    assert_ne!(one["areas"], two["areas"]);
+    let table = std::fs::read_to_string(folder.path().join("a.csv")).unwrap();
+    let heads = "time,people,speed,lane_order,density_1,area_speed_1,voronoi_density_1,voronoi_speed_1,\
+                 density_2,area_speed_2,voronoi_density_2,voronoi_speed_2,crossed_1,crossed_2";
+    assert_eq!(table.lines().next(), Some(heads));
+    assert_eq!(std::fs::read(folder.path().join("a.parquet")).unwrap()[..4], *b"PAR1");
 }
 
 #[test]

@@ -46,6 +46,15 @@ pub struct Figure {
 }
 
 impl Figure {
+    /// A picture of marks on a ground of one colour.
+    ///
+    /// # Errors
+    /// [`Error::Size`] if width or height is out of the limits of pictures.
+    pub fn of((width, height): (u32, u32), base: Color, marks: Vec<Mark>) -> Result<Self, Error> {
+        Error::check_size(width, height)?;
+        Ok(Self { size: (width, height), base, marks })
+    }
+
     /// The figure of an explanation: `frame` is the world at its time, `setting` the place. Of the style, size and
     /// theme matter; a figure of 1200 by 760 pixels has room for everything.
     ///

@@ -2,7 +2,7 @@
 
 use super::{Moment, Pace, Recorder};
 use crate::{Error, Still, Style};
-use throng_record::{Frame, Pool, Setting};
+use throng_record::{Choice, Frame, Pool, Setting};
 
 /// What the files of a run have in common.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,8 @@ pub struct Plan<'a> {
     pub still: Still,
     /// When the first picture is due, seconds.
     pub from: f64,
+    /// What of it is written to trajectories; none of the files has anything after its end.
+    pub choice: &'a Choice,
 }
 
 /// All files of a run. They get their names when they are complete; dropped before that, they leave nothing.
@@ -28,9 +30,10 @@ pub struct Plan<'a> {
 /// # let path = folder.path().join("run.csv");
 /// use throng_draw::record::{Files, Plan, Recorder};
 /// use throng_draw::{Still, Style};
-/// use throng_record::Setting;
-/// let (setting, style) = (Setting::default(), Style::default());
-/// let plan = Plan { setting: &setting, style: &style, rate: 25.0, speed_up: 1.0, still: Still::Last, from: 0.0 };
+/// use throng_record::{Choice, Setting};
+/// let (setting, style, choice) = (Setting::default(), Style::default(), Choice::default());
+/// let (rate, speed_up, still) = (25.0, 1.0, Still::Last);
+/// let plan = Plan { setting: &setting, style: &style, rate, speed_up, still, from: 0.0, choice: &choice };
 /// let mut files = Files::new(vec![Recorder::create(&path, &plan)?], &plan);
 /// for k in 0..3 {
 ///     files.push(f64::from(k) * 0.1, 0.1, |frame| frame.time = f64::from(k) * 0.1)?;
@@ -43,6 +46,9 @@ pub struct Files {
     files: Vec<Recorder>,
     frames: Pool<Frame>,
     pace: Pace,
+    choice: Choice,
+    /// Time of the last moment.
+    before: Option<f64>,
     /// Time of the last picture.
     last: Option<f64>,
 }
@@ -51,21 +57,23 @@ impl Files {
     /// Files that have been begun.
     pub fn new(files: Vec<Recorder>, plan: &Plan) -> Self {
         let pace = Pace::new(plan.from, plan.speed_up / plan.rate);
-        Self { files, frames: Pool::default(), pace, last: None }
+        Self { files, frames: Pool::default(), pace, choice: plan.choice.clone(), before: None, last: None }
     }
 
-    /// Takes in the world after a step of `step` seconds (and before the first): tables every time, pictures when
-    /// one is due, which is at the step nearest to its time. `capture` makes the moment.
+    /// Takes in the world after a step (and before the first), with the next one in `step` seconds: trajectories every time
+    /// that is chosen, pictures when one is due, which is at the step nearest to its time. `capture` makes the moment.
     ///
     /// # Errors
     /// A file cannot be written.
     pub fn push(&mut self, time: f64, step: f64, capture: impl FnOnce(&mut Frame)) -> Result<(), Error> {
-        let due = self.pace.due(time, step);
+        let before = self.before.replace(time).unwrap_or(time - step);
+        let rows = self.choice.needs(before, time, time + step);
+        let due = if time < self.choice.to + 0.5 * step { self.pace.due(time, step) } else { 0 };
         if due > 0 {
             self.last = Some(time);
         }
-        if self.files.iter().any(|file| due > 0 || file.is_table()) {
-            let moment = Moment { frames: vec![self.frames.make(capture)], pictures: due, rows: true };
+        if self.files.iter().any(|file| if file.is_table() { rows } else { due > 0 }) {
+            let moment = Moment { frames: vec![self.frames.make(capture)], pictures: due, rows };
             Recorder::push_all(&mut self.files, &moment)?;
         }
         Ok(())
@@ -76,7 +84,8 @@ impl Files {
     /// # Errors
     /// A file cannot be completed.
     pub fn finish(mut self, time: f64, capture: impl FnOnce(&mut Frame)) -> Result<(), Error> {
-        if self.last != Some(time) && self.files.iter().any(|file| !file.is_table()) {
+        let within = self.last.is_none() || time <= self.choice.to;
+        if within && self.last != Some(time) && self.files.iter().any(|file| !file.is_table()) {
             let moment = Moment { frames: vec![self.frames.make(capture)], pictures: 1, rows: false };
             Recorder::push_all(&mut self.files, &moment)?;
         }

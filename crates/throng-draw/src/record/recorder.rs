@@ -34,7 +34,7 @@ impl Recorder {
     pub fn create(path: impl AsRef<Path>, plan: &Plan) -> Result<Self, Error> {
         let path = path.as_ref();
         if let Some(format) = table(path) {
-            let writer = format.create(format.output(path)?, plan.setting);
+            let writer = plan.choice.create(format, format.output(path)?, plan.setting);
             return Ok(Self::table(writer.ok_or_else(|| Error::Extension { path: path.into() })??));
         }
         Ok(Self::film(Film::create(path, plan.setting, plan.style, plan.rate)?.still(plan.still)))
@@ -47,7 +47,9 @@ impl Recorder {
     pub fn to(output: Output, plan: &Plan) -> Result<Self, Error> {
         let path = output.path().to_path_buf();
         if let Some(format) = table(&path) {
-            return Ok(Self::table(format.create(output, plan.setting).ok_or(Error::Extension { path })??));
+            return Ok(Self::table(
+                plan.choice.create(format, output, plan.setting).ok_or(Error::Extension { path })??,
+            ));
         }
         match Kind::of(&path)? {
             Kind::Gif => {

@@ -16,6 +16,7 @@ use glam::DVec2;
 pub(super) const FORMAT: Format = Format {
     ending: "txt",
     title: "people's trajectories as text: the Pedestrian Dynamics Data Archive's",
+    columns: false,
     create: None,
     read: Some(read),
     kept: false,

@@ -16,6 +16,7 @@ use throng_scene::import::wkt;
 pub(super) const FORMAT: Format = Format {
     ending: "h5",
     title: "people's trajectories in HDF5: the Pedestrian Dynamics Data Archive's",
+    columns: false,
     create: None,
     read: Some(read),
     kept: false,

@@ -3,6 +3,7 @@
 //! Where several kinds share an ending, the file itself says which it is.
 
 mod archive;
+mod columns;
 pub mod csv;
 #[cfg(any(feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod describe;
@@ -31,6 +32,8 @@ mod text;
 #[cfg(feature = "usda")]
 pub mod usda;
 mod vadere;
+
+pub use columns::Column;
 
 use crate::tracks::Tracks;
 use crate::{Frame, Output, OutputError, Setting};
@@ -73,8 +76,8 @@ pub trait Writer: Send {
     fn finish(self: Box<Self>) -> Result<(), OutputError>;
 }
 
-/// What makes a writer.
-type Create = fn(Output, &Setting) -> Result<Box<dyn Writer>, OutputError>;
+/// What makes a writer, of a table with these columns; none: its own.
+type Create = fn(Output, &Setting, &[Column]) -> Result<Box<dyn Writer>, OutputError>;
 
 /// What reads a file that is in memory.
 type Read = fn(&[u8], &Reading) -> Result<Tracks, Flaw>;
@@ -91,6 +94,8 @@ pub struct Format {
     pub title: &'static str,
     /// Whether a file that is not complete can be read: it is called `NAME.part` until it is.
     kept: bool,
+    /// Whether its columns can be chosen.
+    columns: bool,
     create: Option<Create>,
     read: Option<Read>,
     /// Where another kind has the same ending: whether a file is of this one.
@@ -168,11 +173,21 @@ impl Format {
         self.create.is_some()
     }
 
-    /// Begins such a file; `None` if they are only read.
+    /// Whether such files are tables whose columns can be chosen.
+    pub fn has_columns(&self) -> bool {
+        self.columns
+    }
+
+    /// Begins such a file, a table with these columns (none: those it has by itself); `None` if they are only read.
     ///
     /// # Errors
     /// The system's, such as a full disk.
-    pub fn create(&self, output: Output, setting: &Setting) -> Option<Result<Box<dyn Writer>, OutputError>> {
-        self.create.map(|create| create(output, setting))
+    pub(crate) fn create(
+        &self,
+        output: Output,
+        setting: &Setting,
+        columns: &[Column],
+    ) -> Option<Result<Box<dyn Writer>, OutputError>> {
+        self.create.map(|create| create(output, setting, columns))
     }
 }

@@ -1,16 +1,6 @@
 //! Groups by their names.
 
-use crate::Setting;
-use std::borrow::Cow;
 use std::collections::HashMap;
-
-/// The name of a group; its index where it has no name.
-pub(super) fn name(setting: &Setting, group: u32) -> Cow<'_, str> {
-    match setting.groups.get(group as usize) {
-        Some(name) if !name.is_empty() => name.into(),
-        _ => group.to_string().into(),
-    }
-}
 
 /// The names that come while a file is read, in the order in which they come.
 #[derive(Debug, Default)]

@@ -13,6 +13,7 @@ use glam::DVec2;
 pub(super) const FORMAT: Format = Format {
     ending: "txt",
     title: "people's trajectories as text: UCY's obsmat",
+    columns: false,
     create: None,
     read: Some(read),
     kept: false,

@@ -20,6 +20,7 @@ pub(super) const FORMAT: Format = Format {
     ending: "traj",
     title: "trajectories of Vadere",
     kept: false,
+    columns: false,
     create: None,
     read: Some(read),
     sniff: None,

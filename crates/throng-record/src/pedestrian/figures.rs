@@ -1,7 +1,7 @@
 //! All figures of a recording at once.
 
 use super::lanes::{Directions, order};
-use super::{Area, Border, Contacts, Crossing, Ground, Line, Motion, People, Velocities, Ways, count, voronoi};
+use super::{Area, Border, Contacts, Crossing, Ground, Line, Motion, People, Velocities, Ways, voronoi};
 
 /// What is to be measured.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -9,14 +9,14 @@ pub struct Question {
     /// Time over which a velocity is taken, seconds: as many rows before and after as come nearest to it, one at least.
     pub interval: f64,
     /// Where densities and speeds are measured.
-    pub area: Option<Area>,
-    /// Which line people are counted at.
-    pub line: Option<Line>,
+    pub areas: Vec<Area>,
+    /// Which lines people are counted at.
+    pub lines: Vec<Line>,
     /// How far Voronoi cells reach.
     pub ground: Ground,
 }
 
-/// One moment. What is not asked for, or not known, is not a number.
+/// One moment. What is not known is not a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instant {
     /// Seconds.
@@ -25,18 +25,21 @@ pub struct Instant {
     pub people: usize,
     /// Mean speed of those whose is known, m/s.
     pub speed: f64,
+    /// Lane order parameter.
+    pub lane_order: f64,
+}
+
+/// An area at one moment. What is not known is not a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inside {
     /// Classic density of the area, 1/m².
     pub density: f64,
     /// Mean speed in the area, m/s.
-    pub area_speed: f64,
+    pub speed: f64,
     /// Voronoi density of the area, 1/m².
     pub voronoi_density: f64,
     /// Voronoi speed of the area, m/s.
     pub voronoi_speed: f64,
-    /// How many have crossed the line: N(t).
-    pub crossed: usize,
-    /// Lane order parameter.
-    pub lane_order: f64,
 }
 
 /// The figures of a recording.
@@ -56,8 +59,10 @@ pub struct Figures {
     pub ways: Ways,
     /// How near they come.
     pub contacts: Contacts,
-    /// Who crosses the line, and when.
-    pub crossings: Vec<Crossing>,
+    /// Of each area, moment by moment.
+    pub areas: Vec<Vec<Inside>>,
+    /// Of each line, who crosses it, and when.
+    pub crossings: Vec<Vec<Crossing>>,
     /// How many go each way along the axis most go along.
     pub directions: [usize; 2],
 }
@@ -76,31 +81,26 @@ impl Figures {
         let rows = if rows >= 1.0 { rows as usize } else { 1 };
         let velocities = Velocities::of(people, rows, Border::OneSided);
         let directions = Directions::of(people);
-        let crossings = question.line.map_or_else(Vec::new, |line| line.crossings(people));
+        let inside = |area: &Area| {
+            let at = |moment| {
+                let cells = voronoi::cells(people, moment, &question.ground, area);
+                Inside {
+                    density: area.density(people, moment),
+                    speed: area.speed(people, moment, &velocities),
+                    voronoi_density: voronoi::density(&cells, area),
+                    voronoi_speed: voronoi::speed(&cells, area, |here| velocities.at(here)),
+                }
+            };
+            people.moments.iter().map(at).collect()
+        };
         let instant = |moment: &super::Moment| {
             let speeds = moment.here.iter().filter_map(|&here| velocities.at(here)).map(glam::DVec2::length);
             let (sum, known) = speeds.fold((0.0, 0u32), |(sum, known), speed| (sum + speed, known + 1));
-            let none = f64::NAN;
-            let [density, area_speed, voronoi_density, voronoi_speed] =
-                question.area.as_ref().map_or([none; 4], |area| {
-                    let cells = voronoi::cells(people, moment, &question.ground, area);
-                    [
-                        area.density(people, moment),
-                        area.speed(people, moment, &velocities),
-                        voronoi::density(&cells, area),
-                        voronoi::speed(&cells, area, |here| velocities.at(here)),
-                    ]
-                });
             Instant {
                 time: moment.time,
                 people: moment.here.len(),
                 speed: sum / f64::from(known),
-                density,
-                area_speed,
-                voronoi_density,
-                voronoi_speed,
-                crossed: count(&crossings, moment.time),
-                lane_order: order(people, moment, &directions).unwrap_or(none),
+                lane_order: order(people, moment, &directions).unwrap_or(f64::NAN),
             }
         };
         Self {
@@ -111,16 +111,10 @@ impl Figures {
             motion: Motion::of(people, &velocities, rows),
             ways: Ways::of(people),
             contacts: Contacts::of(people, &velocities),
-            crossings,
+            areas: question.areas.iter().map(inside).collect(),
+            crossings: question.lines.iter().map(|line| line.crossings(people)).collect(),
             directions: directions.counts(),
         }
-    }
-
-    /// The fundamental diagram: Voronoi density and mean speed of the area at every moment at which somebody is in it. Voronoi speeds
-    /// would be too low where cells are cut off and leave ground to nobody.
-    pub fn fundamental_diagram(&self) -> Vec<[f64; 2]> {
-        let known = self.instants.iter().filter(|at| at.voronoi_density > 0.0 && at.area_speed.is_finite());
-        known.map(|at| [at.voronoi_density, at.area_speed]).collect()
     }
 
     /// The mean over moments of what is known.
@@ -135,6 +129,20 @@ impl Figures {
         let (start, quarter) = (first.time, 0.25 * (last.time - first.time));
         let middle = known.iter().filter(|at| (quarter..=3.0 * quarter).contains(&(at.time - start)));
         mean(middle.map(|at| at.lane_order))
+    }
+}
+
+impl Inside {
+    /// The mean over moments of what is known.
+    pub fn mean(of: &[Self], figure: impl Fn(&Self) -> f64) -> f64 {
+        mean(of.iter().map(figure))
+    }
+
+    /// The fundamental diagram: Voronoi density and mean speed of an area at every moment at which somebody is in it. Voronoi speeds
+    /// would be too low where cells are cut off and leave ground to nobody.
+    pub fn fundamental_diagram(of: &[Self]) -> Vec<[f64; 2]> {
+        let known = of.iter().filter(|at| at.voronoi_density > 0.0 && at.speed.is_finite());
+        known.map(|at| [at.voronoi_density, at.speed]).collect()
     }
 }
 

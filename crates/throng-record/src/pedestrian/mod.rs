@@ -18,7 +18,7 @@ mod ways;
 pub use area::Area;
 pub use contact::{Contacts, NEAR_MISS, time_to_collision};
 pub use crossing::{Crossing, Line, count, flow, flows, steady_flow};
-pub use figures::{Figures, Instant, Question};
+pub use figures::{Figures, Inside, Instant, Question};
 pub use motion::Motion;
 pub use people::{Here, Moment, People, Walk, median};
 pub use speed::{Border, Velocities, accelerations, velocities};

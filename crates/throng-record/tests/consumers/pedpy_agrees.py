@@ -70,8 +70,8 @@ pairs = {
     "Voronoi speed": (mean("voronoi_speed"), voronoi_speed.speed.mean()),
     "Voronoi density at a moment": (float(then["voronoi_density"]), at(voronoi, "density")),
     "N at a moment": (int(then["crossed"]), at(n_t, "cumulative_pedestrians")),
-    "crossed": (ours["line"]["crossed"], len(crossings)),
-    "flow": (ours["line"]["flow"], (len(frames) - 1) * rate / (frames.iloc[-1] - frames.iloc[0])),
+    "crossed": (ours["lines"][0]["crossed"], len(crossings)),
+    "flow": (ours["lines"][0]["flow"], (len(frames) - 1) * rate / (frames.iloc[-1] - frames.iloc[0])),
 }
 for name, (found, theirs) in pairs.items():
     print(f"{name:28} {found:10.5f} {theirs:10.5f} {100 * (found / theirs - 1):+.4f} %")

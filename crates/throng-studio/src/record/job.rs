@@ -4,6 +4,7 @@ use super::{Begin, Source, Subject, Take};
 use std::time::Duration;
 use throng_draw::Still;
 use throng_draw::record::{Files, Plan};
+use throng_record::Choice;
 use web_time::Instant;
 
 /// A recording under way: let it [`work`](Self::work). Dropped, it leaves nothing.
@@ -29,6 +30,7 @@ impl Job {
             speed_up: take.speed_up,
             still: Still::Last,
             from: take.from,
+            choice: &Choice::default(),
         };
         let files = Files::new(vec![begin(&take.path, &plan)?], &plan);
         let to = take.to.unwrap_or(f64::INFINITY);

@@ -40,15 +40,10 @@ pub fn between(shown: &Shown, number: u32, share: f32) -> Option<Body> {
     Some(mixed(before, now, share))
 }
 
+/// All but where it is and where it faces is as it is now.
 fn mixed(before: &Body, now: &Body, share: f32) -> Body {
-    let turn =
-        (now.heading - before.heading + std::f32::consts::PI).rem_euclid(std::f32::consts::TAU) - std::f32::consts::PI;
-    Body {
-        position: before.position.lerp(now.position, share.into()),
-        altitude: before.altitude + (now.altitude - before.altitude) * share,
-        heading: before.heading + turn * share,
-        ..*now
-    }
+    let Body { position, altitude, heading, .. } = before.between(now, share.into());
+    Body { position, altitude, heading, ..*now }
 }
 
 /// The agent that is nearest to a pixel.

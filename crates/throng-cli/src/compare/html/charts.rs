@@ -1,6 +1,7 @@
 //! The figures over time that the page shows.
 
-use crate::page::{Height, Plot};
+use crate::page::{Height, Plot, TIME};
+use std::borrow::Cow;
 use throng_record::series::{Point, Series};
 
 /// Points of a line of a plot, at most.
@@ -18,12 +19,12 @@ pub fn plots(series: &[&Series], agents: usize) -> String {
     let plot = |title, unit, top: [f64; 2], figure: fn(&Point) -> f64| {
         let mark = (top[1] == FAR).then_some((1.0, "1: two touch"));
         Plot {
-            title,
+            title: Cow::Borrowed(title),
             unit,
             lines: lines(figure),
             height: Height::FromZero(top),
             mark,
-            axis: "time, s",
+            axis: TIME,
             span: [0.0, end],
         }
     };

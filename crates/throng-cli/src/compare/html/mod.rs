@@ -2,38 +2,23 @@
 
 mod charts;
 mod moments;
-mod place;
-mod tracks;
 
 use super::figures::{FIGURES, Results};
 use super::race::{Plan, Run};
 use super::table::{Row, caption, rows};
 use crate::failure::Failure;
 use crate::options::FilmArgs;
-use crate::page::{STYLE, escape, fill, swatch};
-use glam::DVec2;
-use place::place;
-use serde_json::{Value, json};
-use throng_draw::{Style, WorldBox, columns, palette, points_to_go};
+use crate::page::{Player, STYLE, Scenery, escape, fill, swatch};
+use throng_draw::{Style, WorldBox, palette, points_to_go};
 use throng_record::series::Series;
-use throng_record::{Frame, Setting, moment};
-use tracks::Tracks;
+use throng_record::{Frame, moment};
 
 const PAGE: &str = include_str!("page.html");
-const SCRIPT: &str = include_str!("page.js");
 
 /// A page being made.
 pub struct Page {
-    setting: Setting,
-    /// Point goals and their tolerances.
-    points: Vec<(DVec2, f64)>,
-    colors: Vec<String>,
-    trails: f32,
-    view: WorldBox,
-    /// How many models, and how many agents in all.
-    count: usize,
+    player: Player,
     agents: usize,
-    tracks: Tracks,
 }
 
 impl Page {
@@ -47,22 +32,36 @@ impl Page {
         let [min, max] = runs[0].built.bounds;
         let all = WorldBox::of(&setting, &runs[0].frame).unwrap_or(WorldBox { min, max });
         let color = |k: usize| groups.get(k).copied().flatten().unwrap_or_else(|| palette(k)).hex();
-        let colors = (0..setting.groups.len()).map(color).collect();
-        let view = view.unwrap_or(all);
-        let held = WorldBox { min: view.min.min(all.min), max: view.max.max(all.max) };
-        let (count, agents) = (runs.len(), runs[0].built.agents);
-        let points = points_to_go(&setting, &runs[0].frame).collect();
-        Ok(Self { setting, points, colors, trails, view, count, agents, tracks: Tracks::new(runs, held) })
+        let agents = runs[0].built.agents;
+        // what moves by a script has a number too
+        let present = runs.iter().flat_map(|run| &run.frame.bodies).map(|body| body.number as usize + 1);
+        let numbers = present.chain([agents]).max().unwrap_or(0);
+        let scenery = Scenery {
+            view: view.unwrap_or(all),
+            all,
+            colors: (0..setting.groups.len()).map(color).collect(),
+            trails,
+            points: points_to_go(&setting, &runs[0].frame).collect(),
+            marked: Vec::new(),
+            counted: Vec::new(),
+            agents,
+            gone: "arrived",
+            start: 0.0,
+            setting,
+        };
+        Ok(Self { player: Player::new(scenery, runs.len(), numbers, runs[0].world.settings().step), agents })
     }
 
     /// Takes in the runs that have moved on.
     pub fn push(&mut self, runs: &[Run]) {
-        self.tracks.push(runs);
+        let now = runs.iter().map(|run| run.world.steps()).max().unwrap_or(0);
+        let moved = runs.iter().enumerate().filter(|(_, run)| run.world.steps() == now);
+        self.player.push(now, moved.map(|(k, run)| (k, &*run.frame)));
     }
 
     /// Takes in the last moment of all runs.
     pub fn end(&mut self, runs: &[Run]) {
-        self.tracks.end(runs);
+        runs.iter().enumerate().for_each(|(k, run)| self.player.end(k, &run.frame));
     }
 
     /// The page.
@@ -70,26 +69,23 @@ impl Page {
         let series: Vec<&Series> =
             results.models.iter().filter_map(|(_, runs)| runs.first()).map(|run| &run.series).collect();
         let scene = &plan.loaded.scene;
-        let left_out = match self.tracks.left_out() {
-            text if text.is_empty() => text,
-            text => format!("Thinned, to keep the page small: {text}."),
-        };
+        let seed = format!("Seed {}", plan.seeds[0]);
+        let names: Vec<String> =
+            results.models.iter().enumerate().map(|(k, (label, _))| swatch(k) + &escape(label)).collect();
+        let note = format!("{seed}. A run that has ended keeps its last moment.");
         let parts = [
             ("title", escape(plan.loaded.title())),
             ("description", scene.description.lines().map(escape).collect::<Vec<_>>().join("<br>")),
             ("facts", self.facts(plan)),
             ("table", table(results, all)),
             ("caption", notes(plan, results)),
-            ("seed", format!("Seed {}", plan.seeds[0])),
-            ("panels", panels(results)),
-            ("thinned", left_out),
+            ("seed", seed),
+            ("player", self.player.section(&names, &note)),
             ("legend", legend(results)),
             ("plots", charts::plots(&series, self.agents)),
             ("moments", self.moments(results, &series)),
             ("style", STYLE.to_owned()),
-            // a script ends at the first `</`
-            ("data", self.data().to_string().replace('<', "\\u003c")),
-            ("script", SCRIPT.to_owned()),
+            ("script", self.player.script()),
         ];
         fill(PAGE, &parts)
     }
@@ -112,26 +108,11 @@ impl Page {
                 "<article><h3>{}</h3><p>{}</p><div class=\"three\">{}</div></article>\n",
                 escape(label),
                 swing_of(frames, series),
-                moments::pictures(frames, &self.setting, &self.colors)
+                moments::pictures(frames, self.player.setting(), self.player.colors())
             ),
             None => format!("<article><h3>{}</h3><p>no velocity ever swung</p></article>\n", escape(label)),
         };
         results.models.iter().zip(series).map(row).collect()
-    }
-
-    /// What the script draws.
-    fn data(&self) -> Value {
-        let (setting, size) = (&self.setting, self.view.max - self.view.min);
-        json!({
-            "view": [self.view.min.x, self.view.min.y, self.view.max.x, self.view.max.y],
-            "columns": columns(self.count, 0.9 * (size.x / size.y).clamp(0.7, 4.0), 2.0),
-            "agents": self.agents,
-            "trails": self.trails,
-            "colors": self.colors,
-            "groups": setting.groups,
-            "place": place(setting, &self.points),
-            "tracks": self.tracks.json(),
-        })
     }
 }
 
@@ -168,14 +149,6 @@ fn table(results: &Results, all: bool) -> String {
     out
 }
 
-fn panels(results: &Results) -> String {
-    let panel = |(k, (label, _)): (usize, &(String, _))| {
-        let name = format!("<b>{}{}</b>", swatch(k), escape(label));
-        format!("<figure class=\"panel\"><figcaption>{name}<span></span></figcaption><canvas></canvas></figure>\n")
-    };
-    results.models.iter().enumerate().map(panel).collect()
-}
-
 fn legend(results: &Results) -> String {
     let entry = |(k, (label, _)): (usize, &(String, _))| format!("<span>{}{}</span>\n", swatch(k), escape(label));
     results.models.iter().enumerate().map(entry).collect()
@@ -187,7 +160,7 @@ mod tests {
 
     #[test]
     fn the_template_names_every_part_once() {
-        let names = ["title", "description", "facts", "table", "plots", "moments", "style", "data", "script", "panels"];
+        let names = ["title", "description", "facts", "table", "plots", "moments", "style", "script", "player"];
         for name in names {
             let times = PAGE.matches(&format!("{{{{{name}}}}}")).count();
             assert_eq!(times, if name == "title" { 2 } else { 1 }, "{name}");

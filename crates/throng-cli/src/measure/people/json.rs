@@ -1,26 +1,27 @@
 //! The figures of people as JSON; `throng measure --help` describes the keys.
 
-use super::{People, columns};
+use super::People;
+use super::moments::table;
 use crate::measure::json::{POINTS, distribution};
 use crate::report::number;
 use serde_json::{Value, json};
-use throng_record::pedestrian::{flow, steady_flow};
+use throng_record::Table;
+use throng_record::pedestrian::{Inside, flow, steady_flow};
 
 /// The figures as one object.
-pub fn json(People { question, figures }: &People) -> Value {
-    let area = question.area.as_ref().map(|area| {
-        let diagram = figures.fundamental_diagram();
+pub fn json(People { question, figures, .. }: &People) -> Value {
+    let areas = question.areas.iter().zip(&figures.areas).map(|(area, inside)| {
+        let diagram = Inside::fundamental_diagram(inside);
         json!({
             "size": area.size(),
-            "density": number(figures.mean(|at| at.density)),
-            "speed": number(figures.mean(|at| at.area_speed)),
-            "voronoi_density": number(figures.mean(|at| at.voronoi_density)),
-            "voronoi_speed": number(figures.mean(|at| at.voronoi_speed)),
+            "density": number(Inside::mean(inside, |at| at.density)),
+            "speed": number(Inside::mean(inside, |at| at.speed)),
+            "voronoi_density": number(Inside::mean(inside, |at| at.voronoi_density)),
+            "voronoi_speed": number(Inside::mean(inside, |at| at.voronoi_speed)),
             "fundamental_diagram": diagram.iter().map(|pair| pair.map(number)).collect::<Vec<_>>(),
         })
     });
-    let crossings = &figures.crossings;
-    let line = question.line.map(|line| {
+    let lines = question.lines.iter().zip(&figures.crossings).map(|(line, crossings)| {
         json!({
             "length": line.length(),
             "crossed": crossings.len(),
@@ -35,7 +36,9 @@ pub fn json(People { question, figures }: &People) -> Value {
     });
     let (motion, ways, contacts) = (&figures.motion, &figures.ways, &figures.contacts);
     let thin = figures.instants.len().div_ceil(POINTS).max(1);
-    let over_time = figures.instants.iter().step_by(thin).map(|at| columns(at).map(number));
+    let Table { names, columns } = table(question, figures);
+    let rows = (0..figures.instants.len()).step_by(thin);
+    let rows = rows.map(|row| columns.iter().map(|column| number(column[row])).collect::<Vec<_>>());
     json!({
         "people": figures.people,
         "frame_rate": number(1.0 / figures.interval),
@@ -57,8 +60,8 @@ pub fn json(People { question, figures }: &People) -> Value {
         "directions": figures.directions,
         "lane_order": number(figures.mean(|at| at.lane_order)),
         "steady_lane_order": number(figures.steady_lane_order()),
-        "area": area,
-        "line": line,
-        "over_time": over_time.collect::<Vec<_>>(),
+        "areas": areas.collect::<Vec<_>>(),
+        "lines": lines.collect::<Vec<_>>(),
+        "over_time": { "columns": names, "rows": rows.collect::<Vec<_>>() },
     })
 }

@@ -1,26 +1,28 @@
 //! People of a recording: their figures for the terminal, for programs, as a table of all moments, and as plots.
 
 mod json;
+mod moments;
+mod player;
 mod plots;
 mod text;
 
 use super::Subject;
 use super::args::MeasureArgs;
 use crate::failure::Failure;
+use crate::files::is;
+use crate::page::Player;
 use glam::DVec2;
-use std::fmt::Write;
 use std::path::Path;
 use throng::Walkable;
-use throng_record::pedestrian::{self, Figures, Ground, Instant, Question};
-use throng_record::{Spot, Tracks};
+use throng_record::pedestrian::{self, Figures, Ground, Question};
+use throng_record::{Spot, Table, Tracks};
 use throng_scene::import::wkt;
 
 pub use json::json;
+pub use plots::KEY;
 
 /// How far Voronoi cells reach where the ground is not known, metres.
 const CUT_OFF: f64 = 1.0;
-/// The columns of the table of all moments.
-const COLUMNS: &str = "time,people,speed,density,area_speed,voronoi_density,voronoi_speed,crossed,lane_order";
 
 /// People and what was measured.
 pub struct People {
@@ -28,6 +30,8 @@ pub struct People {
     question: Question,
     /// What was found.
     figures: Figures,
+    /// They themselves, where a page is to show them.
+    player: Option<Player>,
 }
 
 /// That nothing is asked of a scene that is measured of recordings only.
@@ -36,7 +40,7 @@ pub struct People {
 /// Something is.
 pub fn not_of_scenes(args: &MeasureArgs) -> Result<(), Failure> {
     let people = &args.people;
-    if people.area.is_none() && people.line.is_none() && people.walkable.is_none() && people.cut_off.is_none() {
+    if people.area.is_empty() && people.line.is_empty() && people.walkable.is_none() && people.cut_off.is_none() {
         return Ok(());
     }
     let text = format!("{}: people are measured in files of trajectories", args.of.display());
@@ -50,7 +54,7 @@ pub fn not_of_scenes(args: &MeasureArgs) -> Result<(), Failure> {
 pub fn of(args: &MeasureArgs, tracks: &Tracks, counts: impl Fn(&Spot) -> bool) -> Result<Option<People>, Failure> {
     let asked = &args.people;
     let flies = tracks.spots.iter().any(|spot| spot.place.z != 0.0);
-    if flies && asked.area.is_none() && asked.line.is_none() {
+    if flies && asked.area.is_empty() && asked.line.is_empty() {
         return Ok(None);
     }
     let walkable = match &asked.walkable {
@@ -59,9 +63,11 @@ pub fn of(args: &MeasureArgs, tracks: &Tracks, counts: impl Fn(&Spot) -> bool) -
     };
     let cut_off = asked.cut_off.or(walkable.is_empty().then_some(CUT_OFF));
     let ground = Ground { walkable, cut_off };
-    let question = Question { interval: asked.interval, area: asked.area.clone(), line: asked.line, ground };
-    let people = pedestrian::People::of(tracks, counts);
-    Ok(Some(People { figures: Figures::of(&people, &question), question }))
+    let question = Question { interval: asked.interval, areas: asked.area.clone(), lines: asked.line.clone(), ground };
+    let people = pedestrian::People::of(tracks, &counts);
+    let page = args.output.iter().any(|path| is(path, "html") || is(path, "htm"));
+    let player = page.then(|| player::player(tracks, &question, &counts));
+    Ok(Some(People { figures: Figures::of(&people, &question), question, player }))
 }
 
 /// Reads a floor plan.
@@ -80,34 +86,14 @@ fn plan(path: &Path) -> Result<Vec<Walkable>, Failure> {
     Ok(areas.into_iter().map(area).collect())
 }
 
-/// All moments as comma-separated values; what is not known is empty.
+/// All moments as a table.
 ///
 /// # Errors
 /// There are no people, as in a scene.
-pub fn table(path: &Path, subject: &Subject) -> Result<String, Failure> {
-    let Some(people) = &subject.people else {
+pub fn table(path: &Path, subject: &Subject) -> Result<Table, Failure> {
+    let Some(People { question, figures, .. }) = &subject.people else {
         let text = format!("{}: only people of a file of trajectories have a table of moments", path.display());
         return Err(Failure::hint(text, "end the name in .html for a page of plots"));
     };
-    let mut out = format!("{COLUMNS}\n");
-    for at in &people.figures.instants {
-        let fields = columns(at).map(|value| if value.is_finite() { value.to_string() } else { String::new() });
-        let _ = writeln!(out, "{}", fields.join(","));
-    }
-    Ok(out)
-}
-
-/// The figures of a moment, in the order of [`COLUMNS`].
-fn columns(at: &Instant) -> [f64; 9] {
-    [
-        at.time,
-        at.people as f64,
-        at.speed,
-        at.density,
-        at.area_speed,
-        at.voronoi_density,
-        at.voronoi_speed,
-        at.crossed as f64,
-        at.lane_order,
-    ]
+    Ok(moments::table(question, figures))
 }

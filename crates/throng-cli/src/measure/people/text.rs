@@ -1,16 +1,17 @@
 //! The figures of people for the terminal.
 
 use super::People;
+use super::moments::numbered;
 use crate::columns::aligned;
 use crate::measure::short;
 use std::fmt::Write;
-use throng_record::pedestrian::{NEAR_MISS, flow, steady_flow};
+use throng_record::pedestrian::{Inside, NEAR_MISS, flow, steady_flow};
 use throng_record::swarm::Distribution;
 
 impl People {
     /// The figures as a table.
     pub fn text(&self, name: &str) -> String {
-        let Self { question, figures } = self;
+        let Self { question, figures, .. } = self;
         let (motion, ways, contacts) = (&figures.motion, &figures.ways, &figures.contacts);
         let [from, to] = [figures.instants.first(), figures.instants.last()].map(|at| at.map_or(0.0, |at| at.time));
         let rate = short(1.0 / figures.interval);
@@ -35,22 +36,21 @@ impl People {
             row("path ratio", &ways.ratio),
         ]));
         // writing to a string does not fail
-        if let Some(area) = &question.area {
-            let [density, speed] = [figures.mean(|at| at.density), figures.mean(|at| at.area_speed)].map(short);
-            let [cells, theirs] =
-                [figures.mean(|at| at.voronoi_density), figures.mean(|at| at.voronoi_speed)].map(short);
-            let size = short(area.size());
-            let _ = writeln!(out, "  area       {size} m²: density {density} /m², by Voronoi cells {cells} /m²");
+        for (k, (area, inside)) in question.areas.iter().zip(&figures.areas).enumerate() {
+            let mean = |figure: fn(&Inside) -> f64| short(Inside::mean(inside, figure));
+            let (density, cells) = (mean(|at| at.density), mean(|at| at.voronoi_density));
+            let (speed, theirs) = (mean(|at| at.speed), mean(|at| at.voronoi_speed));
+            let (name, size) = (numbered("area", k, question.areas.len()), short(area.size()));
+            let _ = writeln!(out, "  {name:<10} {size} m²: density {density} /m², by Voronoi cells {cells} /m²");
             let _ = writeln!(out, "             speed {speed} m/s, by Voronoi cells {theirs} m/s");
         }
-        if let Some(line) = question.line {
-            let crossed = &figures.crossings;
+        for (k, (line, crossed)) in question.lines.iter().zip(&figures.crossings).enumerate() {
             let left = crossed.iter().filter(|crossing| crossing.leftwards).count();
             let [first, last] = [crossed.first(), crossed.last()].map(|at| at.map_or(f64::NAN, |at| at.time));
-            let length = line.length();
+            let (name, length) = (numbered("line", k, question.lines.len()), line.length());
             let _ = writeln!(
                 out,
-                "  line       {} m: {} cross it, {left} to its left, from {first:.2} to {last:.2} s",
+                "  {name:<10} {} m: {} cross it, {left} to its left, from {first:.2} to {last:.2} s",
                 short(length),
                 crossed.len()
             );

@@ -25,7 +25,7 @@ mod write;
 
 #[cfg(feature = "parquet")]
 pub(super) use write::status_of;
-pub use write::{COLUMNS, CsvWriter, status_name};
+pub use write::{CsvWriter, status_name};
 
 use super::Format;
 
@@ -34,7 +34,8 @@ pub(super) const FORMAT: Format = Format {
     ending: "csv",
     title: "a table of comma-separated values",
     kept: false,
-    create: Some(|output, setting| Ok(Box::new(CsvWriter::new(output, setting)?))),
+    columns: true,
+    create: Some(|output, setting, columns| Ok(Box::new(CsvWriter::new(output, setting, columns)?))),
     read: Some(read::read),
     sniff: None,
 };

@@ -1,14 +1,26 @@
 //! Tables written.
 
-use crate::formats::Writer;
+use crate::formats::{Column, Writer};
 use crate::{Body, Frame, Output, OutputError, Setting};
 use std::fmt::{Display, Write};
 use std::path::Path;
 use throng::Status;
 
-/// The names of the columns, in order; the last two are for those who fly.
-pub const COLUMNS: [&str; 12] =
-    ["number", "group", "time", "x", "y", "vx", "vy", "heading", "radius", "status", "z", "vz"];
+/// The columns where nothing else is said, in order; the last two are for those who fly.
+const COLUMNS: [Column; 12] = [
+    Column::Number,
+    Column::Group,
+    Column::Time,
+    Column::X,
+    Column::Y,
+    Column::Vx,
+    Column::Vy,
+    Column::Heading,
+    Column::Radius,
+    Column::Status,
+    Column::Z,
+    Column::Vz,
+];
 
 /// Writes trajectories as they happen. See the [module](super) for the columns.
 ///
@@ -25,9 +37,9 @@ pub const COLUMNS: [&str; 12] =
 #[derive(Debug)]
 pub struct CsvWriter {
     output: Output,
+    columns: Vec<Column>,
     /// The names of the groups as fields.
     groups: Vec<String>,
-    in_space: bool,
     /// The line being made.
     line: String,
 }
@@ -38,40 +50,40 @@ impl CsvWriter {
     /// # Errors
     /// Those of [`Output::create`].
     pub fn create(path: impl AsRef<Path>, setting: &Setting) -> Result<Self, OutputError> {
-        Self::new(Output::create(path)?, setting)
+        Self::new(Output::create(path)?, setting, &[])
     }
 
-    /// Begins with the line of names.
+    /// Begins with the line of names of these columns; none: those of the [module](super).
     ///
     /// # Errors
     /// The system's, such as a full disk.
-    pub fn new(mut output: Output, setting: &Setting) -> Result<Self, OutputError> {
-        let columns = if setting.in_space { &COLUMNS } else { &COLUMNS[..10] };
-        output.put((columns.join(",") + "\n").as_bytes())?;
-        let groups = setting.groups.iter().map(|name| field(name)).collect();
-        Ok(Self { output, groups, in_space: setting.in_space, line: String::new() })
+    pub fn new(mut output: Output, setting: &Setting, columns: &[Column]) -> Result<Self, OutputError> {
+        let own = if setting.in_space { &COLUMNS[..] } else { &COLUMNS[..10] };
+        let columns = if columns.is_empty() { own } else { columns }.to_vec();
+        output.put((columns.iter().map(|column| column.name()).collect::<Vec<_>>().join(",") + "\n").as_bytes())?;
+        let groups = (0..setting.groups.len() as u32).map(|group| field(&setting.group_name(group))).collect();
+        Ok(Self { output, columns, groups, line: String::new() })
     }
 
     fn describe(&mut self, body: &Body, time: &str) {
         let line = &mut self.line;
-        // writing to a string does not fail
-        let _ = match self.groups.get(body.group as usize) {
-            Some(name) if !name.is_empty() => write!(line, "{},{name},{time}", body.number),
-            _ => write!(line, "{},{},{time}", body.number, body.group),
-        };
-        for value in body.position.to_array() {
-            line.push(',');
-            number(line, value);
-        }
-        for value in [body.velocity.x, body.velocity.y, body.heading, body.shape().girth()] {
-            line.push(',');
-            number(line, value);
-        }
-        line.push(',');
-        line.push_str(status_name(body.status));
-        for value in [body.altitude, body.climb].into_iter().filter(|_| self.in_space) {
-            line.push(',');
-            number(line, value);
+        for (k, column) in self.columns.iter().enumerate() {
+            if k > 0 {
+                line.push(',');
+            }
+            match column {
+                // writing to a string does not fail
+                Column::Number => drop(write!(line, "{}", body.number)),
+                Column::Group => match self.groups.get(body.group as usize) {
+                    Some(name) => line.push_str(name),
+                    None => drop(write!(line, "{}", body.group)),
+                },
+                Column::Time => line.push_str(time),
+                Column::X => number(line, body.position.x),
+                Column::Y => number(line, body.position.y),
+                Column::Status => line.push_str(status_name(body.status)),
+                _ => column.single().into_iter().for_each(|value| number(line, value(body))),
+            }
         }
         line.push('\n');
     }
@@ -183,7 +195,7 @@ mod tests {
         writer.finish().unwrap();
 
         let mut reader = csv::Reader::from_path(&path).unwrap();
-        assert_eq!(reader.headers().unwrap().iter().collect::<Vec<_>>(), COLUMNS);
+        assert_eq!(reader.headers().unwrap().iter().collect::<Vec<_>>(), COLUMNS.map(Column::name));
         let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
         assert_eq!(rows.len(), 6);
         assert_eq!(&rows[0][1], "red, \"quick\"");
@@ -229,8 +241,19 @@ mod tests {
         writer.push(&Frame { bodies: vec![body(1, 0)], ..Frame::default() }).unwrap();
         writer.finish().unwrap();
         let mut reader = csv::Reader::from_path(&path).unwrap();
-        assert_eq!(reader.headers().unwrap().iter().collect::<Vec<_>>(), COLUMNS[..10]);
+        assert_eq!(reader.headers().unwrap().iter().collect::<Vec<_>>(), COLUMNS.map(Column::name)[..10]);
         assert_eq!(reader.records().next().unwrap().unwrap().len(), 10);
+    }
+
+    #[test]
+    fn columns_are_those_that_are_chosen() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("run.csv");
+        let columns = [Column::Y, Column::Number, Column::Vz];
+        let mut writer = CsvWriter::new(Output::create(&path).unwrap(), &Setting::default(), &columns).unwrap();
+        writer.push(&Frame { bodies: vec![body(7, 0)], ..Frame::default() }).unwrap();
+        writer.finish().unwrap();
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "y,number,vz\n0.30000000000000004,7,-0.3\n");
     }
 
     #[test]

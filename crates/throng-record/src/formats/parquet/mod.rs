@@ -18,6 +18,7 @@
 //! is held in memory while a file is written.
 
 mod read;
+mod table;
 mod write;
 
 pub use write::ParquetWriter;
@@ -30,6 +31,7 @@ pub(super) const FORMAT: Format = Format {
     title: "Apache Parquet",
     kept: false,
     sniff: None,
-    create: Some(|output, setting| Ok(Box::new(ParquetWriter::new(output, setting)?))),
+    columns: true,
+    create: Some(|output, setting, columns| Ok(Box::new(ParquetWriter::new(output, setting, columns)?))),
     read: Some(read::read),
 };

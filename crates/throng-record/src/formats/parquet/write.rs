@@ -1,7 +1,7 @@
 //! Parquet written.
 
 use crate::csv::status_name;
-use crate::formats::{PROGRAM, Writer, describe, keys, names, rate::Rate};
+use crate::formats::{Column, PROGRAM, Writer, describe, keys, rate::Rate};
 use crate::{Body, Frame, Output, OutputError, Setting};
 use parquet::basic::{Compression, Encoding, ZstdLevel};
 use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, FloatType, Int32Type};
@@ -18,21 +18,6 @@ use throng::Status;
 /// Rows that are held in memory, and written together.
 const ROWS: usize = 1 << 17;
 
-const SCHEMA: &str = "message trajectories {
-    required int32 number (integer(32, false));
-    required binary group (string);
-    required double time;
-    required double x;
-    required double y;
-    required float z;
-    required float vx;
-    required float vy;
-    required float vz;
-    required float heading;
-    required float radius;
-    required binary status (string);
-}";
-
 /// Columns whose values hardly repeat: their bytes are laid side by side, which is what compresses best.
 const SPLIT: [&str; 6] = ["x", "y", "z", "vx", "vy", "heading"];
 
@@ -43,7 +28,7 @@ const SPLIT: [&str; 6] = ["x", "y", "z", "vx", "vy", "heading"];
 /// # let path = folder.path().join("run.parquet");
 /// use throng_record::formats::parquet::ParquetWriter;
 /// use throng_record::{Frame, Output, Setting, Writer};
-/// let mut writer = ParquetWriter::new(Output::create(&path)?, &Setting::default())?;
+/// let mut writer = ParquetWriter::new(Output::create(&path)?, &Setting::default(), &[])?;
 /// writer.push(&Frame::default())?;
 /// Box::new(writer).finish()?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -56,33 +41,35 @@ pub struct ParquetWriter {
     groups: Vec<ByteArray>,
     /// The names of [`STATES`].
     states: [ByteArray; 4],
-    rows: Rows,
+    rows: Vec<Rows>,
+    /// How many rows wait.
+    waiting: usize,
     rate: Rate,
 }
 
 const STATES: [Status; 4] = [Status::Walking, Status::Waiting, Status::Arrived, Status::Stranded];
 
-/// Rows that are not yet written, by columns.
-#[derive(Default)]
-struct Rows {
-    number: Vec<i32>,
-    group: Vec<ByteArray>,
-    time: Vec<f64>,
-    /// `x` and `y`.
-    position: [Vec<f64>; 2],
-    /// From `z` to `radius`.
-    singles: [Vec<f32>; 6],
-    status: Vec<ByteArray>,
+/// Rows of a column that are not yet written.
+enum Rows {
+    Number(Vec<i32>),
+    Group(Vec<ByteArray>),
+    Time(Vec<f64>),
+    X(Vec<f64>),
+    Y(Vec<f64>),
+    Single(fn(&Body) -> f32, Vec<f32>),
+    Status(Vec<ByteArray>),
 }
 
 impl ParquetWriter {
-    /// Begins a file.
+    /// Begins a file with these columns; none: those of the [module](super).
     ///
     /// # Errors
     /// The system's, such as a full disk.
-    pub fn new(output: Output, setting: &Setting) -> Result<Self, OutputError> {
+    pub fn new(output: Output, setting: &Setting, columns: &[Column]) -> Result<Self, OutputError> {
         let path = output.path().to_path_buf();
-        let schema = parse_message_type(SCHEMA).expect("the schema is one");
+        let columns = if columns.is_empty() { &Column::ALL } else { columns };
+        let fields: String = columns.iter().map(|&column| format!("required {}; ", typed(column))).collect();
+        let schema = parse_message_type(&format!("message trajectories {{ {fields} }}")).expect("the schema is one");
         let mut properties = WriterProperties::builder()
             .set_created_by(PROGRAM.to_owned())
             .set_compression(Compression::ZSTD(ZstdLevel::try_new(1).expect("1 is a level")))
@@ -95,35 +82,40 @@ impl ParquetWriter {
         }
         let file = SerializedFileWriter::new(output, Arc::new(schema), Arc::new(properties.build()));
         let file = file.map_err(|error| OutputError::new(&path, system(error)))?;
-        let groups = (0..setting.groups.len() as u32).map(|k| ByteArray::from(&*names::name(setting, k)));
+        let groups = (0..setting.groups.len() as u32).map(|k| ByteArray::from(&*setting.group_name(k)));
         let groups = groups.collect();
         let states = STATES.map(|status| status_name(status).into());
-        let (rows, rate) = (Rows::default(), Rate::default());
-        Ok(Self { file, path, setting: setting.clone(), groups, states, rows, rate })
+        let rows = columns.iter().map(|&column| Rows::of(column)).collect();
+        Ok(Self { file, path, setting: setting.clone(), groups, states, rows, waiting: 0, rate: Rate::default() })
     }
 
-    fn add(&mut self, body: &Body, time: f64) -> Result<(), OutputError> {
-        let rows = &mut self.rows;
-        // the bits of a number without sign
-        rows.number.push(body.number.cast_signed());
-        let group = self.groups.get(body.group as usize).cloned();
-        rows.group.push(group.unwrap_or_else(|| (&*names::name(&self.setting, body.group)).into()));
-        rows.time.push(time);
-        rows.position.iter_mut().zip(body.position.to_array()).for_each(|(column, value)| column.push(value));
-        let [vx, vy] = body.velocity.to_array();
-        let singles = [body.altitude, vx, vy, body.climb, body.heading, body.shape().girth()];
-        rows.singles.iter_mut().zip(singles).for_each(|(column, value)| column.push(value));
-        let status = STATES.iter().position(|&status| status == body.status).unwrap_or(0);
-        rows.status.push(self.states[status].clone());
-        if rows.number.len() == ROWS { self.flush() } else { Ok(()) }
+    /// Lets bodies of a moment wait, as many as belong to one group of rows.
+    fn add(&mut self, bodies: &[Body], time: f64) {
+        let Self { groups, states, setting, .. } = self;
+        let group = |body: &Body| {
+            let known = groups.get(body.group as usize).cloned();
+            known.unwrap_or_else(|| (&*setting.group_name(body.group)).into())
+        };
+        let status = |body: &Body| states[STATES.iter().position(|&status| status == body.status).unwrap_or(0)].clone();
+        for rows in &mut self.rows {
+            match rows {
+                // the bits of a number without sign
+                Rows::Number(rows) => rows.extend(bodies.iter().map(|body| body.number.cast_signed())),
+                Rows::Group(rows) => rows.extend(bodies.iter().map(group)),
+                Rows::Time(rows) => rows.resize(rows.len() + bodies.len(), time),
+                Rows::X(rows) => rows.extend(bodies.iter().map(|body| body.position.x)),
+                Rows::Y(rows) => rows.extend(bodies.iter().map(|body| body.position.y)),
+                Rows::Single(value, rows) => rows.extend(bodies.iter().map(&*value)),
+                Rows::Status(rows) => rows.extend(bodies.iter().map(status)),
+            }
+        }
+        self.waiting += bodies.len();
     }
 
     /// Writes the rows that wait.
     fn flush(&mut self) -> Result<(), OutputError> {
-        let Self { file, rows, .. } = self;
-        rows.write(file).map_err(|error| OutputError::new(&self.path, system(error)))?;
-        rows.clear();
-        Ok(())
+        self.waiting = 0;
+        write(&mut self.file, &mut self.rows).map_err(|error| OutputError::new(&self.path, system(error)))
     }
 
     /// What is known of the file when everybody is in it.
@@ -139,11 +131,20 @@ impl ParquetWriter {
 impl Writer for ParquetWriter {
     fn push(&mut self, frame: &Frame) -> Result<(), OutputError> {
         self.rate.push(frame.time);
-        frame.bodies.iter().try_for_each(|body| self.add(body, frame.time))
+        let mut bodies = frame.bodies.as_slice();
+        while !bodies.is_empty() {
+            let (now, rest) = bodies.split_at(bodies.len().min(ROWS - self.waiting));
+            self.add(now, frame.time);
+            if self.waiting == ROWS {
+                self.flush()?;
+            }
+            bodies = rest;
+        }
+        Ok(())
     }
 
     fn finish(mut self: Box<Self>) -> Result<(), OutputError> {
-        if !self.rows.number.is_empty() {
+        if self.waiting > 0 {
             self.flush()?;
         }
         self.describe();
@@ -152,39 +153,60 @@ impl Writer for ParquetWriter {
     }
 }
 
-impl Rows {
-    fn write(&self, file: &mut SerializedFileWriter<Output>) -> Result<(), ParquetError> {
-        let mut group = file.next_row_group()?;
-        let to = &mut group;
-        write::<Int32Type>(to, &self.number)?;
-        write::<ByteArrayType>(to, &self.group)?;
-        write::<DoubleType>(to, &self.time)?;
-        self.position.iter().try_for_each(|column| write::<DoubleType>(to, column))?;
-        self.singles.iter().try_for_each(|column| write::<FloatType>(to, column))?;
-        write::<ByteArrayType>(to, &self.status)?;
-        group.close()?;
-        Ok(())
-    }
-
-    /// Keeps the memory.
-    fn clear(&mut self) {
-        let Self { number, group, time, position, singles, status } = self;
-        number.clear();
-        [group, status].into_iter().for_each(Vec::clear);
-        position.iter_mut().chain([time]).for_each(Vec::clear);
-        singles.iter_mut().for_each(Vec::clear);
+/// A column and its type, as the field of a schema.
+fn typed(column: Column) -> String {
+    match column {
+        Column::Number => format!("int32 {column} (integer(32, false))"),
+        Column::Group | Column::Status => format!("binary {column} (string)"),
+        Column::Time | Column::X | Column::Y => format!("double {column}"),
+        _ => format!("float {column}"),
     }
 }
 
+impl Rows {
+    /// None of a column.
+    fn of(column: Column) -> Self {
+        match column {
+            Column::Number => Self::Number(Vec::new()),
+            Column::Group => Self::Group(Vec::new()),
+            Column::Time => Self::Time(Vec::new()),
+            Column::X => Self::X(Vec::new()),
+            Column::Y => Self::Y(Vec::new()),
+            Column::Status => Self::Status(Vec::new()),
+            _ => Self::Single(column.single().expect("the others are single"), Vec::new()),
+        }
+    }
+}
+
+/// Writes a group of rows, and forgets them; the memory stays.
+fn write(file: &mut SerializedFileWriter<Output>, rows: &mut [Rows]) -> Result<(), ParquetError> {
+    let mut group = file.next_row_group()?;
+    let to = &mut group;
+    for rows in rows {
+        match rows {
+            Rows::Number(rows) => column::<Int32Type>(to, rows)?,
+            Rows::Group(rows) | Rows::Status(rows) => column::<ByteArrayType>(to, rows)?,
+            Rows::Time(rows) | Rows::X(rows) | Rows::Y(rows) => column::<DoubleType>(to, rows)?,
+            Rows::Single(_, rows) => column::<FloatType>(to, rows)?,
+        }
+    }
+    group.close()?;
+    Ok(())
+}
+
 /// Writes the next column.
-fn write<T: DataType>(to: &mut SerializedRowGroupWriter<'_, Output>, values: &[T::T]) -> Result<(), ParquetError> {
+fn column<T: DataType>(
+    to: &mut SerializedRowGroupWriter<'_, Output>,
+    rows: &mut Vec<T::T>,
+) -> Result<(), ParquetError> {
     let mut column = to.next_column()?.expect("the schema has as many columns");
-    column.typed::<T>().write_batch(values, None, None)?;
+    column.typed::<T>().write_batch(rows, None, None)?;
+    rows.clear();
     column.close()
 }
 
 /// What the system said.
-fn system(error: ParquetError) -> io::Error {
+pub(super) fn system(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(error) => match error.downcast::<io::Error>() {
             Ok(error) => *error,

@@ -33,6 +33,7 @@ pub(super) const FORMAT: Format = Format {
     title: "throng's own: few bytes, readable as far as it got",
     kept: true,
     sniff: None,
-    create: Some(|output, setting| Ok(Box::new(RecWriter::new(output, setting)?))),
+    columns: false,
+    create: Some(|output, setting, _| Ok(Box::new(RecWriter::new(output, setting)?))),
     read: Some(read::read),
 };

@@ -28,6 +28,7 @@ pub(super) const FORMAT: Format = Format {
     title: "JuPedSim's trajectories",
     kept: false,
     sniff: None,
-    create: Some(|output, setting| Ok(Box::new(SqliteWriter::new(output, setting)?))),
+    columns: false,
+    create: Some(|output, setting, _| Ok(Box::new(SqliteWriter::new(output, setting)?))),
     read: Some(read::read),
 };

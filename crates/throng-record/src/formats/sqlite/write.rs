@@ -1,7 +1,7 @@
 //! JuPedSim's database written.
 
 use super::ground;
-use crate::formats::{Writer, describe, names, rate::Rate};
+use crate::formats::{Writer, describe, rate::Rate};
 use crate::{Frame, Output, OutputError, Setting};
 use glam::DVec2;
 use rusqlite::{Connection, OpenFlags, params};
@@ -86,7 +86,7 @@ impl SqliteWriter {
         let mut agent = database.prepare("INSERT INTO throng_agent VALUES (?, ?, ?)")?;
         for body in &frame.bodies {
             if self.known.insert(body.number) {
-                let name = names::name(&self.setting, body.group);
+                let name = self.setting.group_name(body.group);
                 agent.execute(params![body.number, name, body.shape().girth()])?;
             }
             let (at, facing) = (body.position, DVec2::from_angle(f64::from(body.heading)));

@@ -48,7 +48,7 @@ fn written(format: &Format, setting: &Setting, frames: &[Frame]) -> Vec<u8> {
 }
 
 fn write(format: &Format, path: &Path, setting: &Setting, frames: &[Frame]) {
-    let mut writer = format.create(Output::create(path).unwrap(), setting).unwrap().unwrap();
+    let mut writer = format.create(Output::create(path).unwrap(), setting, &[]).unwrap().unwrap();
     frames.iter().for_each(|frame| writer.push(frame).unwrap());
     writer.finish().unwrap();
 }

@@ -25,6 +25,7 @@ pub(super) const FORMAT: Format = Format {
     title: "Universal Scene Description, as text",
     kept: false,
     sniff: None,
-    create: Some(|output, setting| Ok(Box::new(UsdaWriter::new(output, setting)?))),
+    columns: false,
+    create: Some(|output, setting, _| Ok(Box::new(UsdaWriter::new(output, setting)?))),
     read: None,
 };

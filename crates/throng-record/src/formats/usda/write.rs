@@ -2,7 +2,7 @@
 
 use crate::formats::mesh::{self, Mesh};
 use crate::formats::spill::{Spill, State};
-use crate::formats::{PROGRAM, Writer, names};
+use crate::formats::{PROGRAM, Writer};
 use crate::{Frame, Output, OutputError, Setting};
 use glam::Vec3;
 use std::fmt::Write;
@@ -100,7 +100,7 @@ impl UsdaWriter {
 
     /// What everybody of a group looks like: of radius 1 across, and as high as they are.
     fn prototype(&self, group: usize) -> String {
-        let name = names::name(&self.setting, group as u32);
+        let name = self.setting.group_name(group as u32);
         let (body, lift, front) = if self.setting.in_space {
             ("def Sphere \"Body\"".to_owned(), 0.0, 0.0)
         } else {

@@ -1,5 +1,5 @@
 "use strict";
-// The player: all models on one clock. Words of trajectories are described in tracks.rs.
+// The player: all runs on one clock, which starts at data.start. Words of trajectories are described in tracks.rs.
 const data = JSON.parse(document.getElementById("data").textContent);
 const { tracks, place, view } = data;
 const slots = tracks.radius.length;
@@ -12,6 +12,8 @@ const end = Math.max(...runs.map(run => run.end));
 const panels = [...document.querySelectorAll(".panel")].map((element, k) => ({
   run: runs[k], canvas: element.querySelector("canvas"), says: element.querySelector("span"), ground: null,
 }));
+// plots over time
+const timed = [...document.querySelectorAll(".plot svg[data-end]")];
 let time = 0, playing = false, trails = true, speed = 1, last = null;
 let colors = {};
 
@@ -81,6 +83,13 @@ function paintGround(panel) {
     context.stroke();
     context.setLineDash([]);
     context.globalAlpha = 1;
+  }
+  for (const [kind, closed] of [["marked", true], ["counted", false]]) for (const ring of place[kind]) {
+    path(context, panel, [ring], closed);
+    [context.strokeStyle, context.lineWidth] = [colors.accent, 1.5 * unit];
+    context.setLineDash(closed ? [5 * unit, 4 * unit] : []);
+    context.stroke();
+    context.setLineDash([]);
   }
   context.lineWidth = unit;
   for (const [x, y, r] of place.circles) {
@@ -201,18 +210,19 @@ function paint(panel) {
     context.globalAlpha = 1;
   }
   const there = run.arrived[Math.min(k, run.frames - 1)], all = data.agents;
-  panel.says.textContent = `${there} of ${all} arrived · ${now.toFixed(2)} s`;
+  panel.says.textContent = `${there} of ${all} ${data.gone} · ${clock(now)}`;
   panel.says.className = time >= run.end ? "done" : "";
 }
 
 // The clock.
+const clock = t => (t + data.start).toFixed(2) + " s";
 function show() {
   panels.forEach(paint);
   find("clock").value = end > 0 ? time / end : 0;
-  find("time").textContent = time.toFixed(2) + " s";
+  find("time").textContent = clock(time);
   find("play").textContent = playing ? "pause" : "play";
-  document.querySelectorAll(".plot svg").forEach(plot => {
-    const { left, right, end } = plot.dataset, x = +left + time / end * (right - left);
+  timed.forEach(plot => {
+    const { left, right, start, end } = plot.dataset, x = +left + (time + data.start - start) / (end - start) * (right - left);
     plot.querySelector(".now").setAttribute("transform", `translate(${x - left} 0)`);
   });
 }
@@ -257,11 +267,11 @@ document.addEventListener("keydown", event => {
     act();
   }
 });
-document.querySelectorAll(".plot svg").forEach(plot => {
+timed.forEach(plot => {
   const seek = event => {
-    const box = plot.getBoundingClientRect(), { left, right, end } = plot.dataset;
+    const box = plot.getBoundingClientRect(), { left, right, start, end } = plot.dataset;
     const x = (event.clientX - box.left) / box.width * plot.viewBox.baseVal.width;
-    set((x - left) / (right - left) * end);
+    set(+start + (x - left) / (right - left) * (end - start) - data.start);
   };
   plot.addEventListener("pointerdown", event => { play(false); seek(event); });
   plot.addEventListener("pointermove", event => { if (event.buttons & 1) seek(event); });
@@ -275,7 +285,7 @@ function fromHash() {
 }
 function dress() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ["card", "outside", "obstacle", "edge", "goal", "notch", "rim"]) colors[name] = style.getPropertyValue("--" + name).trim();
+  for (const name of ["card", "outside", "obstacle", "edge", "goal", "notch", "rim", "accent"]) colors[name] = style.getPropertyValue("--" + name).trim();
   panels.forEach(fit);
   show();
 }

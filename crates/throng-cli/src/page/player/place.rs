@@ -5,8 +5,9 @@ use serde_json::{Value, json};
 use throng::{Goal, Obstacle};
 use throng_record::Setting;
 
-/// Ground, obstacles and goals; `points` are the point goals that are drawn, with their tolerances.
-pub fn place(setting: &Setting, points: &[(DVec2, f64)]) -> Value {
+/// Ground, obstacles and goals; `points` are the point goals that are drawn, with their tolerances, `marked` the areas and
+/// `counted` the lines that figures are of.
+pub fn place(setting: &Setting, points: &[(DVec2, f64)], marked: &[Vec<DVec2>], counted: &[Vec<DVec2>]) -> Value {
     let (mut circles, mut polygons, mut walls) = (Vec::new(), Vec::new(), Vec::new());
     for obstacle in &setting.obstacles {
         match obstacle {
@@ -29,6 +30,8 @@ pub fn place(setting: &Setting, points: &[(DVec2, f64)]) -> Value {
     json!({
         "walkable": walkable, "circles": circles, "polygons": polygons, "walls": walls,
         "points": points, "areas": areas, "exits": exits,
+        "marked": marked.iter().map(|ring| line(ring)).collect::<Vec<_>>(),
+        "counted": counted.iter().map(|ends| line(ends)).collect::<Vec<_>>(),
     })
 }
 

@@ -5,7 +5,6 @@
 //! that is more than the page should hold, every other frame is left out, again and again, and of very many agents only
 //! every n-th is kept.
 
-use super::super::race::Run;
 use glam::DVec2;
 use serde_json::{Value, json};
 use std::f32::consts::TAU;
@@ -49,21 +48,18 @@ struct Track {
 }
 
 impl Tracks {
-    /// Of these runs, in this box.
-    pub fn new(runs: &[Run], view: WorldBox) -> Self {
-        Self::within(BUDGET, runs, view)
+    /// Of so many runs of so many agents, whose numbers are below that, in this box; `step` is the time from a moment to the next,
+    /// seconds.
+    pub fn new(runs: usize, agents: usize, step: f64, view: WorldBox) -> Self {
+        Self::within(BUDGET, runs, agents, step, view)
     }
 
     /// In so many words.
-    fn within(budget: usize, runs: &[Run], view: WorldBox) -> Self {
+    fn within(budget: usize, runs: usize, agents: usize, step: f64, view: WorldBox) -> Self {
         let room = 0.1 * (view.max - view.min).max_element() + 1.0;
         let (low, high) = (view.min - room, view.max + room);
-        // what moves by a script has a number too
-        let present = runs.iter().flat_map(|run| &run.frame.bodies).map(|body| body.number as usize + 1);
-        let agents = present.chain(runs.iter().map(|run| run.built.agents)).max().unwrap_or(0);
-        let every = (agents * runs.len() * FRAMES).div_ceil(budget).max(1);
+        let every = (agents * runs * FRAMES).div_ceil(budget).max(1);
         let slots = agents.div_ceil(every);
-        let step = runs[0].world.settings().step;
         // frames lie on steps, so that they are evenly apart
         let finest = (1.0 / (RATE * step) - 1e-6).ceil().max(1.0) as u64;
         Self {
@@ -71,25 +67,24 @@ impl Tracks {
             quantum: (high - low).max_element() / 4095.0,
             every,
             slots,
-            most: (budget / (slots * runs.len()).max(1)).max(2),
+            most: (budget / (slots * runs).max(1)).max(2),
             stride: finest,
             finest,
             step,
-            runs: runs.iter().map(|_| Track::default()).collect(),
+            runs: (0..runs).map(|_| Track::default()).collect(),
             radius: vec![0.0; slots],
             core: vec![[0.0; 2]; slots],
             group: vec![0; slots],
         }
     }
 
-    /// Takes in the runs that have moved on.
-    pub fn push(&mut self, runs: &[Run]) {
-        let now = runs.iter().map(|run| run.world.steps()).max().unwrap_or(0);
-        if now % self.stride != 0 {
+    /// Takes in a moment, so many steps after the first, of those runs that have come so far.
+    pub fn push<'a>(&mut self, steps: u64, frames: impl IntoIterator<Item = (usize, &'a Frame)>) {
+        if steps % self.stride != 0 {
             return;
         }
-        for (k, run) in runs.iter().enumerate().filter(|(_, run)| run.world.steps() == now) {
-            self.add(k, &run.frame);
+        for (k, frame) in frames {
+            self.add(k, frame);
         }
         if self.runs.iter().any(|run| run.arrived.len() > self.most) {
             self.stride *= 2;
@@ -101,12 +96,10 @@ impl Tracks {
         }
     }
 
-    /// Adds the last moment of each run.
-    pub fn end(&mut self, runs: &[Run]) {
-        for (k, run) in runs.iter().enumerate() {
-            self.add(k, &run.frame);
-            self.runs[k].end = run.frame.time;
-        }
+    /// Adds the last moment of a run, so many seconds after its first.
+    pub fn end(&mut self, run: usize, frame: &Frame, seconds: f64) {
+        self.add(run, frame);
+        self.runs[run].end = seconds;
     }
 
     fn add(&mut self, run: usize, frame: &Frame) {
@@ -170,44 +163,55 @@ impl Tracks {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::race::{Plan, Race};
     use super::*;
-    use crate::progress::Progress;
-    use crate::threads::Workers;
 
-    /// The scene headon, 2 people, 100 steps of 0.04 s in so many words for two models.
-    fn headon(budget: usize) -> Tracks {
-        use crate::args::{Arguments, Command};
-        use clap::Parser;
-        let arguments = Arguments::parse_from(["throng", "compare", "headon", "-m", "vo,orca"]);
-        let Command::Compare(args) = arguments.command else { panic!() };
-        let (loaded, models) = (args.scene.load().unwrap(), args.models().unwrap());
-        let plan = Plan { loaded, models, seeds: vec![1] };
-        let workers = Workers::new(1, 1).unwrap();
-        let mut race = Race::start(&plan, &workers, Progress::new(true)).unwrap();
+    /// Two people who walk 100 steps of 0.04 s, in so many words for two runs.
+    fn walk(budget: usize) -> Tracks {
+        let frame = |step: u32| {
+            let body = |number: u32| {
+                let x = f64::from(step) * 0.05 * if number == 0 { 1.0 } else { -1.0 };
+                Body { number, position: DVec2::new(x, 1.0), ..BODY }
+            };
+            Frame { time: f64::from(step) * 0.04, bodies: vec![body(0), body(1)], ..Frame::default() }
+        };
         let view = WorldBox { min: DVec2::splat(-10.0), max: DVec2::splat(10.0) };
-        let mut tracks = Tracks::within(budget, race.leaders(), view);
-        tracks.push(race.leaders());
-        for _ in 0..100 {
-            assert!(race.step());
-            tracks.push(race.leaders());
+        let mut tracks = Tracks::within(budget, 2, 2, 0.04, view);
+        for step in 0..=100 {
+            let frame = frame(step);
+            tracks.push(step.into(), [(0, &frame), (1, &frame)]);
         }
-        tracks.end(race.leaders());
+        (0..2).for_each(|run| tracks.end(run, &frame(100), 4.0));
         tracks
     }
 
+    const BODY: Body = Body {
+        number: 0,
+        group: 0,
+        goal: None,
+        position: DVec2::ZERO,
+        altitude: 0.0,
+        velocity: glam::Vec2::ZERO,
+        climb: 0.0,
+        heading: 0.0,
+        basis: None,
+        radius: 0.2,
+        core: glam::Vec2::ZERO,
+        preferred_speed: 1.0,
+        status: Status::Walking,
+    };
+
     #[test]
     fn what_would_be_too_much_is_thinned_evenly() {
-        let whole = headon(BUDGET);
+        let whole = walk(BUDGET);
         assert_eq!((whole.left_out().as_str(), whole.runs[0].arrived.len(), whole.seconds()), ("", 102, 0.04));
         // 102 frames of 2 agents of 2 models are 408 words
-        let thin = headon(250);
+        let thin = walk(250);
         assert_eq!((thin.left_out().as_str(), thin.runs[1].arrived.len()), ("12.5 frames a second", 52));
         for (k, words) in thin.runs[1].words.chunks_exact(2).enumerate() {
             let frame = if k == 51 { 101 } else { 2 * k };
             assert_eq!(words, &whole.runs[1].words[2 * frame..][..2]);
         }
-        let few = headon(200);
+        let few = walk(200);
         assert_eq!((few.left_out().as_str(), few.runs[1].words.len()), ("12.5 frames a second, one of 2 agents", 52));
         assert!(few.runs[1].words.iter().zip(thin.runs[1].words.chunks_exact(2)).all(|(one, both)| *one == both[0]));
     }

@@ -1,0 +1,56 @@
+//! Which part of what happens is written.
+
+use crate::look::{parse_not_negative, parse_positive};
+use clap::Args;
+use std::ops::RangeInclusive;
+use throng_record::{Choice, Column};
+
+/// Which part of what happens is written.
+#[derive(Args, Clone, Debug, Default)]
+#[command(next_help_heading = "What is written")]
+pub struct ChoiceArgs {
+    /// Leaves out what comes before, seconds
+    #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative)]
+    pub from: Option<f64>,
+
+    /// Leaves out what comes after, seconds
+    #[arg(long, value_name = "SECONDS", value_parser = parse_positive)]
+    pub to: Option<f64>,
+
+    /// Moments a second in files of trajectories; between steps everybody goes straight on [default: every step]
+    #[arg(long, value_name = "N", value_parser = parse_positive)]
+    pub rate: Option<f64>,
+
+    /// Only the agents with these numbers, in files of trajectories
+    #[arg(long, value_name = "N,N-M,...", value_delimiter = ',', value_parser = parse_numbers)]
+    pub agents: Vec<RangeInclusive<u32>>,
+
+    /// Only these groups, in files of trajectories
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    pub groups: Vec<String>,
+
+    /// The columns of tables (.csv, .parquet), in this order: number, group, time, x, y, z, vx, vy, vz, heading, radius, status
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    pub columns: Vec<Column>,
+}
+
+impl ChoiceArgs {
+    /// What is chosen.
+    pub fn choice(&self) -> Choice {
+        Choice {
+            from: self.from.unwrap_or(f64::NEG_INFINITY),
+            to: self.to.unwrap_or(f64::INFINITY),
+            rate: self.rate,
+            agents: self.agents.clone(),
+            groups: self.groups.clone(),
+            columns: self.columns.clone(),
+        }
+    }
+}
+
+/// Reads a number, or the first and the last of a range.
+fn parse_numbers(text: &str) -> Result<RangeInclusive<u32>, String> {
+    let (first, last) = text.split_once('-').unwrap_or((text, text));
+    let range = first.trim().parse().ok().zip(last.trim().parse().ok()).map(|(first, last)| first..=last);
+    range.filter(|range| !range.is_empty()).ok_or_else(|| "write numbers and ranges, such as 1,5,10-20".into())
+}

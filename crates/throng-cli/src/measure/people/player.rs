@@ -1,0 +1,55 @@
+//! Those who are measured, in the page's player.
+
+use crate::page::{Player, Scenery};
+use glam::DVec2;
+use std::collections::BTreeMap;
+use throng_draw::{Style, WorldBox, palette};
+use throng_record::pedestrian::Question;
+use throng_record::{Frame, Moments, Spot, Tracks};
+
+/// A player of those of tracks who count, with the areas and lines that figures are of.
+pub fn player(tracks: &Tracks, question: &Question, counts: impl Fn(&Spot) -> bool) -> Player {
+    let mut spots: Vec<Spot> = tracks.spots.iter().filter(|spot| counts(spot)).copied().collect();
+    // a page holds as many ways as there are numbers
+    let mut dense = BTreeMap::new();
+    for spot in &spots {
+        let next = dense.len() as u32;
+        dense.entry(spot.number).or_insert(next);
+    }
+    spots.iter_mut().for_each(|spot| spot.number = dense[&spot.number]);
+    let moments = Moments::of(Tracks { setting: tracks.setting.clone(), spots, unit: None });
+    let mut setting = moments.setting.clone();
+    if setting.walkable.is_empty() {
+        setting.walkable.clone_from(&question.ground.walkable);
+    }
+    let one = WorldBox { min: DVec2::ZERO, max: DVec2::ONE };
+    let view = WorldBox::of(&setting, &moments.everybody()).unwrap_or(one);
+    let (start, step, last) = (moments.time(0), moments.period(), moments.count().saturating_sub(1));
+    let scenery = Scenery {
+        view,
+        all: view,
+        colors: (0..setting.groups.len().max(1)).map(|group| palette(group).hex()).collect(),
+        trails: Style::default().trails,
+        points: Vec::new(),
+        marked: question.areas.iter().map(|area| area.corners().to_vec()).collect(),
+        counted: question.lines.iter().map(|line| vec![line.from, line.to]).collect(),
+        agents: moments.total(),
+        gone: "gone",
+        start,
+        setting,
+    };
+    let mut player = Player::new(scenery, 1, dense.len(), step);
+    let mut frame = Frame::default();
+    // a moment every step, the last that was where one is missing
+    let (mut moment, steps) = (0, ((moments.time(last) - start) / step).round() as u64);
+    for k in 0..=steps {
+        while moment < last && moments.time(moment + 1) < start + (k as f64 + 0.5) * step {
+            moment += 1;
+        }
+        moments.capture(moment, &mut frame);
+        player.push(k, [(0, &frame)]);
+    }
+    moments.capture(last, &mut frame);
+    player.end(0, &frame);
+    player
+}

@@ -1,0 +1,118 @@
+//! `throng convert` and `throng render`: what was recorded, written in another way.
+
+pub mod args;
+mod recording;
+
+use crate::failure::Failure;
+use crate::files;
+use crate::interrupt;
+use crate::out::{Out, complain};
+use crate::progress::Progress;
+use args::{ConvertArgs, RenderArgs};
+use recording::Recording;
+use std::path::{Path, PathBuf};
+use throng_draw::record::Plan;
+use throng_draw::{Still, Style};
+use throng_record::{Choice, Format};
+
+/// More moments than anybody means to write.
+const MOST: f64 = 1e7;
+
+/// Writes trajectories as other trajectories.
+///
+/// # Errors
+/// They cannot be read, a file cannot be written, or what is chosen is not there.
+pub fn convert(args: &ConvertArgs, out: &mut Out) -> Result<(), Failure> {
+    if let Some(path) = args.output.iter().find(|path| Format::of(path).is_none_or(|format| !format.is_written())) {
+        let text = format!("{}: cannot tell from this name which trajectories to write", path.display());
+        let hint = format!("end it in {}; pictures and video are drawn by `throng render`", files::trajectories());
+        return Err(Failure::hint(text, hint));
+    }
+    let recording = Recording::open(&args.recorded)?;
+    let (choice, style) = (args.choice.choice(), Style::default());
+    let setting = &recording.moments.setting;
+    let from = recording.start(&choice);
+    let plan = Plan { setting, style: &style, rate: 25.0, speed_up: 1.0, still: Still::Last, from, choice: &choice };
+    write(&recording, &args.output, &plan, args.quiet, out)
+}
+
+/// Draws trajectories.
+///
+/// # Errors
+/// They cannot be read, a file cannot be written, or what is chosen is not there.
+pub fn render(args: &RenderArgs, out: &mut Out) -> Result<(), Failure> {
+    let recording = Recording::open(&args.recorded)?;
+    let choice = args.choice.choice();
+    let plan = Plan {
+        setting: &recording.moments.setting,
+        style: &args.film.look.style(&recording.scene, recording.bounds())?,
+        rate: args.film.rate(&recording.scene),
+        speed_up: args.film.speed_up,
+        still: args.film.still(),
+        from: recording.start(&choice),
+        choice: &choice,
+    };
+    let own = [PathBuf::from(format!("{}.mp4", recording.name))];
+    let paths = if args.output.is_empty() { &own[..] } else { &args.output };
+    write(&recording, paths, &plan, args.quiet, out)
+}
+
+/// Writes the moments of a recording.
+fn write(recording: &Recording, paths: &[PathBuf], plan: &Plan, quiet: bool, out: &mut Out) -> Result<(), Failure> {
+    recording.spans(plan.choice)?;
+    if let Some(path) = paths.iter().find(|path| recording.is(path)) {
+        let text = format!("{} is what is read", path.display());
+        return Err(Failure::hint(text, "write under another name"));
+    }
+    interrupt::watch();
+    let mut files = files::create(paths, plan)?;
+    let progress = Progress::new(quiet);
+    let moments = &recording.moments;
+    let mut last = 0;
+    for k in 0..moments.count() {
+        if interrupt::asked() {
+            break;
+        }
+        let time = moments.time(k);
+        let step = if k + 1 < moments.count() { moments.time(k + 1) - time } else { moments.period() };
+        files.push(time, step, |frame| moments.capture(k, frame))?;
+        last = k;
+        progress.show(k as f64 / moments.count() as f64, || format!("{time:.1} s"));
+    }
+    progress.done();
+    files.finish(moments.time(last), |frame| moments.capture(last, frame))?;
+    if !quiet {
+        paths.iter().try_for_each(|path| out.line(format_args!("wrote {}", path.display())))?;
+    }
+    if interrupt::asked() {
+        complain(&format!("interrupted at {:.2} s; the files are complete up to there", moments.time(last)));
+        return Err(Failure::Interrupted);
+    }
+    Ok(())
+}
+
+impl Recording {
+    /// When the first picture is due, seconds.
+    fn start(&self, choice: &Choice) -> f64 {
+        choice.from.max(self.moments.time(0))
+    }
+
+    /// That something is chosen, and not more than anybody can mean.
+    fn spans(&self, choice: &Choice) -> Result<(), Failure> {
+        let (first, last) = (self.moments.time(0), self.moments.time(self.moments.count()));
+        if choice.from > last || choice.to < first || choice.from > choice.to {
+            let text = format!("nothing is there from {:.2} to {:.2} s", choice.from.max(0.0), choice.to);
+            return Err(Failure::hint(text, format!("it was recorded from {first:.2} to {last:.2} s")));
+        }
+        let count = choice.rate.map_or(0.0, |rate| rate * (choice.to.min(last) - choice.from.max(first)));
+        if count > MOST {
+            return Err(Failure::hint(format!("--rate: that makes {count:.0} moments"), "write a lower rate"));
+        }
+        Ok(())
+    }
+
+    /// Whether it was read from this file.
+    fn is(&self, path: &Path) -> bool {
+        path.canonicalize().is_ok_and(|path| self.path.canonicalize().is_ok_and(|own| own == path))
+    }
+}

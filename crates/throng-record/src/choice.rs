@@ -1,0 +1,167 @@
+//! Which part of what happens is written.
+
+use crate::formats::{Column, Format, Writer};
+use crate::resample::{Beat, Resampled, SLACK};
+use crate::{Frame, Output, OutputError, Setting};
+use std::ops::RangeInclusive;
+
+/// Which part of what happens is written; by default, all of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// The first moment, seconds.
+    pub from: f64,
+    /// The last moment, seconds.
+    pub to: f64,
+    /// Moments a second, the first of them at [`from`](Self::from), or at a multiple of the time between two: between steps
+    /// everybody goes straight on. `None`: every step.
+    pub rate: Option<f64>,
+    /// The numbers of those who are written; empty: everybody.
+    pub agents: Vec<RangeInclusive<u32>>,
+    /// The names of the groups that are written; empty: all of them. A group without a name is called by its index.
+    pub groups: Vec<String>,
+    /// The columns of a table, in this order; empty: those that its kind has.
+    pub columns: Vec<Column>,
+}
+
+/// Why a choice cannot be made.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ChoiceError {
+    /// There is no group of this name.
+    #[error("there is no group `{name}`\n  hint: there is: {}", groups.join(", "))]
+    Group {
+        /// The name.
+        name: String,
+        /// Those that there are.
+        groups: Vec<String>,
+    },
+    /// A column is named twice.
+    #[error("the column `{column}` is named twice\n  hint: name it once")]
+    Twice {
+        /// The column.
+        column: Column,
+    },
+    /// The kind of file has no columns to choose.
+    #[error("the columns of .{ending} cannot be chosen\n  hint: those of a table can: {}", tables())]
+    Columns {
+        /// Of its names.
+        ending: &'static str,
+    },
+}
+
+impl Default for Choice {
+    fn default() -> Self {
+        Self {
+            from: f64::NEG_INFINITY,
+            to: f64::INFINITY,
+            rate: None,
+            agents: Vec::new(),
+            groups: Vec::new(),
+            columns: Vec::new(),
+        }
+    }
+}
+
+impl Choice {
+    /// That what is chosen is there.
+    ///
+    /// ```
+    /// use throng_record::{Choice, Format, Setting};
+    /// let setting = Setting { groups: vec!["left".into(), "right".into()], ..Setting::default() };
+    /// let choice = Choice { groups: vec!["up".into()], ..Choice::default() };
+    /// let csv = Format::of("run.csv").unwrap();
+    /// assert!(choice.check(&setting, [csv]).unwrap_err().to_string().contains("left, right"));
+    /// ```
+    ///
+    /// # Errors
+    /// A group is not there, a column comes twice, or one of the kinds of files has no columns to choose.
+    pub fn check<'a>(&self, setting: &Setting, kinds: impl IntoIterator<Item = &'a Format>) -> Result<(), ChoiceError> {
+        if let Some(name) = self.groups.iter().find(|name| !names(setting).any(|own| own == **name)) {
+            return Err(ChoiceError::Group { name: name.clone(), groups: names(setting).collect() });
+        }
+        let twice = (1..self.columns.len()).find(|&k| self.columns[..k].contains(&self.columns[k]));
+        if let Some(column) = twice.map(|k| self.columns[k]) {
+            return Err(ChoiceError::Twice { column });
+        }
+        let fixed = kinds.into_iter().find(|kind| !self.columns.is_empty() && !kind.has_columns());
+        fixed.map_or(Ok(()), |kind| Err(ChoiceError::Columns { ending: kind.ending }))
+    }
+
+    /// Begins a file of a kind that is [written](Format::is_written), in which only what is chosen comes; `None` if it is not.
+    ///
+    /// # Errors
+    /// The system's, such as a full disk.
+    pub fn create(
+        &self,
+        format: &Format,
+        output: Output,
+        setting: &Setting,
+    ) -> Option<Result<Box<dyn Writer>, OutputError>> {
+        let writer = match format.create(output, setting, &self.columns)? {
+            Ok(writer) => self.members(writer, setting),
+            Err(error) => return Some(Err(error)),
+        };
+        Some(Ok(match self.beat() {
+            Some(beat) => Box::new(Resampled::new(writer, beat)),
+            None => writer,
+        }))
+    }
+
+    /// Whether a moment is needed, which comes at `time` seconds between two others.
+    pub fn needs(&self, before: f64, time: f64, after: f64) -> bool {
+        match self.beat() {
+            Some(beat) => beat.needs(before, after),
+            None => time > self.from - SLACK && time < self.to + SLACK,
+        }
+    }
+
+    fn beat(&self) -> Option<Beat> {
+        self.rate.map(|rate| Beat { from: self.from, to: self.to, rate })
+    }
+
+    /// A writer that takes only those who are chosen.
+    fn members(&self, writer: Box<dyn Writer>, setting: &Setting) -> Box<dyn Writer> {
+        if self.agents.is_empty() && self.groups.is_empty() {
+            return writer;
+        }
+        let groups = names(setting).map(|name| self.groups.is_empty() || self.groups.contains(&name)).collect();
+        Box::new(Members { writer, agents: self.agents.clone(), groups, frame: Frame::default() })
+    }
+}
+
+/// Writes some of those who are there.
+struct Members {
+    writer: Box<dyn Writer>,
+    agents: Vec<RangeInclusive<u32>>,
+    /// Whether a group is chosen, by index.
+    groups: Vec<bool>,
+    /// Those of the moment who are.
+    frame: Frame,
+}
+
+impl Writer for Members {
+    fn push(&mut self, frame: &Frame) -> Result<(), OutputError> {
+        let Self { agents, groups, .. } = self;
+        self.frame.time = frame.time;
+        self.frame.bodies.clear();
+        self.frame.bodies.extend(frame.bodies.iter().filter(|body| {
+            groups.get(body.group as usize).is_none_or(|&chosen| chosen)
+                && (agents.is_empty() || agents.iter().any(|range| range.contains(&body.number)))
+        }));
+        self.writer.push(&self.frame)
+    }
+
+    fn finish(self: Box<Self>) -> Result<(), OutputError> {
+        self.writer.finish()
+    }
+}
+
+/// What the groups are called.
+fn names(setting: &Setting) -> impl Iterator<Item = String> + '_ {
+    (0..setting.groups.len() as u32).map(|group| setting.group_name(group).into_owned())
+}
+
+/// How the names of tables end.
+fn tables() -> String {
+    let tables = crate::formats::FORMATS.iter().filter(|format| format.has_columns());
+    tables.map(|format| format!(".{}", format.ending)).collect::<Vec<_>>().join(", ")
+}
