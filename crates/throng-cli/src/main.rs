@@ -44,6 +44,7 @@ use std::process::ExitCode;
 static MEMORY: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
 fn main() -> ExitCode {
+    throng_scene::hush();
     let arguments = Arguments::parse();
     let mut out = Out::new();
     let result = match &arguments.command {

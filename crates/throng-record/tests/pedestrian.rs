@@ -4,10 +4,10 @@
 mod shared;
 
 use glam::DVec2;
-use shared::data;
+use shared::{data, found};
 use throng::Walkable;
 use throng_record::pedestrian::{
-    Area, Figures, Ground, Inside, Line, People, Question, count, flows, median, steady_flow,
+    Area, Figures, Ground, Inside, Line, People, Question, count, flow, flows, median, steady_flow,
 };
 use throng_record::{Reading, Tracks};
 
@@ -86,6 +86,62 @@ fn a_ground_with_walls_is_as_pedpy_measures_it() {
     near(windows.iter().sum::<f64>() / 5.0, 2.555978093283292, 1e-6);
 }
 
+/// Numbers of a line, of all files of a folder whose names begin so; what is no number ends a line.
+fn points(folder: &str, begins: &str) -> Option<Vec<[f64; 2]>> {
+    let mut files: Vec<_> = std::fs::read_dir(found(folder)?).unwrap().map(|file| file.unwrap().path()).collect();
+    files.retain(|path| path.file_name().unwrap().to_string_lossy().starts_with(begins));
+    files.sort();
+    let text: String = files.iter().map(|path| std::fs::read_to_string(path).unwrap() + "\n").collect();
+    let pair = |line: &str| {
+        let mut numbers = line.split_whitespace().map_while(|word| word.parse().ok());
+        Some([numbers.next()?, numbers.next()?])
+    };
+    Some(text.lines().filter_map(pair).collect())
+}
+
+/// The median speed of the points whose density is within a quarter of one.
+fn speed_at(points: &[[f64; 2]], density: f64) -> f64 {
+    median(points.iter().filter(|[at, _]| (at - density).abs() < 0.25).map(|[_, speed]| *speed).collect())
+}
+
+/// What was measured elsewhere is what shared/data/README.md says of it, and what we measure of the trajectories of the same experiments.
+#[test]
+fn the_fundamental_diagram_is_the_one_that_is_known() {
+    let known: [(&str, &str, &[f64]); 3] = [
+        ("3test_UO", "uo", &[1.45, 1.24, 1.11, 0.84, 0.44, 0.31, 0.17, 0.13]),
+        ("7test_BO", "bot", &[1.43, 1.17, 0.85, 0.68, 0.51, 0.43]),
+        ("1test_1D", "n", &[0.91, 0.82, 0.31, 0.12, 0.05]),
+    ];
+    for (folder, begins, speeds) in known {
+        let Some(points) = points(&format!("fundamental_diagram/{folder}"), begins) else { return };
+        for (k, speed) in speeds.iter().enumerate() {
+            // as many digits as are said
+            assert!((speed_at(&points, 0.5 + 0.5 * k as f64) - speed).abs() <= 0.0055, "{folder}: {k}");
+        }
+    }
+    let (Some(one_way), Some(people)) =
+        (points("fundamental_diagram/3test_UO", "uo"), people("juelich/traj_UNI_CORR_500_01.txt"))
+    else {
+        return;
+    };
+    let ground = Ground { walkable: vec![], cut_off: Some(1.0) };
+    let found = Figures::of(&people, &question([-2.0, 0.5, 4.0, 4.0], [0.0, 0.0, 0.0, 5.0], ground));
+    let found = Inside::fundamental_diagram(&found.areas[0]);
+    near(speed_at(&found, 0.5), speed_at(&one_way, 0.5), 0.02);
+}
+
+/// The flow through a bottleneck of 3 m as the group that measured it first says it.
+#[test]
+fn the_flow_of_a_bottleneck_is_the_one_that_is_known() {
+    let (Some(known), Some(people)) =
+        (points("fundamental_diagram/bottleneck_flow", "2009AO"), people("juelich/AO_300_bottleneck.txt"))
+    else {
+        return;
+    };
+    let known = known.iter().find(|[width, _]| *width == 3.0).unwrap()[1];
+    near(flow(&bottleneck(&people).crossings[0]), known, 0.02);
+}
+
 #[test]
 fn flow_and_lanes_are_those_that_are_known_of_them() {
     if let Some(people) = people("juelich/AO_300_bottleneck.txt") {
@@ -94,14 +150,6 @@ fn flow_and_lanes_are_those_that_are_known_of_them() {
     if let Some(people) = people("juelich/bi_corr_400_b_03.txt") {
         let found = Figures::of(&people, &Question::default());
         near(found.steady_lane_order(), 0.76, 0.02);
-    }
-    if let Some(people) = people("juelich/traj_UNI_CORR_500_01.txt") {
-        let ground = Ground { walkable: vec![], cut_off: Some(1.0) };
-        let found = Figures::of(&people, &question([-2.0, 0.5, 4.0, 4.0], [0.0, 0.0, 0.0, 5.0], ground));
-        let half = Inside::fundamental_diagram(&found.areas[0])
-            .into_iter()
-            .filter(|[density, _]| (0.25..0.75).contains(density));
-        near(median(half.map(|[_, speed]| speed).collect()), 1.45, 0.02);
     }
 }
 

@@ -1,6 +1,7 @@
 //! Panics of code that a program brings along: caught, and told with the name of whose they are.
 
 use std::any::Any;
+use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 /// Runs code that may be somebody else's: a panic in it becomes what it says. What the code was changing may be left half
@@ -14,7 +15,25 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 /// assert_eq!(throng_scene::caught(|| panic!("two and two")), Err::<(), _>("two and two".into()));
 /// ```
 pub fn caught<T>(code: impl FnOnce() -> T) -> Result<T, String> {
-    catch_unwind(AssertUnwindSafe(code)).map_err(|panic| words(&*panic))
+    CATCHING.set(CATCHING.get() + 1);
+    let result = catch_unwind(AssertUnwindSafe(code)).map_err(|panic| words(&*panic));
+    CATCHING.set(CATCHING.get() - 1);
+    result
+}
+
+thread_local! {
+    /// How many [`caught`] are at work in this thread.
+    static CATCHING: Cell<u32> = const { Cell::new(0) };
+}
+
+/// From now on panics that are [`caught`] say nothing on standard error: whoever caught them tells it.
+pub fn hush() {
+    let loud = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        if CATCHING.get() == 0 {
+            loud(panic);
+        }
+    }));
 }
 
 /// Runs code of a plug-in: a panic in it goes on as one that says whose it is.

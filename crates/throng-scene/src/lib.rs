@@ -65,7 +65,7 @@ mod scene;
 mod watch;
 
 pub use build::{Built, BuiltGroup, MAX_AGENTS, Plan, PlannedAgent, PlannedField, PlannedJourney};
-pub use caught::caught;
+pub use caught::{caught, hush};
 pub use error::{Error, Kind};
 pub use import::open;
 pub use plugins::Plugins;

@@ -23,7 +23,7 @@ mod state;
 mod write;
 
 pub use read::{Contents, Key};
-pub use write::RecWriter;
+pub use write::{AppendError, RecWriter};
 
 use super::Format;
 

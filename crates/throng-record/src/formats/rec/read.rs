@@ -124,6 +124,31 @@ impl<'a> Contents<'a> {
         Ok(tracks)
     }
 
+    /// How many bytes there are up to the end of the last whole moment, and where which moment is.
+    ///
+    /// # Errors
+    /// A record is not what was written.
+    pub(super) fn whole(&self) -> Result<(u64, Index), Flaw> {
+        let mut rest = Rest(&self.bytes[self.start..]);
+        let (mut index, mut last, mut memory) = (Index::default(), None, Memory::default());
+        loop {
+            let at = self.bytes.len() - rest.0.len();
+            let broken = || flaw(format!("its record at byte {at} is broken"));
+            let record = match next(&mut rest) {
+                Next::Record(record @ [KEY | NEXT, ..]) => record,
+                Next::Record(_) | Next::End => return Ok((at as u64, index)),
+                Next::Changed => return Err(broken()),
+            };
+            let moment = memory.read(record, last.as_ref()).ok_or_else(broken)?;
+            if record[0] == KEY {
+                index.keys.push((at as u64, index.moments, moment.time));
+            }
+            index.moments += 1;
+            index.last = moment.time;
+            last = Some(moment);
+        }
+    }
+
     /// Groups without a name are called by their index.
     fn name(&self, most: u32, groups: &mut Vec<String>) -> Result<(), Flaw> {
         if most as usize > groups.len() + self.bytes.len() {

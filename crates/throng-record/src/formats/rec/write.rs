@@ -1,10 +1,13 @@
 //! `.rec` written.
 
+use super::Contents;
 use super::file::{END, HEAD, Head, INDEX, Index, MAGIC, encode, prefix};
 use super::frame::{Memory, Moment};
 use super::state::State;
 use crate::formats::Writer;
-use crate::{Frame, Output, OutputError, Setting};
+use crate::output::part_of;
+use crate::{Frame, Output, OutputError, Setting, TracksError};
+use std::path::Path;
 
 /// So many moments apart are those that stand by themselves.
 pub(super) const APART: u64 = 64;
@@ -28,10 +31,23 @@ pub struct RecWriter {
     /// Bytes written.
     written: u64,
     index: Index,
+    /// Whether the next moment stands by itself in any case.
+    alone: bool,
     /// The moment before, and the one being written.
     moments: [Moment; 2],
     memory: Memory,
     record: Vec<u8>,
+}
+
+/// Why a file cannot be gone on with.
+#[derive(Debug, thiserror::Error)]
+pub enum AppendError {
+    /// It cannot be read.
+    #[error(transparent)]
+    Read(#[from] TracksError),
+    /// It cannot be written.
+    #[error(transparent)]
+    Write(#[from] OutputError),
 }
 
 impl RecWriter {
@@ -45,6 +61,7 @@ impl RecWriter {
             output,
             written: 0,
             index: Index::default(),
+            alone: true,
             moments: Default::default(),
             memory: Memory::default(),
             record,
@@ -52,6 +69,46 @@ impl RecWriter {
         writer.put(&MAGIC)?;
         writer.put_record()?;
         Ok(writer)
+    }
+
+    /// Goes on with a file, complete or not: with all whole moments that are in it. `path` is the name it has when it is complete, with or
+    /// without `.part`. Moments are to be later than those that are there, and groups counted as in its [setting](Contents::setting).
+    ///
+    /// ```
+    /// # let folder = tempfile::tempdir()?;
+    /// # let path = folder.path().join("run.rec");
+    /// use throng_record::formats::rec::RecWriter;
+    /// use throng_record::{Body, Frame, Output, Setting, Tracks, Writer};
+    /// let mut writer = RecWriter::new(Output::create_kept(&path)?, &Setting::default())?;
+    /// writer.push(&Frame { time: 0.0, ..Frame::default() })?;
+    /// Box::new(writer).finish()?;
+    /// let mut writer = RecWriter::append(&path)?;
+    /// writer.push(&Frame { time: 0.5, ..Frame::default() })?;
+    /// Box::new(writer).finish()?;
+    /// let bytes = std::fs::read(&path)?;
+    /// assert_eq!(throng_record::formats::rec::Contents::of(&bytes)?.moments, Some(2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// It cannot be read or written, is no such file, or is broken before its end.
+    pub fn append(path: impl AsRef<Path>) -> Result<Self, AppendError> {
+        let path = path.as_ref();
+        let path =
+            if path.extension().is_some_and(|end| end == "part") { path.with_extension("") } else { path.into() };
+        let found = if path.exists() { path.clone() } else { part_of(&path) };
+        let bytes = std::fs::read(&found).map_err(|source| TracksError::File { path: found.clone(), source })?;
+        let whole = Contents::of(&bytes).and_then(|contents| contents.whole());
+        let (written, index) = whole.map_err(|flaw| TracksError::Content { path: found, flaw })?;
+        Ok(Self {
+            output: Output::append_kept(&path, written)?,
+            written,
+            index,
+            alone: true,
+            moments: Default::default(),
+            memory: Memory::default(),
+            record: Vec::new(),
+        })
     }
 
     fn put(&mut self, bytes: &[u8]) -> Result<(), OutputError> {
@@ -77,7 +134,7 @@ impl Writer for RecWriter {
         now.states.extend(frame.bodies.iter().map(State::of));
         now.states.sort_unstable_by_key(|state| state.number);
         now.states.dedup_by_key(|state| state.number);
-        let key = self.index.moments.is_multiple_of(APART);
+        let key = std::mem::take(&mut self.alone) || self.index.moments.is_multiple_of(APART);
         if key {
             self.index.keys.push((self.written, self.index.moments, frame.time));
         }

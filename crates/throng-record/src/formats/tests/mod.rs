@@ -2,7 +2,7 @@
 
 mod crowd;
 
-use super::{FORMATS, Flaw, Format, Reading};
+use super::{FORMATS, Flaw, Format, Reading, rec};
 use crate::tracks::{Spot, Tracks};
 use crate::{Frame, Output, Setting};
 use crowd::{Times, crowd};
@@ -123,6 +123,44 @@ proptest! {
             }
             compare(format, &even_setting, &even)?;
         }
+    }
+
+    /// A `.rec` that was complete, or was cut anywhere, is gone on with: what is there then is what would be there at once.
+    #[test]
+    fn a_file_is_gone_on_with((setting, frames) in crowd(Times::Even), part in 0.0..1.0f64, cut in prop::option::of(0.0..1.0f64)) {
+        let format = Format::of("run.rec").unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let (path, unfinished) = (folder.path().join("run.rec"), folder.path().join("run.rec.part"));
+        let first = (part * frames.len() as f64) as usize;
+        write(format, &path, &setting, &frames[..first]);
+        let mut kept = first;
+        if let Some(cut) = cut {
+            let whole = std::fs::read(&path).unwrap();
+            // the beginning is there as soon as the file is: all but the index of no moments, its place, and the end
+            let head = written(format, &setting, &[]).len() - 35;
+            let cut = &whole[..head.max((cut * whole.len() as f64) as usize).min(whole.len())];
+            std::fs::remove_file(&path).unwrap();
+            std::fs::write(&unfinished, cut).unwrap();
+            let there = Tracks::read(&unfinished).unwrap();
+            let last = there.spots.last().map(|spot| spot.time);
+            kept = frames[..first].iter().take_while(|frame| last.is_some_and(|last| frame.time <= last)).count();
+            prop_assume!(frames[..first].iter().all(|frame| !frame.bodies.is_empty()));
+        }
+        let mut writer = rec::RecWriter::append(&path).unwrap();
+        frames[kept..].iter().for_each(|frame| writer.push(frame).unwrap());
+        Box::new(writer).finish().unwrap();
+        let (found, want) = (std::fs::read(&path).unwrap(), written(format, &setting, &frames));
+        prop_assert_eq!(read(format, &found).unwrap(), read(format, &want).unwrap());
+        let contents = rec::Contents::of(&found).unwrap();
+        prop_assert_eq!(contents.moments, Some(frames.len() as u64));
+        // every moment that stands by itself can be begun at
+        for key in &contents.keys {
+            let part = contents.between(key.time, f64::INFINITY).unwrap();
+            let all = contents.between(f64::NEG_INFINITY, f64::INFINITY).unwrap();
+            let later: Vec<Spot> = all.spots.into_iter().filter(|spot| spot.time >= key.time).collect();
+            prop_assert_eq!(part.spots, later);
+        }
+        prop_assert!(!unfinished.exists());
     }
 
     /// Whatever happens to the bytes of a file, it is read or it is not: nothing panics.
