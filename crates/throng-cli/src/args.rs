@@ -123,6 +123,7 @@ Outputs, by the ending of the name:
   .rec              the same in few bytes; what is written so far is in NAME.rec.part, and can be read, whatever happens
   .sqlite           the same for JuPedSim and PedPy
   .usda             the same for film and animation (Universal Scene Description)
+  .glb              the same for engines and the web (binary glTF)
   NAME/             a folder of PNG files, one a picture
   .avi, .webm, ...  other video, through the program ffmpeg where that is installed
 

@@ -1,5 +1,7 @@
 //! Colours, and the palette that groups are told apart by.
 
+use throng_record::color;
+
 /// A colour, 8 bits a channel, sRGB, alpha not multiplied in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Color {
@@ -19,6 +21,10 @@ impl Color {
         Self { r: (hex >> 16) as u8, g: (hex >> 8) as u8, b: hex as u8, a: 255 }
     }
 
+    const fn of([r, g, b]: [u8; 3]) -> Self {
+        Self { r, g, b, a: 255 }
+    }
+
     /// The same colour with an opacity of `alpha`, 0 to 1.
     pub fn alpha(self, alpha: f32) -> Self {
         Self { a: (alpha.clamp(0.0, 1.0) * 255.0).round() as u8, ..self }
@@ -36,23 +42,21 @@ impl Color {
     }
 }
 
-/// The colours of groups and goals, in order. Their hues follow Okabe and Ito (2008), "Color universal design",
-/// muted and moved apart in lightness; a test holds them apart for the three kinds of colour-blindness.
-pub const PALETTE: [Color; 8] = [
-    Color::rgb(0x3866b6), // blue
-    Color::rgb(0xe38c2e), // orange
-    Color::rgb(0x21ae76), // bluish green
-    Color::rgb(0xaa6591), // reddish purple
-    Color::rgb(0x9ab6e2), // sky blue
-    Color::rgb(0x3e3749), // slate
-    Color::rgb(0xdadc6e), // yellow
-    Color::rgb(0xb64c23), // vermilion
-];
+/// The colours of groups and goals, in order ([`throng_record::color::PALETTE`]); a test holds them apart for the three kinds
+/// of colour-blindness.
+pub const PALETTE: [Color; 8] = {
+    let mut colors = [Color::rgb(0); 8];
+    let mut k = 0;
+    while k < colors.len() {
+        colors[k] = Color::of(color::PALETTE[k]);
+        k += 1;
+    }
+    colors
+};
 
 /// The colour of the group or goal `index`: the palette, then the palette again in paler rounds.
 pub fn palette(index: usize) -> Color {
-    let round = (index / PALETTE.len()).min(3);
-    PALETTE[index % PALETTE.len()].mix(Color::rgb(0xffffff), 0.25 * round as f32)
+    Color::of(color::palette(index))
 }
 
 /// The stops of the ramp for speeds, slow to fast; lightness rises all the way.

@@ -1,12 +1,14 @@
 //! What happened in a world: its moments ([`Setting`], [`Frame`], [`Body`]) and the files that hold them.
 //!
 //! [`series`] makes figures over time of them, [`swarm`] those of a swarm, [`pedestrian`] those of people; [`formats`] are the files of
-//! trajectories, [`Tracks`] what is read back, and [`Moments`] the same moment by moment; a [`Choice`] says what of it all is written; [`moment`] makes moments of the world of a scene. Every file is written through
+//! trajectories, [`Tracks`] what is read back, and [`Moments`] the same moment by moment; a [`Choice`] says what of it all is written;
+//! [`moment`] makes moments of the world of a scene; [`color`] tells groups apart. Every file is written through
 //! [`Output`], under a temporary name until it is complete. [`Behind`] lets another thread write them.
 
 mod behind;
 mod capture;
 mod choice;
+pub mod color;
 mod flow;
 pub mod formats;
 mod frame;

@@ -3,26 +3,30 @@
 //! Where several kinds share an ending, the file itself says which it is.
 
 mod archive;
+#[cfg(any(feature = "glb", feature = "usda"))]
+mod body;
 mod columns;
 pub mod csv;
-#[cfg(any(feature = "parquet", feature = "sqlite", feature = "usda"))]
+#[cfg(any(feature = "glb", feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod describe;
+#[cfg(feature = "glb")]
+pub mod glb;
 #[cfg(feature = "hdf5")]
 mod hdf5;
 pub mod keys;
-#[cfg(feature = "usda")]
+#[cfg(any(feature = "glb", feature = "usda"))]
 mod mesh;
-#[cfg(any(feature = "parquet", feature = "sqlite", feature = "usda"))]
+#[cfg(any(feature = "glb", feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod names;
 mod obsmat;
 #[cfg(feature = "parquet")]
 pub mod parquet;
-#[cfg(any(feature = "parquet", feature = "sqlite", feature = "usda"))]
+#[cfg(any(feature = "glb", feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod place;
-#[cfg(any(feature = "parquet", feature = "sqlite", feature = "usda"))]
+#[cfg(any(feature = "glb", feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod rate;
 pub mod rec;
-#[cfg(feature = "usda")]
+#[cfg(any(feature = "glb", feature = "usda"))]
 mod spill;
 #[cfg(feature = "sqlite")]
 pub mod sqlite;
@@ -53,6 +57,8 @@ pub const FORMATS: &[Format] = &[
     sqlite::FORMAT,
     #[cfg(feature = "usda")]
     usda::FORMAT,
+    #[cfg(feature = "glb")]
+    glb::FORMAT,
     obsmat::FORMAT,
     archive::FORMAT,
     vadere::FORMAT,

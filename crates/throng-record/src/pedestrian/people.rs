@@ -88,8 +88,13 @@ impl People {
     }
 }
 
-/// The value in the middle; not a number for none.
+/// The value in the middle, of an even number the mean of the two there; not a number for none.
 pub fn median(mut values: Vec<f64>) -> f64 {
-    let middle = values.len() / 2;
-    if values.is_empty() { f64::NAN } else { *values.select_nth_unstable_by(middle, f64::total_cmp).1 }
+    if values.is_empty() {
+        return f64::NAN;
+    }
+    let (middle, even) = (values.len() / 2, values.len().is_multiple_of(2));
+    let (below, &mut upper, _) = values.select_nth_unstable_by(middle, f64::total_cmp);
+    let lower = below.iter().copied().max_by(f64::total_cmp).filter(|_| even);
+    0.5 * (lower.unwrap_or(upper) + upper)
 }

@@ -1,9 +1,9 @@
-"""USD reads what throng wrote: python usda.py RUN.usda RUN.csv (of the same run)."""
+"""USD reads what throng wrote: python usda.py RUN.usda RUN.csv [AGAIN.usda] (of the same run); writes it again as AGAIN.usda."""
 import csv
 import math
 import sys
 
-from pxr import Usd, UsdGeom
+from pxr import Gf, Usd, UsdGeom
 
 stage = Usd.Stage.Open(sys.argv[1])
 rows = list(csv.DictReader(open(sys.argv[2], newline="")))
@@ -33,10 +33,13 @@ for time in times[:: max(1, len(times) // 50)]:
         want = [float(row["x"]), float(row["y"]), float(row.get("z", 0))]
         assert math.dist(place, want) < 2e-4, (time, row, place)
         assert math.dist(velocities[k][:2], (float(row["vx"]), float(row["vy"]))) < 1e-3
-        heading = 2 * math.atan2(turns[k].GetImaginary()[2], turns[k].GetReal())
-        off = (heading - float(row["heading"]) + math.pi) % (2 * math.pi) - math.pi
-        assert abs(off) < math.radians(0.1), (time, row, heading)
+        ahead = Gf.Quatd(turns[k]).GetNormalized().Transform(Gf.Vec3d(1, 0, 0))
+        off = (math.atan2(ahead[1], ahead[0]) - float(row["heading"]) + math.pi) % (2 * math.pi) - math.pi
+        # of who flies steeply, a small turn is a large one along the ground
+        assert abs(off) * math.hypot(ahead[0], ahead[1]) < math.radians(0.15), (time, row, ahead)
         compared += 1
+if len(sys.argv) > 3:
+    stage.Export(sys.argv[3])
 box = UsdGeom.BBoxCache(times[0], ["default"]).ComputeWorldBound(stage.GetPrimAtPath("/World")).ComputeAlignedRange()
 assert not box.IsEmpty()
 print(f"{len(ids)} agents, {len(times)} samples, {codes:g} a second, {compared} places equal, bounds {box}, "

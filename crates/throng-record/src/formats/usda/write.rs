@@ -1,16 +1,13 @@
 //! USD written.
 
+use super::{CODES, TIMES};
 use crate::formats::mesh::{self, Mesh};
 use crate::formats::spill::{Spill, State};
-use crate::formats::{PROGRAM, Writer};
-use crate::{Frame, Output, OutputError, Setting};
-use glam::Vec3;
-use std::fmt::Write;
-
-/// Time codes a second where moments come unevenly.
-const CODES: f64 = 24.0;
-/// Height of a body that walks, metres.
-const HEIGHT: f32 = 1.75;
+use crate::formats::{Writer, body, describe, keys};
+use crate::{Frame, Output, OutputError, Setting, color};
+use glam::{Quat, Vec3};
+use std::fmt::Write as _;
+use std::io::{self, Write as _};
 
 /// Collects trajectories as they happen, and writes them at the end. See the [module](super) for the prims.
 ///
@@ -45,27 +42,32 @@ impl UsdaWriter {
     }
 
     /// What comes before the people.
-    fn head(&mut self) -> Result<(), OutputError> {
+    fn head(&mut self) -> io::Result<()> {
         let (setting, codes) = (&self.setting, self.codes());
-        let [first, last] = [self.spill.moments.first(), self.spill.moments.last()]
-            .map(|moment| code(moment.map_or(0.0, |&(time, _)| time), codes));
-        let (title, program) = (quoted(&setting.title), quoted(PROGRAM));
+        let times = self.spill.moments.iter().map(|&(time, _)| time);
+        let [first, last] = [times.clone().next(), times.clone().last()].map(|time| code(time.unwrap_or(0.0), codes));
         let groups = list(setting.groups.iter(), |out, name| out.push_str(&quoted(name)));
+        let said = describe::pairs(setting).into_iter().filter(|(key, _)| *key != keys::GROUPS);
+        let said: String = said
+            .map(|(key, value)| format!("    custom string {} = {}\n", key.replace('.', ":"), quoted(&value)))
+            .collect();
+        let times = list(times, |out, time| out.push_str(&time.to_string()));
         let origin = setting.origin;
         let text = format!(
-            "#usda 1.0\n(\n    customLayerData = {{\n        string title = {title}\n        string program = {program}\n    }}\n    \
-             defaultPrim = \"World\"\n    endTimeCode = {last}\n    framesPerSecond = {codes}\n    metersPerUnit = 1\n    \
-             startTimeCode = {first}\n    timeCodesPerSecond = {codes}\n    upAxis = \"Z\"\n)\n\ndef Xform \"World\"\n{{\n    \
-             custom string[] throng:groups = {groups}\n    double3 xformOp:translate = ({}, {}, 0)\n    \
-             uniform token[] xformOpOrder = [\"xformOp:translate\"]\n",
-            origin.x, origin.y
+            "#usda 1.0\n(\n    defaultPrim = \"World\"\n    endTimeCode = {last}\n    framesPerSecond = {codes}\n    \
+             metersPerUnit = 1\n    startTimeCode = {first}\n    timeCodesPerSecond = {codes}\n    upAxis = \"Z\"\n)\n\n\
+             def Xform \"World\"\n{{\n{said}    custom string[] {} = {groups}\n    custom double[] {TIMES} = {times}\n    \
+             double3 xformOp:translate = ({}, {}, 0)\n    uniform token[] xformOpOrder = [\"xformOp:translate\"]\n",
+            keys::GROUPS.replace('.', ":"),
+            origin.x,
+            origin.y
         );
         let ground = mesh::ground(setting, self.spill.seen);
-        let meshes = [("Ground", ground, [0.8; 3]), ("Obstacles", mesh::solids(setting), [0.35; 3])];
+        let meshes = [("Ground", ground, [0.6; 3]), ("Obstacles", mesh::solids(setting), [0.1; 3])];
         let meshes = meshes.iter().filter(|(_, mesh, _)| !mesh.points.is_empty());
-        let meshes: String = meshes.map(|(name, mesh, color)| self::mesh(name, mesh, *color)).collect();
-        self.output.put(text.as_bytes())?;
-        self.output.put(meshes.as_bytes())
+        let meshes: String = meshes.map(|(name, mesh, color)| self::mesh(name, mesh, *color, true, "    ")).collect();
+        self.output.write_all(text.as_bytes())?;
+        self.output.write_all(meshes.as_bytes())
     }
 
     fn codes(&self) -> f64 {
@@ -73,7 +75,7 @@ impl UsdaWriter {
     }
 
     /// The people, and what they look like.
-    fn people(&mut self) -> Result<(), OutputError> {
+    fn people(&mut self) -> io::Result<()> {
         let agents = &self.spill.agents;
         let groups = agents.iter().map(|agent| agent.group as usize + 1).max().unwrap_or(0);
         let groups = groups.max(self.setting.groups.len());
@@ -82,75 +84,67 @@ impl UsdaWriter {
         let numbers = list(agents.iter().map(|agent| agent.number), whole);
         let of = list(agents.iter().map(|agent| agent.group), whole);
         let flies = self.setting.in_space;
-        let scales = list(agents.iter(), |out, agent| {
-            let wide = Vec3::splat(agent.radius);
-            triple(out, if flies { wide } else { wide.with_z(1.0) }, 4);
-        });
+        let scales = list(agents.iter(), |out, agent| triple(out, body::scale(agent.radius, flies), 4));
         let mut text = format!(
             "\n    def PointInstancer \"Agents\"\n    {{\n        int64[] ids = {numbers}\n        int[] protoIndices = {of}\n        \
              rel prototypes = {}\n        float3[] scales = {scales}\n        int[] primvars:group = {of} (\n            \
              interpolation = \"vertex\"\n        )\n",
             list(0..groups, |out, k| out.push_str(&prototype(k)))
         );
-        text.push_str("\n        def Scope \"Prototypes\"\n        {\n");
-        (0..groups).for_each(|k| text.push_str(&self.prototype(k)));
+        text.push_str("\n        def Scope \"Prototypes\"\n        {");
+        let body = body::mesh(flies);
+        for group in 0..groups {
+            let name = quoted(&self.setting.group_name(group as u32));
+            let mesh = mesh("Body", &body, color::linear(group), false, "                ");
+            let _ = write!(
+                text,
+                "\n            def Xform \"Group_{group}\"\n            {{\n                custom string throng:name = {name}\n\
+                 {mesh}            }}\n"
+            );
+        }
         text.push_str("        }\n");
-        self.output.put(text.as_bytes())
-    }
-
-    /// What everybody of a group looks like: of radius 1 across, and as high as they are.
-    fn prototype(&self, group: usize) -> String {
-        let name = self.setting.group_name(group as u32);
-        let (body, lift, front) = if self.setting.in_space {
-            ("def Sphere \"Body\"".to_owned(), 0.0, 0.0)
-        } else {
-            ("def Cylinder \"Body\"".to_owned(), HEIGHT * 0.5, HEIGHT * 0.9)
-        };
-        let size = if self.setting.in_space {
-            "double radius = 1".to_owned()
-        } else {
-            format!(
-                "uniform token axis = \"Z\"\n                    double height = {HEIGHT}\n                    double radius = 1"
-            )
-        };
-        let color = list(std::iter::once(color(group)), |out, [r, g, b]| triple(out, Vec3::new(r, g, b), 3));
-        let placed = |x: f32, z: f32| {
-            format!(
-                "color3f[] primvars:displayColor = {color}\n                    double3 xformOp:translate = ({x}, 0, {z})\n                    \
-                 uniform token[] xformOpOrder = [\"xformOp:translate\"]"
-            )
-        };
-        format!(
-            "            def Xform \"Group_{group}\"\n            {{\n                custom string throng:name = {}\n                \
-             {body}\n                {{\n                    {size}\n                    {}\n                }}\n                \
-             def Cone \"Front\"\n                {{\n                    uniform token axis = \"X\"\n                    \
-             double height = 0.6\n                    double radius = 0.3\n                    {}\n                }}\n            }}\n",
-            quoted(&name),
-            placed(0.0, lift),
-            placed(1.2, front)
-        )
+        self.output.write_all(text.as_bytes())
     }
 
     /// An attribute of everybody, moment by moment.
-    fn samples(&mut self, name: &str, one: List) -> Result<(), OutputError> {
+    fn samples(&mut self, name: &str, one: List) -> io::Result<()> {
         self.moments(name, |_, states, _| list(states.iter(), one))
     }
 
-    /// An attribute at every moment: of the numbers of everybody, their states, and whether they are there.
-    fn moments(&mut self, name: &str, text: impl Fn(&[u32], &[State], &[bool]) -> String) -> Result<(), OutputError> {
+    /// An attribute at every moment: of the numbers of everybody, their states (of who is not there the last, or the first to come),
+    /// and whether they are there.
+    fn moments(&mut self, name: &str, text: impl Fn(&[u32], &[State], &[bool]) -> String) -> io::Result<()> {
         let codes = self.codes();
         let numbers: Vec<u32> = self.spill.agents.iter().map(|agent| agent.number).collect();
+        let mut states: Vec<State> = self.spill.agents.iter().map(|agent| agent.first).collect();
+        let mut there = vec![false; states.len()];
         let Self { output, spill, .. } = self;
-        output.put(format!("        {name}.timeSamples = {{\n").as_bytes())?;
-        let path = output.path().to_path_buf();
-        spill.replay(
-            |error| OutputError::new(&path, error),
-            |_, time, states, there| {
-                let value = text(&numbers, states, there);
-                output.put(format!("            {}: {value},\n", code(time, codes)).as_bytes())
-            },
-        )?;
-        output.put(b"        }\n")
+        writeln!(output, "        {name}.timeSamples = {{")?;
+        spill.replay(|_, time, rows| {
+            there.fill(false);
+            for &(at, state) in rows {
+                (states[at as usize], there[at as usize]) = (state, true);
+            }
+            writeln!(output, "            {}: {},", code(time, codes), text(&numbers, &states, &there))
+        })?;
+        output.write_all(b"        }\n")
+    }
+
+    fn write(&mut self) -> io::Result<()> {
+        self.head()?;
+        self.people()?;
+        self.samples("point3f[] positions", |out, state| triple(out, state.place, 4))?;
+        self.samples("vector3f[] velocities", |out, state| triple(out, state.velocity, 3))?;
+        self.samples("quath[] orientations", |out, state| turn(out, state.rotation))?;
+        self.output
+            .write_all(b"        float[] primvars:speed (\n            interpolation = \"vertex\"\n        )\n")?;
+        self.samples("float[] primvars:speed", |out, state| out.push_str(&format!("{:.3}", state.velocity.length())))?;
+        self.moments("int64[] invisibleIds", |numbers, _, there| {
+            let gone = numbers.iter().zip(there).filter(|(_, there)| !**there);
+            list(gone, |out, (number, _)| out.push_str(&number.to_string()))
+        })?;
+        // without a last line break, a file that is cut lacks a brace
+        self.output.write_all(b"    }\n}")
     }
 }
 
@@ -160,21 +154,7 @@ impl Writer for UsdaWriter {
     }
 
     fn finish(mut self: Box<Self>) -> Result<(), OutputError> {
-        self.head()?;
-        self.people()?;
-        self.samples("point3f[] positions", |out, state| triple(out, state.place, 4))?;
-        self.samples("vector3f[] velocities", |out, state| triple(out, state.velocity, 3))?;
-        self.samples("quath[] orientations", |out, state| {
-            let (sin, cos) = (0.5 * state.heading).sin_cos();
-            let _ = write!(out, "({cos:.5}, 0, 0, {sin:.5})");
-        })?;
-        self.output.put(b"        float[] primvars:speed (\n            interpolation = \"vertex\"\n        )\n")?;
-        self.samples("float[] primvars:speed", |out, state| out.push_str(&format!("{:.3}", state.velocity.length())))?;
-        self.moments("int64[] invisibleIds", |numbers, _, there| {
-            let gone = numbers.iter().zip(there).filter(|(_, there)| !**there);
-            list(gone, |out, (number, _)| out.push_str(&number.to_string()))
-        })?;
-        self.output.put(b"    }\n}\n")?;
+        self.write().map_err(|error| self.output.error(error))?;
         self.output.finish()
     }
 }
@@ -201,6 +181,16 @@ fn triple(out: &mut String, value: Vec3, decimals: usize) {
     let _ = write!(out, "({:.decimals$}, {:.decimals$}, {:.decimals$})", value.x, value.y, value.z);
 }
 
+/// A rotation; of one about z the other axes are plain zeros.
+fn turn(out: &mut String, rotation: Quat) {
+    let [x, y, z, w] = rotation.to_array();
+    if x == 0.0 && y == 0.0 {
+        let _ = write!(out, "({w:.5}, 0, 0, {z:.5})");
+    } else {
+        let _ = write!(out, "({w:.5}, {x:.5}, {y:.5}, {z:.5})");
+    }
+}
+
 /// A text in quotes.
 fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
@@ -217,20 +207,22 @@ fn quoted(text: &str) -> String {
     out
 }
 
-/// Colours that go round the wheel by the golden section, so that those of few groups are far apart.
-fn color(group: usize) -> [f32; 3] {
-    let turn = (0.58 + 0.618_034 * group as f32).fract();
-    [0.0, 1.0 / 3.0, 2.0 / 3.0].map(|shift| 0.5 + 0.35 * (std::f32::consts::TAU * (turn + shift)).cos())
-}
-
-fn mesh(name: &str, mesh: &Mesh, color: [f32; 3]) -> String {
-    let counts = list(mesh.triangles.iter(), |out, _| out.push('3'));
-    let indices = list(mesh.triangles.iter().flatten(), |out, at| out.push_str(&at.to_string()));
-    let points = list(mesh.points.iter(), |out, &point| triple(out, point, 4));
-    let color = list(std::iter::once(color), |out, [r, g, b]| triple(out, Vec3::new(r, g, b), 3));
-    format!(
-        "\n    def Mesh \"{name}\"\n    {{\n        uniform bool doubleSided = 1\n        int[] faceVertexCounts = {counts}\n        \
-         int[] faceVertexIndices = {indices}\n        point3f[] points = {points}\n        \
-         color3f[] primvars:displayColor = {color}\n        uniform token subdivisionScheme = \"none\"\n    }}\n"
-    )
+/// A mesh, behind an indent.
+fn mesh(name: &str, mesh: &Mesh, color: [f32; 3], both_sides: bool, indent: &str) -> String {
+    let lines = [
+        format!("uniform bool doubleSided = {}", u8::from(both_sides)),
+        format!("int[] faceVertexCounts = {}", list(mesh.triangles.iter(), |out, _| out.push('3'))),
+        format!(
+            "int[] faceVertexIndices = {}",
+            list(mesh.triangles.iter().flatten(), |out, at| out.push_str(&at.to_string()))
+        ),
+        format!("point3f[] points = {}", list(mesh.points.iter(), |out, &point| triple(out, point, 4))),
+        format!(
+            "color3f[] primvars:displayColor = {}",
+            list(std::iter::once(color), |out, c| triple(out, c.into(), 3))
+        ),
+        "uniform token subdivisionScheme = \"none\"".to_owned(),
+    ];
+    let lines: String = lines.iter().map(|line| format!("{indent}    {line}\n")).collect();
+    format!("\n{indent}def Mesh \"{name}\"\n{indent}{{\n{lines}{indent}}}\n")
 }

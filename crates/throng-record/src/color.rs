@@ -1,0 +1,29 @@
+//! Colours that groups are told apart by, in pictures and in files.
+
+/// The colours of groups and goals, in order, red, green and blue, sRGB. Their hues follow Okabe and Ito (2008), "Color universal
+/// design", muted and moved apart in lightness, so that the colour-blind tell them apart.
+pub const PALETTE: [[u8; 3]; 8] = [
+    [0x38, 0x66, 0xb6], // blue
+    [0xe3, 0x8c, 0x2e], // orange
+    [0x21, 0xae, 0x76], // bluish green
+    [0xaa, 0x65, 0x91], // reddish purple
+    [0x9a, 0xb6, 0xe2], // sky blue
+    [0x3e, 0x37, 0x49], // slate
+    [0xda, 0xdc, 0x6e], // yellow
+    [0xb6, 0x4c, 0x23], // vermilion
+];
+
+/// The colour of the group or goal `index`: the palette, then the palette again in paler rounds.
+pub fn palette(index: usize) -> [u8; 3] {
+    let pale = 0.25 * (index / PALETTE.len()).min(3) as f32;
+    PALETTE[index % PALETTE.len()].map(|c| (f32::from(c) + (255.0 - f32::from(c)) * pale + 0.5) as u8)
+}
+
+/// The same as linear light, 0 to 1, which is what materials are made of.
+#[cfg(any(feature = "glb", feature = "usda"))]
+pub(crate) fn linear(index: usize) -> [f32; 3] {
+    palette(index).map(|c| {
+        let c = f32::from(c) / 255.0;
+        if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+    })
+}

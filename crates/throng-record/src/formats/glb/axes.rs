@@ -1,0 +1,61 @@
+//! Between the scene, where z is up and x ahead, and glTF, where y is up, and in a body's own space z ahead.
+
+use glam::{DVec3, Quat, Vec3};
+use std::f32::consts::FRAC_1_SQRT_2;
+
+/// Takes the scene's axes to those of glTF.
+const UP: Quat = Quat::from_xyzw(-FRAC_1_SQRT_2, 0.0, 0.0, FRAC_1_SQRT_2);
+/// Takes a body's own axes in glTF (left, up, ahead) to those in the scene (ahead, left, up).
+const AHEAD: Quat = Quat::from_xyzw(0.5, 0.5, 0.5, 0.5);
+
+/// A point of the scene in glTF.
+pub fn point(place: Vec3) -> Vec3 {
+    Vec3::new(place.x, place.z, -place.y)
+}
+
+/// A point of glTF in the scene.
+pub fn place(point: DVec3) -> DVec3 {
+    DVec3::new(point.x, -point.z, point.y)
+}
+
+/// A point, or a size, in a body's own space.
+pub fn own(place: Vec3) -> Vec3 {
+    Vec3::new(place.y, place.z, place.x)
+}
+
+/// A rotation of the scene, of what faces +x, in glTF, of what faces +z.
+pub fn turn(rotation: Quat) -> Quat {
+    UP * rotation * AHEAD
+}
+
+/// Which way of the scene somebody faces that glTF turns so.
+pub fn ahead(turn: Quat) -> Vec3 {
+    let ahead = turn * Vec3::Z;
+    Vec3::new(ahead.x, -ahead.z, ahead.y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn bodies_stand_in_gltf_as_in_the_scene(
+            axis in (-1.0..1.0f32, -1.0..1.0f32, 0.1..1.0f32), angle in -3.0..3.0f32,
+            corner in (-1.0..1.0f32, -1.0..1.0f32, -1.0..1.0f32), at in (-9.0..9.0f32, -9.0..9.0f32, -9.0..9.0f32),
+        ) {
+            let rotation = Quat::from_axis_angle(Vec3::from(axis).normalize(), angle);
+            let (corner, at) = (Vec3::from(corner), Vec3::from(at));
+            let there = point(at) + turn(rotation) * own(corner);
+            prop_assert!(there.distance(point(at + rotation * corner)) < 1e-5);
+            prop_assert!(ahead(turn(rotation)).distance(rotation * Vec3::X) < 1e-6);
+            prop_assert_eq!(place(point(at).as_dvec3()), at.as_dvec3());
+        }
+    }
+
+    #[test]
+    fn up_is_y_and_ahead_is_z() {
+        assert_eq!((point(Vec3::Z), point(Vec3::Y), own(Vec3::X)), (Vec3::Y, -Vec3::Z, Vec3::Z));
+    }
+}

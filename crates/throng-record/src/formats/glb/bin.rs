@@ -1,0 +1,155 @@
+//! The bytes of a file, which wait on the disk until what they are is written, and what is said of them.
+
+use super::json::{Accessor, FLOAT, SHORT, UNSIGNED_INT, View, Word};
+use crate::Output;
+use crate::formats::spill::beside;
+use glam::{Quat, Vec3};
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{self, BufWriter, Read, Seek, Write};
+
+/// Why a file gets no larger.
+pub const TOO_LARGE: &str =
+    "a .glb can have 4 GiB, and this is more; write fewer moments or agents, or several files, or a .usda";
+/// So few bytes are written once where they come again.
+const SMALL: usize = 64;
+
+/// Bytes in the making.
+#[derive(Debug)]
+pub struct Bin {
+    file: BufWriter<File>,
+    len: u64,
+    pub views: Vec<View>,
+    pub accessors: Vec<Accessor>,
+    /// Which accessors have these few bytes, by what they are of.
+    small: BTreeMap<(u32, Word, Vec<u8>), usize>,
+}
+
+impl Bin {
+    /// # Errors
+    /// The system's.
+    pub fn new(output: &Output) -> io::Result<Self> {
+        let file = BufWriter::new(beside(output)?);
+        Ok(Self { file, len: 0, views: Vec::new(), accessors: Vec::new(), small: BTreeMap::new() })
+    }
+
+    /// Begins a view: what comes now is in it. Returns which it is.
+    ///
+    /// # Errors
+    /// The system's; [`TOO_LARGE`].
+    pub fn view(&mut self, target: Option<u32>) -> io::Result<usize> {
+        // as the widest number needs it
+        self.append(&[0; 7][..(self.len.wrapping_neg() % 8) as usize])?;
+        self.small.clear();
+        self.views.push(View { byte_offset: self.len, target, ..View::default() });
+        Ok(self.views.len() - 1)
+    }
+
+    /// Adds bytes to the view.
+    ///
+    /// # Errors
+    /// The system's; [`TOO_LARGE`].
+    pub fn put(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.append(bytes)?;
+        if let Some(view) = self.views.last_mut() {
+            view.byte_length = self.len - view.byte_offset;
+        }
+        Ok(())
+    }
+
+    fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.len += bytes.len() as u64;
+        if self.len > u64::from(u32::MAX) { Err(io::Error::other(TOO_LARGE)) } else { self.file.write_all(bytes) }
+    }
+
+    /// Adds what an accessor reads; returns which it is.
+    fn accessor(&mut self, accessor: Accessor, bytes: &[u8]) -> io::Result<usize> {
+        let key = (accessor.component_type, accessor.kind.clone(), bytes.to_vec());
+        if bytes.len() <= SMALL
+            && let Some(&same) = self.small.get(&key)
+        {
+            return Ok(same);
+        }
+        let view = self.views.len() - 1;
+        let byte_offset = self.len - self.views[view].byte_offset;
+        self.put(bytes)?;
+        self.accessors.push(Accessor { buffer_view: Some(view), byte_offset, ..accessor });
+        let at = self.accessors.len() - 1;
+        if bytes.len() <= SMALL {
+            self.small.insert(key, at);
+        }
+        Ok(at)
+    }
+
+    /// Seconds that grow.
+    ///
+    /// # Errors
+    /// The system's; [`TOO_LARGE`].
+    pub fn times(&mut self, seconds: &[f32]) -> io::Result<usize> {
+        let bytes: Vec<u8> = seconds.iter().flat_map(|value| value.to_le_bytes()).collect();
+        self.accessor(times(seconds), &bytes)
+    }
+
+    /// Some of the times that another accessor reads, from one on; `seconds` are they.
+    pub fn times_of(&mut self, accessor: usize, from: usize, seconds: &[f32]) -> usize {
+        let all = &self.accessors[accessor];
+        let (buffer_view, byte_offset) = (all.buffer_view, all.byte_offset + 4 * from as u64);
+        self.accessors.push(Accessor { buffer_view, byte_offset, ..times(seconds) });
+        self.accessors.len() - 1
+    }
+
+    /// Points or sizes; `bounds`: whether it is said between which they are, as of points of meshes.
+    ///
+    /// # Errors
+    /// The system's; [`TOO_LARGE`].
+    pub fn vectors(&mut self, vectors: &[Vec3], bounds: bool) -> io::Result<usize> {
+        let bytes: Vec<u8> = vectors.iter().flat_map(|v| v.to_array()).flat_map(f32::to_le_bytes).collect();
+        let mut accessor = of(FLOAT, "VEC3", vectors.len());
+        if bounds && !vectors.is_empty() {
+            let within = |of: fn(Vec3, Vec3) -> Vec3| vectors.iter().copied().reduce(of).unwrap_or_default();
+            (accessor.min, accessor.max) = (within(Vec3::min).to_array().into(), within(Vec3::max).to_array().into());
+        }
+        self.accessor(accessor, &bytes)
+    }
+
+    /// Rotations, 16 bits a number.
+    ///
+    /// # Errors
+    /// The system's; [`TOO_LARGE`].
+    pub fn turns(&mut self, turns: &[Quat]) -> io::Result<usize> {
+        let short = |value: f32| (value * f32::from(i16::MAX)).round() as i16;
+        let bytes = turns.iter().flat_map(|turn| turn.to_array()).flat_map(|value| short(value).to_le_bytes());
+        let bytes: Vec<u8> = bytes.collect();
+        self.accessor(Accessor { normalized: true, ..of(SHORT, "VEC4", turns.len()) }, &bytes)
+    }
+
+    /// Which points make triangles.
+    ///
+    /// # Errors
+    /// The system's; [`TOO_LARGE`].
+    pub fn triangles(&mut self, triangles: &[[u32; 3]]) -> io::Result<usize> {
+        let bytes: Vec<u8> = triangles.iter().flatten().flat_map(|at| at.to_le_bytes()).collect();
+        self.accessor(of(UNSIGNED_INT, "SCALAR", 3 * triangles.len()), &bytes)
+    }
+
+    /// How many there are, up to a whole word, and what reads them.
+    ///
+    /// # Errors
+    /// The system's; [`TOO_LARGE`].
+    pub fn read(mut self) -> io::Result<(u64, impl Read)> {
+        self.append(&[0; 3][..(self.len.wrapping_neg() % 4) as usize])?;
+        let mut file = self.file.into_inner().map_err(io::IntoInnerError::into_error)?;
+        file.rewind()?;
+        Ok((self.len, file))
+    }
+}
+
+fn of(component_type: u32, kind: &'static str, count: usize) -> Accessor {
+    Accessor { component_type, kind: kind.into(), count: count as u64, ..Accessor::default() }
+}
+
+fn times(seconds: &[f32]) -> Accessor {
+    let ends = [seconds.first(), seconds.last()].map(|end| end.copied().into_iter().collect());
+    let [min, max] = ends;
+    Accessor { min, max, ..of(FLOAT, "SCALAR", seconds.len()) }
+}

@@ -1,0 +1,172 @@
+//! The part of a file that says what its bytes are: as much of glTF's schema as trajectories take.
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+use std::borrow::Cow;
+
+/// Numbers of an accessor, as OpenGL calls them.
+pub const BYTE: u32 = 5120;
+pub const UNSIGNED_BYTE: u32 = 5121;
+pub const SHORT: u32 = 5122;
+pub const UNSIGNED_SHORT: u32 = 5123;
+pub const UNSIGNED_INT: u32 = 5125;
+pub const FLOAT: u32 = 5126;
+
+/// A word of the schema.
+pub type Word = Cow<'static, str>;
+
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub struct Root {
+    pub asset: Asset,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scene: Option<usize>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub scenes: Vec<Value>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub nodes: Vec<Node>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub animations: Vec<Animation>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub meshes: Vec<Value>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub materials: Vec<Value>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub accessors: Vec<Accessor>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub buffer_views: Vec<View>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub buffers: Vec<Buffer>,
+}
+
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Asset {
+    pub version: Word,
+    pub generator: Word,
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    pub extras: Map<String, Value>,
+}
+
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Node {
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub name: String,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub children: Vec<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub matrix: Option<[f64; 16]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub translation: Option<[f64; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rotation: Option<[f32; 4]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scale: Option<[f32; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub extras: Option<Extras>,
+}
+
+/// What is said of a node beside what glTF says.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Extras {
+    Person(Person),
+    Other(Value),
+}
+
+/// Who a node is.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Person {
+    pub number: u32,
+    /// The name.
+    #[serde(default)]
+    pub group: String,
+    /// Metres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radius: Option<f32>,
+    /// When it was there first and last, seconds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub to: Option<f64>,
+}
+
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Animation {
+    pub channels: Vec<Channel>,
+    pub samplers: Vec<Sampler>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Channel {
+    pub sampler: usize,
+    pub target: Target,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Target {
+    pub node: Option<usize>,
+    pub path: Word,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Sampler {
+    pub input: usize,
+    pub output: usize,
+    /// `LINEAR` where it says none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub interpolation: Option<Word>,
+}
+
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub struct Accessor {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub buffer_view: Option<usize>,
+    #[serde(skip_serializing_if = "is_default")]
+    pub byte_offset: u64,
+    pub component_type: u32,
+    #[serde(skip_serializing_if = "is_default")]
+    pub normalized: bool,
+    pub count: u64,
+    #[serde(rename = "type")]
+    pub kind: Word,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub min: Vec<f32>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub max: Vec<f32>,
+    /// What others say of single elements.
+    #[serde(skip_serializing_if = "Value::is_null")]
+    pub sparse: Value,
+}
+
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub struct View {
+    pub buffer: usize,
+    #[serde(skip_serializing_if = "is_default")]
+    pub byte_offset: u64,
+    pub byte_length: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub byte_stride: Option<u64>,
+    /// What a graphics processor is to do with it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub target: Option<u32>,
+}
+
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub struct Buffer {
+    pub byte_length: u64,
+    /// Where its bytes are, if they are not in the file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uri: Option<String>,
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}

@@ -1,0 +1,141 @@
+//! Ways as an animation.
+
+use super::axes;
+use super::bin::Bin;
+use super::json::{Animation, Channel, Node, Sampler, Target};
+use super::kept::kept;
+use crate::formats::spill::State;
+use glam::{Quat, Vec3};
+use std::collections::BTreeMap;
+use std::io;
+
+/// How far a place may be from what it was, along each axis, metres.
+const PLACE: f64 = 1e-3;
+/// How far a rotation may be from what it was, about each axis, radians.
+const TURN: f64 = 3.5e-3;
+/// Over more than this one does not turn evenly past others, radians: about half a turn it is not clear which way round.
+const REACH: f64 = 3.0;
+
+/// An animation in the making.
+#[derive(Debug)]
+pub struct Motion<'a> {
+    /// The seconds of the moments, and the accessor that reads them.
+    seconds: &'a [f32],
+    all: usize,
+    /// Accessors of some of the moments: from which on, and how many.
+    runs: BTreeMap<(usize, usize), usize>,
+    pub animation: Animation,
+}
+
+impl<'a> Motion<'a> {
+    /// Of moments at `seconds`, which the accessor `all` reads.
+    pub fn new(seconds: &'a [f32], all: usize) -> Self {
+        Self { seconds, all, runs: BTreeMap::new(), animation: Animation::default() }
+    }
+
+    /// Somebody who was at some moments somewhere: puts it where it is first, and moves it. `at` is which node it is, `scale` its size.
+    ///
+    /// # Errors
+    /// The system's; the file gets too large.
+    pub fn agent(
+        &mut self,
+        bin: &mut Bin,
+        (at, node): (usize, &mut Node),
+        scale: Vec3,
+        track: &[(u32, State)],
+    ) -> io::Result<()> {
+        let moments: Vec<usize> = track.iter().map(|&(moment, _)| moment as usize).collect();
+        let times: Vec<f64> = moments.iter().map(|&moment| f64::from(self.seconds[moment])).collect();
+        let points: Vec<Vec3> = track.iter().map(|(_, state)| axes::point(state.place)).collect();
+        let turns = turns(track);
+        let (Some(first), Some(turn)) = (points.first(), turns.first()) else { return Ok(()) };
+
+        let rest = (first.as_dvec3() * 1e4).round() / 1e4;
+        node.translation = Some(rest.to_array());
+        if points.iter().any(|point| (point.as_dvec3() - rest).abs().max_element() > PLACE) {
+            let way = |from: usize, to: usize| points[to].as_dvec3() - points[from].as_dvec3();
+            let kept = self.cheaper(&moments, 12, kept(&times, PLACE, f64::INFINITY, way));
+            let values: Vec<Vec3> = kept.iter().map(|&k| points[k]).collect();
+            let values = bin.vectors(&values, false)?;
+            self.channel(bin, (at, "translation"), kept.iter().map(|&k| moments[k]).collect(), values, None)?;
+        }
+        node.rotation = Some(turn.to_array());
+        let way = |from: usize, to: usize| (turns[from].conjugate() * turns[to]).to_scaled_axis().as_dvec3();
+        if (0..turns.len()).any(|to| way(0, to).abs().max_element() > TURN) {
+            let kept = self.cheaper(&moments, 8, kept(&times, TURN, REACH, way));
+            let values: Vec<Quat> = kept.iter().map(|&k| turns[k]).collect();
+            let values = bin.turns(&values)?;
+            self.channel(bin, (at, "rotation"), kept.iter().map(|&k| moments[k]).collect(), values, None)?;
+        }
+        node.scale = Some(scale.to_array());
+        let (changes, sizes) = self.presence(&moments, scale);
+        if changes.len() > 1 {
+            let values = bin.vectors(&sizes, false)?;
+            self.channel(bin, (at, "scale"), changes, values, Some("STEP"))?;
+        }
+        Ok(())
+    }
+
+    /// Which samples are written, of a size in bytes: those that are needed, with a time each, or, where that is no less, all, whose
+    /// times are there already.
+    fn cheaper(&self, moments: &[usize], size: usize, needed: Vec<usize>) -> Vec<usize> {
+        let less = needed.len() * (size + 4) < moments.len() * size;
+        if less || !is_run(moments) { needed } else { (0..moments.len()).collect() }
+    }
+
+    /// At which moments somebody comes or goes, from the first on, and how large it is from then on.
+    fn presence(&self, moments: &[usize], scale: Vec3) -> (Vec<usize>, Vec<Vec3>) {
+        let mut changes = vec![(0, Vec3::ZERO)];
+        for run in moments.chunk_by(|a, b| a + 1 == *b) {
+            changes.extend([(run[0], scale), (run[0] + run.len(), Vec3::ZERO)]);
+        }
+        changes.retain(|&(moment, _)| moment < self.seconds.len());
+        // who is there from the start does not come
+        let from = usize::from(changes.get(1).is_some_and(|&(moment, _)| moment == 0));
+        changes.drain(from..).unzip()
+    }
+
+    /// Changes a property of a node over moments.
+    fn channel(
+        &mut self,
+        bin: &mut Bin,
+        (node, path): (usize, &'static str),
+        moments: Vec<usize>,
+        output: usize,
+        interpolation: Option<&'static str>,
+    ) -> io::Result<()> {
+        let input = self.times(bin, &moments)?;
+        let Animation { channels, samplers } = &mut self.animation;
+        channels.push(Channel { sampler: samplers.len(), target: Target { node: Some(node), path: path.into() } });
+        samplers.push(Sampler { input, output, interpolation: interpolation.map(Into::into) });
+        Ok(())
+    }
+
+    /// The accessor of the times of some moments.
+    fn times(&mut self, bin: &mut Bin, moments: &[usize]) -> io::Result<usize> {
+        if !is_run(moments) {
+            let seconds: Vec<f32> = moments.iter().map(|&moment| self.seconds[moment]).collect();
+            return bin.times(&seconds);
+        }
+        let (from, count) = (moments[0], moments.len());
+        let some = &self.seconds[from..from + count];
+        let all = self.all;
+        Ok(*self.runs.entry((from, count)).or_insert_with(|| bin.times_of(all, from, some)))
+    }
+}
+
+/// Whether moments follow one another.
+fn is_run(moments: &[usize]) -> bool {
+    moments.windows(2).all(|two| two[0] + 1 == two[1])
+}
+
+/// How glTF turns somebody, each rotation on the same side as the one before: the short way round is the way from number to number.
+fn turns(track: &[(u32, State)]) -> Vec<Quat> {
+    let mut turns: Vec<Quat> = Vec::with_capacity(track.len());
+    for (_, state) in track {
+        let turn = axes::turn(state.rotation);
+        let other = turns.last().is_some_and(|last| last.dot(turn) < 0.0);
+        turns.push(if other { -turn } else { turn });
+    }
+    turns
+}

@@ -1,0 +1,195 @@
+//! What is special of glTF; what holds for every kind of file is tested with the others.
+
+use super::data::Data;
+use super::sampler::Channels;
+use super::{FORMAT, axes, seconds};
+use crate::formats::Reading;
+use crate::tracks::Tracks;
+use crate::{Body, Frame, Output, Setting};
+use glam::{DVec2, DVec3, Quat, Vec3};
+use serde_json::{Value, json};
+use throng::motion::Basis;
+
+fn written(setting: &Setting, frames: &[Frame]) -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.glb");
+    let mut writer = FORMAT.create(Output::create(&path).unwrap(), setting, &[]).unwrap().unwrap();
+    frames.iter().for_each(|frame| writer.push(frame).unwrap());
+    writer.finish().unwrap();
+    std::fs::read(path).unwrap()
+}
+
+/// A file of a JSON and bytes.
+fn file(json: &Value, bin: &[u8]) -> Vec<u8> {
+    let mut json = json.to_string().into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let size = |size: usize| (size as u32).to_le_bytes();
+    let head = [*b"glTF", size(2), size(28 + json.len() + bin.len()), size(json.len()), *b"JSON"].concat();
+    [head, json, size(bin.len()).to_vec(), b"BIN\0".to_vec(), bin.to_vec()].concat()
+}
+
+fn read(json: &Value, bin: &[u8]) -> Result<Tracks, String> {
+    FORMAT.reader().unwrap()(&file(json, bin), &Reading::default()).map_err(|flaw| flaw.why)
+}
+
+fn bytes(values: &[f32]) -> Vec<u8> {
+    values.iter().flat_map(|value| value.to_le_bytes()).collect()
+}
+
+/// A file of somebody else: a node that goes from place to place below one that is turned, with another below it.
+fn theirs() -> (Value, Vec<u8>) {
+    let json = json!({
+        "asset": { "version": "2.0" },
+        "nodes": [
+            { "translation": [10, 0, 0], "rotation": [0, 0.70710678, 0, 0.70710678], "scale": [2, 2, 2], "children": [1], "extras": 3 },
+            { "children": [2], "extras": { "a": 1 } },
+            { "name": "bone" },
+        ],
+        "animations": [{
+            "channels": [
+                { "sampler": 0, "target": { "node": 1, "path": "translation" } },
+                { "sampler": 0, "target": { "node": 2, "path": "translation" } },
+                { "sampler": 0, "target": { "node": 1, "path": "weights" } },
+            ],
+            "samplers": [{ "input": 0, "output": 1 }],
+        }],
+        "accessors": [
+            { "bufferView": 0, "componentType": 5126, "count": 3, "type": "SCALAR" },
+            { "bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3", "byteOffset": 4 },
+        ],
+        "bufferViews": [
+            { "buffer": 0, "byteLength": 12 },
+            { "buffer": 0, "byteOffset": 12, "byteLength": 48, "byteStride": 16 },
+        ],
+        "buffers": [{ "byteLength": 60 }],
+    });
+    let values = [0.5, 1.0, 2.0, 9.0, 0.0, 0.0, 0.0, 9.0, 0.0, 0.0, 1.0, 9.0, 0.0, 3.0, 1.0];
+    (json, bytes(&values))
+}
+
+#[test]
+fn what_others_move_is_a_way() {
+    let (json, bin) = theirs();
+    let tracks = read(&json, &bin).unwrap();
+    let found: Vec<_> = tracks.spots.iter().map(|spot| (spot.number, spot.time, spot.place)).collect();
+    // turned to the left about y: what went along +z goes along +x, and is twice as long
+    let want = [(0.5, (10.0, 0.0, 0.0)), (1.0, (12.0, 0.0, 0.0)), (2.0, (12.0, 0.0, 6.0))];
+    assert_eq!(found.len(), want.len());
+    for ((number, time, place), (then, at)) in found.into_iter().zip(want) {
+        assert_eq!((number, time), (1, then));
+        assert!(place.distance(DVec3::from(at)) < 1e-6, "{place}");
+    }
+}
+
+#[test]
+fn what_is_no_trajectory_is_told() {
+    let why = |change: &dyn Fn(&mut Value)| {
+        let (mut json, bin) = theirs();
+        change(&mut json);
+        read(&json, &bin).map(|tracks| tracks.spots.len()).unwrap_err()
+    };
+    assert_eq!(why(&|json| json["animations"] = json!([])), "no animation moves anybody in it");
+    assert_eq!(why(&|json| json["nodes"][2]["children"] = json!([0])), "node 1 is below itself");
+    assert_eq!(
+        why(&|json| json["accessors"][1]["count"] = json!(4)),
+        "accessor 1 reads behind the end of its buffer view"
+    );
+    assert_eq!(why(&|json| json["accessors"][1]["count"] = json!(2)), "accessor 0 has 3 times of 2 values");
+    assert_eq!(why(&|json| json["accessors"][1]["sparse"] = json!({})), "accessor 1 is not made of plain VEC3 numbers");
+    assert_eq!(
+        why(&|json| json["bufferViews"][1]["byteOffset"] = json!(u64::MAX)),
+        "buffer view 1 goes on behind the end of the file"
+    );
+    assert_eq!(
+        why(&|json| json["buffers"][0]["uri"] = json!("x.bin")),
+        "the bytes of buffer view 0 are not in the file"
+    );
+    assert!(
+        why(&|json| json["animations"][0]["samplers"][0]["interpolation"] = json!("CUBICSPLINE"))
+            .contains("CUBICSPLINE")
+    );
+    assert!(why(&|json| json["nodes"] = json!(3)).starts_with("its JSON is not that of glTF"));
+    assert!(why(&|json| json["nodes"][0]["matrix"] = json!(vec![1e308; 16])).contains("nowhere"));
+    let (json, bin) = theirs();
+    let mut old = file(&json, &bin);
+    old[4] = 1;
+    assert_eq!(FORMAT.reader().unwrap()(&old, &Reading::default()).unwrap_err().why, "it is glTF 1, not 2");
+}
+
+/// A second of an animation that comes again and again is no reason to read it as often.
+#[test]
+fn few_bytes_do_not_make_many_places() {
+    let (mut json, mut bin) = theirs();
+    bin.extend(bytes(&vec![0.0; 9000]));
+    json["buffers"][0]["byteLength"] = json!(bin.len());
+    json["bufferViews"][1]["byteLength"] = json!(bin.len() - 12);
+    json["accessors"][1] = json!({ "bufferView": 1, "componentType": 5126, "count": 3000, "type": "VEC3" });
+    let channel = json!({ "sampler": 0, "target": { "node": 1, "path": "translation" } });
+    json["animations"][0]["channels"] = vec![channel; 5000].into();
+    assert!(read(&json, &bin).unwrap_err().contains("over and over"));
+}
+
+#[test]
+fn who_flies_is_turned_wholly() {
+    let bases: Vec<Basis> = (0..200)
+        .map(|k| {
+            let angle = 0.05 * k as f32;
+            let ahead = Vec3::new(angle.cos(), (0.7 * angle).sin(), (1.3 * angle).sin());
+            Basis::default().turned_to(ahead.normalize(), Vec3::new(0.3, (2.0 * angle).sin(), 1.0))
+        })
+        .collect();
+    let frames: Vec<Frame> = bases
+        .iter()
+        .enumerate()
+        .map(|(k, &basis)| {
+            let body =
+                Body { basis: Some(basis), heading: basis.heading(), ..Body::walking(7, DVec2::new(k as f64, 0.0)) };
+            Frame { time: 5.0 + 0.04 * k as f64, bodies: vec![body], ..Frame::default() }
+        })
+        .collect();
+    let bytes = written(&Setting { in_space: true, ..Setting::default() }, &frames);
+    let data = Data::open(&bytes).unwrap();
+    let channels = Channels::new(&data, usize::MAX).unwrap();
+    let at = data.root.nodes.iter().position(|node| node.name == "Agent_7").unwrap();
+    let sampled = channels.of(&data, at, &data.root.nodes[at]).unwrap();
+    let times: Vec<f64> = frames.iter().map(|frame| frame.time).collect();
+    for (second, basis) in seconds(&times).into_iter().zip(&bases) {
+        let turn: Quat = sampled.rotation(second);
+        for (own, want) in [(Vec3::X, basis.forward), (Vec3::Y, basis.side), (Vec3::Z, basis.up)] {
+            let off = (turn * axes::own(own)).angle_between(axes::point(want));
+            assert!(off < 0.4f32.to_radians(), "{off}");
+        }
+    }
+    let tracks = FORMAT.reader().unwrap()(&bytes, &Reading::default()).unwrap();
+    assert_eq!((tracks.spots.len(), tracks.spots[0].time), (200, 5.0));
+}
+
+#[test]
+fn what_stands_still_takes_next_to_nothing() {
+    let frames = |count: u32| -> Vec<Frame> {
+        let frame = |k: u32| {
+            let bodies = (0..50).map(|n| Body::walking(n, DVec2::new(f64::from(n), 0.0))).collect();
+            Frame { time: 0.04 * f64::from(k), bodies, ..Frame::default() }
+        };
+        (0..count).map(frame).collect()
+    };
+    let [few, many] = [10, 1010].map(|count| written(&Setting::default(), &frames(count)).len());
+    // the times, as singles and as doubles
+    assert!(many - few < 1000 * 12 + 100, "{few} to {many} bytes");
+}
+
+#[test]
+fn nobody_and_no_moment_are_a_file_too() {
+    for frames in [vec![], vec![Frame::default()]] {
+        let tracks = FORMAT.reader().unwrap()(&written(&Setting::default(), &frames), &Reading::default()).unwrap();
+        assert!(tracks.spots.is_empty());
+    }
+}
+
+#[test]
+fn seconds_grow_even_where_singles_do_not() {
+    let times: Vec<f64> = (0..5).map(|k| if k == 0 { -3.0 } else { 1e9 + f64::from(k) }).collect();
+    assert!(seconds(&times).windows(2).all(|two| two[0] < two[1]));
+    assert_eq!(seconds(&[2.0, 2.5]), [0.0, 0.5]);
+    assert!(seconds(&[]).is_empty());
+}

@@ -1,0 +1,345 @@
+//! The text of a layer: which prims there are, and what is written behind the names of their attributes.
+//!
+//! This is as much of the [grammar](https://openusd.org/release/spec_usda.html) as tells where everything begins and ends; values are
+//! left as they are written.
+
+/// What is wrong, and at which byte.
+pub type Wrong = (usize, String);
+
+/// Prims are not nested deeper.
+const DEEPEST: usize = 64;
+
+/// A part of the text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part<'a> {
+    /// At which byte it begins.
+    pub at: usize,
+    pub text: &'a str,
+}
+
+/// A prim.
+#[derive(Debug, Default)]
+pub struct Prim<'a> {
+    /// Its type; empty if there is none.
+    pub kind: &'a str,
+    pub attributes: Vec<Attribute<'a>>,
+    pub children: Vec<Prim<'a>>,
+}
+
+/// Something that is said of a prim, or of the whole layer.
+#[derive(Debug)]
+pub struct Attribute<'a> {
+    /// The name, without what it is of.
+    pub name: &'a str,
+    pub value: Option<Part<'a>>,
+    /// Values at time codes, which are in order.
+    pub samples: Vec<(f64, Part<'a>)>,
+}
+
+impl<'a> Prim<'a> {
+    /// What is said under a name.
+    pub fn attribute(&self, name: &str) -> Option<&Attribute<'a>> {
+        // what has samples may be declared before
+        self.attributes.iter().rfind(|attribute| attribute.name == name)
+    }
+
+    /// The one value of an attribute.
+    pub fn value(&self, name: &str) -> Option<Part<'a>> {
+        self.attribute(name)?.value
+    }
+}
+
+impl<'a> Attribute<'a> {
+    /// Its value at a time code: that of the sample before.
+    pub fn at(&self, code: f64) -> Option<Part<'a>> {
+        let behind = self.samples.partition_point(|&(at, _)| at <= code);
+        let sample = self.samples.get(behind.saturating_sub(1)).map(|&(_, part)| part);
+        sample.or(self.value)
+    }
+}
+
+/// What a layer says: of itself, as the attributes of a prim, whose children are the prims.
+///
+/// # Errors
+/// It is no such text, or not all of it.
+pub fn parse(text: &str) -> Result<Prim<'_>, Wrong> {
+    if !text.starts_with("#usda 1.") {
+        return Err((0, "it does not begin with #usda 1.0".to_owned()));
+    }
+    let mut cursor = Cursor { text, at: 0 };
+    let mut layer = Prim::default();
+    cursor.blanks();
+    if cursor.takes(b'(') {
+        layer.attributes = cursor.statements(b')')?;
+    }
+    loop {
+        cursor.blanks();
+        if cursor.peek().is_none() {
+            return Ok(layer);
+        }
+        match cursor.word() {
+            "def" | "over" | "class" => layer.children.push(cursor.prim(1)?),
+            "reorder" => cursor.skip()?,
+            _ => return Err(cursor.wrong("a prim is missing: def, over or class")),
+        }
+    }
+}
+
+struct Cursor<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+impl<'a> Cursor<'a> {
+    fn peek(&self) -> Option<u8> {
+        self.text.as_bytes().get(self.at).copied()
+    }
+
+    fn takes(&mut self, byte: u8) -> bool {
+        let is = self.peek() == Some(byte);
+        self.at += usize::from(is);
+        is
+    }
+
+    fn wrong(&self, why: &str) -> Wrong {
+        if self.at >= self.text.len() {
+            (self.at, "it is cut: a part is missing".to_owned())
+        } else {
+            (self.at, why.to_owned())
+        }
+    }
+
+    fn expect(&mut self, byte: u8) -> Result<(), Wrong> {
+        self.blanks();
+        if self.takes(byte) { Ok(()) } else { Err(self.wrong(&format!("`{}` is missing", char::from(byte)))) }
+    }
+
+    /// Goes past blanks of a line.
+    fn spaces(&mut self) {
+        while matches!(self.peek(), Some(b' ' | b'\t')) {
+            self.at += 1;
+        }
+    }
+
+    /// Goes past blanks, line ends, what stands between statements, and comments.
+    fn blanks(&mut self) {
+        while let Some(byte) = self.peek() {
+            match byte {
+                b' ' | b'\t' | b'\r' | b'\n' | b';' => self.at += 1,
+                b'#' => self.line(),
+                _ => return,
+            }
+        }
+    }
+
+    /// Goes to the end of the line.
+    fn line(&mut self) {
+        let rest = &self.text.as_bytes()[self.at..];
+        self.at += rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
+    }
+
+    /// A word; empty if none is here. Words have brackets, as types of lists do.
+    fn word(&mut self) -> &'a str {
+        let from = self.at;
+        while self.peek().is_some_and(|byte| byte.is_ascii_alphanumeric() || b"_:.[]+-".contains(&byte) || byte > 127) {
+            self.at += 1;
+        }
+        &self.text[from..self.at]
+    }
+
+    /// What stands behind `def`.
+    fn prim(&mut self, depth: usize) -> Result<Prim<'a>, Wrong> {
+        if depth > DEEPEST {
+            return Err(self.wrong("prims are nested too deeply"));
+        }
+        self.blanks();
+        let kind = self.word();
+        self.blanks();
+        if !matches!(self.peek(), Some(b'"' | b'\'')) {
+            return Err(self.wrong("the name of a prim is missing"));
+        }
+        self.string()?;
+        self.blanks();
+        if self.peek() == Some(b'(') {
+            self.nested()?;
+        }
+        self.expect(b'{')?;
+        let mut prim = Prim { kind, ..Prim::default() };
+        loop {
+            self.blanks();
+            if self.takes(b'}') {
+                return Ok(prim);
+            }
+            let from = self.at;
+            match self.word() {
+                "def" | "over" | "class" => prim.children.push(self.prim(depth + 1)?),
+                "variantSet" => self.skip()?,
+                "" => return Err(self.wrong("the name of an attribute is missing")),
+                _ => {
+                    self.at = from;
+                    prim.attributes.push(self.statement()?);
+                }
+            }
+        }
+    }
+
+    /// Statements up to a closing bracket, with plain texts between them.
+    fn statements(&mut self, end: u8) -> Result<Vec<Attribute<'a>>, Wrong> {
+        let mut statements = Vec::new();
+        loop {
+            self.blanks();
+            if self.takes(end) {
+                return Ok(statements);
+            }
+            match self.peek() {
+                Some(b'"' | b'\'') => self.string()?,
+                _ => statements.push(self.statement()?),
+            }
+        }
+    }
+
+    /// Words, of which the last is a name, perhaps a value, and perhaps what is said of it.
+    fn statement(&mut self) -> Result<Attribute<'a>, Wrong> {
+        let mut name = "";
+        loop {
+            self.spaces();
+            let word = self.word();
+            if word.is_empty() {
+                break;
+            }
+            name = word;
+        }
+        if name.is_empty() {
+            return Err(self.wrong("a name is missing"));
+        }
+        let (mut value, mut samples) = (None, Vec::new());
+        let plain = name.strip_suffix(".timeSamples");
+        if self.takes(b'=') {
+            self.blanks();
+            match plain {
+                Some(_) => samples = self.samples()?,
+                None => value = Some(self.value()?),
+            }
+        }
+        self.spaces();
+        if self.peek() == Some(b'(') {
+            self.nested()?;
+        }
+        Ok(Attribute { name: plain.unwrap_or(name), value, samples })
+    }
+
+    /// Values at time codes.
+    fn samples(&mut self) -> Result<Vec<(f64, Part<'a>)>, Wrong> {
+        self.expect(b'{')?;
+        let mut samples: Vec<(f64, Part)> = Vec::new();
+        loop {
+            self.blanks();
+            if self.takes(b'}') {
+                return Ok(samples);
+            }
+            let from = self.at;
+            let code = self.word().trim_end_matches(':').parse().ok().filter(|code: &f64| code.is_finite());
+            let grows = |code: &f64| samples.last().is_none_or(|(last, _)| last < code);
+            let code = code
+                .filter(grows)
+                .ok_or_else(|| Cursor { at: from, ..*self }.wrong("a time code is missing, or is no later"))?;
+            self.blanks();
+            self.takes(b':');
+            self.blanks();
+            samples.push((code, self.value()?));
+            self.blanks();
+            self.takes(b',');
+        }
+    }
+
+    /// Goes past a statement of another kind: up to its `=`, and what is behind.
+    fn skip(&mut self) -> Result<(), Wrong> {
+        loop {
+            self.blanks();
+            match self.peek() {
+                Some(b'=') => break,
+                Some(b'"' | b'\'') => self.string()?,
+                _ if self.word().is_empty() => return Err(self.wrong("`=` is missing")),
+                _ => {}
+            }
+        }
+        self.at += 1;
+        self.blanks();
+        self.value().map(|_| ())
+    }
+
+    /// A value, as it is written.
+    fn value(&mut self) -> Result<Part<'a>, Wrong> {
+        let at = self.at;
+        match self.peek() {
+            Some(b'[' | b'(' | b'{') => self.nested()?,
+            Some(b'"' | b'\'') => self.string()?,
+            Some(quote @ (b'<' | b'@')) => self.quoted(quote)?,
+            _ if self.word().is_empty() => return Err(self.wrong("a value is missing")),
+            _ => {}
+        }
+        Ok(Part { at, text: &self.text[at..self.at] })
+    }
+
+    /// Goes past a bracket, up to the one that closes it.
+    fn nested(&mut self) -> Result<(), Wrong> {
+        let mut open = Vec::new();
+        while let Some(byte) = self.peek() {
+            match byte {
+                b'[' => open.push(b']'),
+                b'(' => open.push(b')'),
+                b'{' => open.push(b'}'),
+                b']' | b')' | b'}' if open.pop() != Some(byte) => {
+                    return Err(self.wrong("a bracket closes what is not open"));
+                }
+                b'"' | b'\'' => {
+                    self.string()?;
+                    continue;
+                }
+                b'<' | b'@' => {
+                    self.quoted(byte)?;
+                    continue;
+                }
+                b'#' => {
+                    self.line();
+                    continue;
+                }
+                _ => {}
+            }
+            self.at += 1;
+            if open.is_empty() {
+                return Ok(());
+            }
+        }
+        Err(self.wrong(""))
+    }
+
+    /// Goes past a path or the name of a file.
+    fn quoted(&mut self, open: u8) -> Result<(), Wrong> {
+        let close = if open == b'<' { b'>' } else { b'@' };
+        let rest = &self.text.as_bytes()[self.at + 1..];
+        let length = rest.iter().position(|&byte| byte == close);
+        self.at += 2 + length.ok_or_else(|| Cursor { at: self.text.len(), ..*self }.wrong(""))?;
+        Ok(())
+    }
+
+    /// Goes past a text in one or three quotes.
+    fn string(&mut self) -> Result<(), Wrong> {
+        let bytes = self.text.as_bytes();
+        let quote = bytes[self.at];
+        let quotes = if bytes[self.at..].starts_with(&[quote; 3]) { 3 } else { 1 };
+        self.at += quotes;
+        while let Some(byte) = self.peek() {
+            match byte {
+                b'\\' => self.at = (self.at + 2).min(bytes.len()),
+                b'\n' if quotes == 1 => return Err(self.wrong("a text ends with its line")),
+                _ if bytes[self.at..].starts_with(&[quote; 3][..quotes]) => {
+                    self.at += quotes;
+                    return Ok(());
+                }
+                _ => self.at += 1,
+            }
+        }
+        Err(self.wrong(""))
+    }
+}

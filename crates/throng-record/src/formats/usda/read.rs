@@ -1,0 +1,190 @@
+//! USD read.
+
+use super::layer::{self, Part, Prim, Wrong};
+use super::{CODES, TIMES};
+use crate::formats::names::Names;
+use crate::formats::{Flaw, Reading, describe, keys};
+use crate::tracks::{RADIUS, Spot, Tracks};
+use glam::{DVec3, Quat, Vec3};
+use throng::Status;
+
+const HINT: &str = "what is read is USD as text with a PointInstancer, as `throng run -o NAME.usda` writes it";
+
+/// Reads a stage, as we write it.
+pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
+    parse(bytes, reading).map_err(|(at, why)| {
+        let before = bytes.get(..at).unwrap_or(bytes);
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        Flaw { line: Some(line), why, hint: Some(HINT) }
+    })
+}
+
+fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, Wrong> {
+    let text = std::str::from_utf8(bytes).map_err(|error| (error.valid_up_to(), "it is no text".to_owned()))?;
+    let stage = layer::parse(text)?;
+    let Some((path, agents)) = stage.children.iter().find_map(|prim| instancer(prim, Vec::new())) else {
+        return Err((0, "there is no PointInstancer".to_owned()));
+    };
+    let mut names = Names::default();
+    // what is said of the scene stands on the topmost prim
+    let setting = describe::setting(|key| said(path[0], key), &mut names).map_err(|why| (0, why))?;
+    let axes = Axes::of(&stage, &path, reading)?;
+    let crowd = Crowd::of(agents, path[0], axes.unit, &mut names)?;
+    let positions = agents.attribute("positions").filter(|positions| !positions.samples.is_empty());
+    let positions = positions.ok_or((0, "its positions have no time samples".to_owned()))?;
+    let times = times(path[0], &stage, positions.samples.iter().map(|&(code, _)| code).collect())?;
+    let mut tracks = Tracks { setting, ..Tracks::default() };
+    for (&(code, places), time) in positions.samples.iter().zip(times) {
+        let moment = Moment::of(agents, code, places, crowd.numbers.len())?;
+        let there = (0..crowd.numbers.len()).filter(|&k| moment.gone.binary_search(&crowd.numbers[k]).is_err());
+        tracks.spots.extend(there.map(|k| {
+            let (number, group, radius) = (crowd.numbers[k], crowd.groups[k], crowd.radii[k]);
+            let ahead = moment.turn(k) * Vec3::X;
+            Spot {
+                number,
+                group,
+                time,
+                place: axes.place(triple(&moment.places, k)),
+                velocity: (moment.velocities.as_ref().map_or(DVec3::ZERO, |all| triple(all, k)) * axes.unit).as_vec3(),
+                heading: ahead.y.atan2(ahead.x),
+                radius,
+                status: Status::Walking,
+            }
+        }));
+    }
+    tracks.setting.groups = names.into_names();
+    tracks.sort();
+    tracks.complete(agents.attribute("velocities").is_none(), agents.attribute("orientations").is_none());
+    Ok(tracks)
+}
+
+/// The first instancer within a prim, and the prims above it.
+fn instancer<'p, 'a>(prim: &'p Prim<'a>, mut above: Vec<&'p Prim<'a>>) -> Option<(Vec<&'p Prim<'a>>, &'p Prim<'a>)> {
+    above.push(prim);
+    if prim.kind == "PointInstancer" {
+        return Some((above, prim));
+    }
+    prim.children.iter().find_map(|child| instancer(child, above.clone()))
+}
+
+/// What a prim says under one of our keys.
+fn said(prim: &Prim, key: &str) -> Option<String> {
+    let texts = prim.value(&key.replace('.', ":"))?.texts();
+    if key == keys::GROUPS { serde_json::to_string(&texts).ok() } else { texts.into_iter().next() }
+}
+
+/// The times of the samples at time codes, seconds.
+fn times(world: &Prim, stage: &Prim, codes: Vec<f64>) -> Result<Vec<f64>, Wrong> {
+    let said = world.value(TIMES).map(|times| times.numbers(1)).transpose()?;
+    if let Some(times) = said.filter(|times| times.len() == codes.len()) {
+        return Ok(times);
+    }
+    let rate = stage.value("timeCodesPerSecond").or_else(|| stage.value("framesPerSecond"));
+    let rate = rate.map_or(Ok(CODES), |rate| rate.number().and_then(|value| positive(value, rate)))?;
+    Ok(codes.into_iter().map(|code| code / rate).collect())
+}
+
+fn positive(value: f64, of: Part) -> Result<f64, Wrong> {
+    if value > 0.0 { Ok(value) } else { Err((of.at, format!("it is {value}, and has to be more than 0"))) }
+}
+
+fn triple(numbers: &[f64], k: usize) -> DVec3 {
+    DVec3::from_slice(&numbers[3 * k..])
+}
+
+/// What places are measured by.
+struct Axes {
+    origin: DVec3,
+    unit: f64,
+}
+
+impl Axes {
+    fn of(stage: &Prim, path: &[&Prim], reading: &Reading) -> Result<Self, Wrong> {
+        if let Some(axis) = stage.value("upAxis").filter(|axis| axis.texts() != ["Z"]) {
+            return Err((axis.at, format!("{} is up, and what is read has z up", axis.text)));
+        }
+        let unit =
+            stage.value("metersPerUnit").map_or(Ok(0.01), |unit| unit.number().and_then(|v| positive(v, unit)))?;
+        let mut origin = DVec3::ZERO;
+        let moves =
+            path.iter().flat_map(|prim| &prim.attributes).filter(|attribute| attribute.name.starts_with("xformOp:"));
+        for attribute in moves {
+            let value =
+                attribute.value.filter(|_| attribute.name == "xformOp:translate" && attribute.samples.is_empty());
+            let value =
+                value.ok_or_else(|| (0, format!("{} is not read, only translations that stay", attribute.name)))?;
+            match value.numbers(3)?[..] {
+                [x, y, z] => origin += DVec3::new(x, y, z),
+                _ => return Err((value.at, "it is not three numbers".to_owned())),
+            }
+        }
+        Ok(Self { origin, unit: reading.unit.unwrap_or(unit) })
+    }
+
+    fn place(&self, at: DVec3) -> DVec3 {
+        (self.origin + at) * self.unit
+    }
+}
+
+/// Of everybody what does not change.
+struct Crowd {
+    numbers: Vec<u32>,
+    groups: Vec<u32>,
+    /// Metres.
+    radii: Vec<f32>,
+}
+
+impl Crowd {
+    fn of(agents: &Prim, world: &Prim, unit: f64, names: &mut Names) -> Result<Self, Wrong> {
+        let list = |name: &str| agents.value(name).map(|part| part.whole().map(|list| (part.at, list))).transpose();
+        let (at, kinds) = list("protoIndices")?.ok_or((0, "there are no protoIndices".to_owned()))?;
+        let (_, numbers) = list("ids")?.unwrap_or_else(|| (at, (0..kinds.len() as u32).collect()));
+        let scales = agents.value("scales").map(|part| part.numbers(3)).transpose()?;
+        let wide = |scales: Vec<f64>| scales.into_iter().step_by(3).map(|scale| (scale * unit) as f32).collect();
+        let radii: Vec<f32> = scales.map_or_else(|| vec![RADIUS; kinds.len()], wide);
+        if numbers.len() != kinds.len() || radii.len() != kinds.len() {
+            let (ids, kinds, scales) = (numbers.len(), kinds.len(), radii.len());
+            return Err((at, format!("there are {kinds} protoIndices, {ids} ids and {scales} scales")));
+        }
+        let said = world.value(&keys::GROUPS.replace('.', ":")).map(|groups| groups.texts()).unwrap_or_default();
+        let name = |kind: u32| said.get(kind as usize).filter(|name| !name.is_empty()).cloned();
+        let groups = kinds.iter().map(|&kind| names.index(&name(kind).unwrap_or_else(|| kind.to_string()))).collect();
+        Ok(Self { numbers, groups, radii })
+    }
+}
+
+/// Everybody at a moment.
+struct Moment {
+    places: Vec<f64>,
+    velocities: Option<Vec<f64>>,
+    turns: Option<Vec<f64>>,
+    /// The numbers of who is not there, in order.
+    gone: Vec<u32>,
+}
+
+impl Moment {
+    fn of(agents: &Prim, code: f64, places: Part, count: usize) -> Result<Self, Wrong> {
+        let part = |name: &str| agents.attribute(name).and_then(|attribute| attribute.at(code));
+        let lists = |part: Part, each: usize| match part.numbers(each)? {
+            numbers if numbers.len() == each * count => Ok(numbers),
+            numbers => Err((part.at, format!("it is a list of {}, and there are {count} ids", numbers.len() / each))),
+        };
+        let mut gone = part("invisibleIds").map_or(Ok(Vec::new()), |gone| gone.whole())?;
+        gone.sort_unstable();
+        Ok(Self {
+            places: lists(places, 3)?,
+            velocities: part("velocities").map(|part| lists(part, 3)).transpose()?,
+            turns: part("orientations").map(|part| lists(part, 4)).transpose()?,
+            gone,
+        })
+    }
+
+    /// How one is turned: USD writes the real part first.
+    fn turn(&self, k: usize) -> Quat {
+        let Some([w, x, y, z]) = self.turns.as_ref().and_then(|turns| turns[4 * k..].first_chunk()) else {
+            return Quat::IDENTITY;
+        };
+        let turn = Quat::from_xyzw(*x as f32, *y as f32, *z as f32, *w as f32);
+        if turn.length_squared() > 1e-6 { turn.normalize() } else { Quat::IDENTITY }
+    }
+}

@@ -1,0 +1,120 @@
+//! What is special of USD; what holds for every kind of file is tested with the others.
+
+use super::{FORMAT, layer};
+use crate::formats::{Flaw, Reading};
+use crate::tracks::Tracks;
+use crate::{Body, Frame, Output, Setting};
+use glam::{DVec2, DVec3, Quat, Vec3};
+use throng::motion::Basis;
+
+/// As other programs write, with what we do not.
+const THEIRS: &str = r##"#usda 1.0
+(
+    "a note"
+    customLayerData = {
+        string a = "}}}" # not the end
+    }
+    doc = """made
+of "all" ]"""
+    metersPerUnit = 0.5
+    timeCodesPerSecond = 10
+    upAxis = "Z"
+    subLayers = [@./a(b.usda@]
+)
+
+over "Other" (
+    prepend references = @x.usda@</Y>
+)
+{
+    reorder nameChildren = ["A", "B"]
+}
+
+def Scope "Top" {
+    custom string[] throng:groups = ["a", 'b "c"']
+    double3 xformOp:translate = (1, 2, 3)
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+    variantSet "v" = {
+        "one" {
+            def PointInstancer "No" {}
+        }
+    }
+
+    def PointInstancer "People"
+    {
+        int[] protoIndices = [1, 0]
+        point3f[] positions
+        point3f[] positions.timeSamples = {
+            0: [(0, 0, 0), (10, 0, 0)],
+            2.5: [
+                (1, 0, 0),
+                (10, 1, 0),
+            ],
+        }
+        int64[] invisibleIds.timeSamples = { 0: [1], 2.5: [] }
+        rel prototypes = [<A>, <B>] ( customData = { int a = 1 } )
+        quatf[] orientations = [(0.70710678, 0, 0, 0.70710678), (1, 0, 0, 0)]; float[] x = [1]
+    }
+}
+"##;
+
+fn read(text: &str) -> Result<Tracks, Flaw> {
+    FORMAT.reader().unwrap()(text.as_bytes(), &Reading::default())
+}
+
+#[test]
+fn what_others_write_is_read() {
+    let tracks = read(THEIRS).unwrap();
+    let found: Vec<_> = tracks.spots.iter().map(|spot| (spot.time, spot.number, spot.place)).collect();
+    let at = |x: f64, y: f64| DVec3::new(x, y, 1.5);
+    assert_eq!(found, [(0.0, 0, at(0.5, 1.0)), (0.25, 0, at(1.0, 1.0)), (0.25, 1, at(5.5, 1.5))]);
+    assert_eq!(tracks.spots[1].velocity, Vec3::X * 2.0);
+    assert!((tracks.spots[0].heading - std::f32::consts::FRAC_PI_2).abs() < 1e-6);
+    let groups: Vec<_> = tracks.spots.iter().map(|spot| tracks.setting.groups[spot.group as usize].as_str()).collect();
+    assert_eq!(groups, ["b \"c\"", "b \"c\"", "a"]);
+}
+
+#[test]
+fn what_is_wrong_is_told_with_its_line() {
+    let wrong = |from: &str, to: &str| {
+        assert!(THEIRS.contains(from), "{from}");
+        let flaw = read(&THEIRS.replacen(from, to, 1)).unwrap_err();
+        (flaw.line.unwrap(), flaw.why)
+    };
+    assert_eq!(wrong("(10, 0, 0)]", "(ten, 0, 0)]"), (37, "`ten` is no number".to_owned()));
+    assert_eq!(wrong(", (10, 0, 0)]", "]"), (37, "it is a list of 1, and there are 2 ids".to_owned()));
+    assert_eq!(wrong("[(0, 0, 0), (10, 0, 0)]", "None"), (37, "`None` is no number".to_owned()));
+    assert_eq!(wrong("= \"Z\"", "= \"Y\""), (11, "\"Y\" is up, and what is read has z up".to_owned()));
+    assert_eq!(wrong("2.5: [\n", "-1: [\n"), (38, "a time code is missing, or is no later".to_owned()));
+    assert_eq!(wrong("[1, 0]", "[1, 0, 2]").1, "it is a list of 2, and there are 3 ids");
+    assert_eq!(wrong("[1, 0]", "[1, 0.5]").1, "0.5 is no whole number from 0");
+    assert_eq!(wrong("PointInstancer \"People\"", "Xform \"People\"").1, "there is no PointInstancer");
+    assert_eq!(
+        wrong("xformOp:translate = (1, 2, 3)", "xformOp:scale = (1, 2, 3)").1,
+        "xformOp:scale is not read, only translations that stay"
+    );
+    assert_eq!(wrong("0: [1], 2.5: [] }", "0: [1), 2.5: [] }").1, "a bracket closes what is not open");
+    assert_eq!(wrong("= 0.5", "= 0").1, "it is 0, and has to be more than 0");
+    assert_eq!(wrong("#usda", "#sdf").1, "it does not begin with #usda 1.0");
+    let deep = format!("#usda 1.0\n{}", "def \"A\" {\n".repeat(1000));
+    assert_eq!(read(&deep).unwrap_err().why, "prims are nested too deeply");
+    assert!(FORMAT.reader().unwrap()(b"#usda 1.0\n\xff", &Reading::default()).unwrap_err().why.contains("no text"));
+}
+
+#[test]
+fn who_flies_is_turned_wholly() {
+    let basis = Basis::default().turned_to(Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 1.0, 1.0));
+    let body = Body { basis: Some(basis), heading: basis.heading(), ..Body::walking(7, DVec2::ZERO) };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.usda");
+    let setting = Setting { in_space: true, ..Setting::default() };
+    let mut writer = FORMAT.create(Output::create(&path).unwrap(), &setting, &[]).unwrap().unwrap();
+    writer.push(&Frame { bodies: vec![body], ..Frame::default() }).unwrap();
+    writer.finish().unwrap();
+    let text = std::fs::read_to_string(path).unwrap();
+    let stage = layer::parse(&text).unwrap();
+    let agents = stage.children[0].children.iter().find(|prim| prim.kind == "PointInstancer").unwrap();
+    let turn = agents.attribute("orientations").unwrap().samples[0].1.numbers(4).unwrap();
+    let [w, x, y, z] = turn[..] else { panic!("{turn:?}") };
+    let turn = Quat::from_xyzw(x as f32, y as f32, z as f32, w as f32).normalize();
+    assert!(turn.angle_between(basis.rotation()) < 0.01f32.to_radians());
+}

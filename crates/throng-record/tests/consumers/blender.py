@@ -1,0 +1,116 @@
+"""Blender imports what throng wrote: python blender.py RUN.usda RUN.glb RUN.csv PICTURE.png (of the same run; needs bpy).
+
+Every frame's positions, directions and who is there are compared with the table, of either file; the picture is of the middle frame of
+the USD file, beside that of the glTF file.
+"""
+import csv
+import math
+import sys
+
+import bpy
+from mathutils import Matrix, Quaternion, Vector
+
+usda, glb, table, picture = sys.argv[1:5]
+moments = {}
+for row in csv.DictReader(open(table, newline="")):
+    moments.setdefault(float(row["time"]), {})[int(row["number"])] = row
+times = sorted(moments)
+# some, and the last
+times = sorted({*times[:: max(1, len(times) // 40)], times[-1]})
+
+
+def fresh():
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+
+
+def compare(number, row, place, ahead, error, turn):
+    want = Vector([float(row["x"]), float(row["y"]), float(row.get("z", 0))])
+    assert (place - want).length < error, (number, row, place)
+    off = (math.atan2(ahead.y, ahead.x) - float(row["heading"]) + math.pi) % (2 * math.pi) - math.pi
+    assert abs(off) * ahead.xy.length < turn, (number, row, ahead)
+
+
+def usd():
+    """Points, and who is seen of them."""
+    bpy.ops.wm.usd_import(filepath=usda)
+    scene, agents = bpy.context.scene, bpy.data.objects["Agents"]
+    groups = {o.name for o in bpy.data.objects if o.name.startswith("Group_")}
+    nodes = next(modifier for modifier in agents.modifiers if modifier.type == "NODES")
+    # time codes are frames; theirs may be 24ths of a second
+    codes = float(next(line.split("=")[1] for line in open(usda) if "timeCodesPerSecond" in line))
+    compared = 0
+    for time in times:
+        frame = round(time * codes, 6)
+        scene.frame_set(int(frame // 1), subframe=frame % 1)
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        seen = [i for i in depsgraph.object_instances if i.is_instance and i.object.name.split(".")[0] == "Body"]
+        assert len(seen) == len(moments[time]), (time, len(seen), len(moments[time]))
+        nodes.show_viewport = False
+        points = agents.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.attributes
+        ids, masks = points["id"].data, points["mask"].data
+        for at, (number, mask) in enumerate(zip(ids, masks)):
+            row = moments[time].get(number.value)
+            assert mask.value == (row is not None), (time, number.value)
+            if row:
+                place = agents.matrix_world @ Vector(points["position"].data[at].vector)
+                ahead = Quaternion(points["orientation"].data[at].value) @ Vector((1, 0, 0))
+                compare(number.value, row, place, ahead, 2e-4, math.radians(0.15))
+                compared += 1
+        nodes.show_viewport = True
+    print(f"usd: {len(ids)} points of {len(groups)} groups, {len(times)} frames, {compared} places equal")
+
+
+def gltf():
+    """An object an agent."""
+    fps = 100
+    bpy.context.scene.render.fps = fps
+    bpy.ops.import_scene.gltf(filepath=glb)
+    agents = {o["number"]: o for o in bpy.data.objects if "number" in o}
+    compared = 0
+    for time in times:
+        frame = (time - times[0]) * fps
+        bpy.context.scene.frame_set(int(frame // 1), subframe=frame % 1)
+        for number, agent in agents.items():
+            row = moments[time].get(number)
+            place, rotation, scale = agent.matrix_world.decompose()
+            assert (max(scale) > 1e-6) == (row is not None), (time, number, scale)
+            if row:
+                assert agent["group"] == row["group"]
+                # Blender turns meshes of glTF so that y is up: what faced +z faces -y
+                compare(number, row, place, rotation @ Vector((0, -1, 0)), 2e-3, math.radians(0.6))
+                compared += 1
+    print(f"gltf: {len(agents)} objects, {len(times)} frames, {compared} places equal")
+
+
+def render(path, time, frame):
+    """A picture of everybody at a time."""
+    scene = bpy.context.scene
+    scene.frame_set(int(frame // 1), subframe=frame % 1)
+    places = [Vector([float(row["x"]), float(row["y"]), float(row.get("z", 0))]) for row in moments[time].values()]
+    middle = sum(places, Vector()) / len(places)
+    wide = max(2.0, sorted((place - middle).length for place in places)[len(places) // 2])
+    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    camera.location = middle + Vector((-0.4, -1.6, 1.1)) * wide
+    camera.rotation_euler = (middle - camera.location).to_track_quat("-Z", "Y").to_euler()
+    sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
+    sun.data.energy, sun.matrix_world = 3, Matrix.Rotation(0.7, 4, Vector((1, 0.4, 0)))
+    scene.world = bpy.data.worlds.new("Sky")
+    for thing in (camera, sun):
+        scene.collection.objects.link(thing)
+    scene.camera = camera
+    render = scene.render
+    # the one engine that needs no display
+    render.engine, scene.cycles.samples, scene.cycles.device = "CYCLES", 16, "CPU"
+    scene.cycles.use_denoising = False
+    render.resolution_x, render.resolution_y, render.filepath = 800, 450, path
+    bpy.ops.render.render(write_still=True)
+
+
+middle = times[len(times) // 2]
+fresh()
+usd()
+codes = float(next(line.split("=")[1] for line in open(usda) if "timeCodesPerSecond" in line))
+render(picture, middle, middle * codes)
+fresh()
+gltf()
+render(picture.replace(".png", "-glb.png"), middle, (middle - times[0]) * 100)
