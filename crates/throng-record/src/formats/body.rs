@@ -7,7 +7,8 @@ use std::f32::consts::TAU;
 /// Corners of a level of who walks.
 const SIDES: u32 = 10;
 /// The levels of who walks, from the feet to the top of the head: radius, of the body's, and height, metres.
-const LEVELS: [(f32, f32); 6] = [(0.7, 0.0), (1.0, 1.1), (0.9, 1.35), (0.35, 1.45), (0.45, 1.6), (0.3, 1.75)];
+const LEVELS: [(f32, f32); 7] =
+    [(0.6, 0.0), (1.0, 1.15), (0.9, 1.35), (0.35, 1.43), (0.5, 1.55), (0.5, 1.66), (0.3, 1.75)];
 
 /// Somebody of a radius of 1: who walks stands on the ground, 1.75 m high; who flies is a dart within a sphere.
 pub(super) fn mesh(flies: bool) -> Mesh {

@@ -34,7 +34,6 @@ def usd():
     """Points, and who is seen of them."""
     bpy.ops.wm.usd_import(filepath=usda)
     scene, agents = bpy.context.scene, bpy.data.objects["Agents"]
-    groups = {o.name for o in bpy.data.objects if o.name.startswith("Group_")}
     nodes = next(modifier for modifier in agents.modifiers if modifier.type == "NODES")
     # time codes are frames; theirs may be 24ths of a second
     codes = float(next(line.split("=")[1] for line in open(usda) if "timeCodesPerSecond" in line))
@@ -57,7 +56,7 @@ def usd():
                 compare(number.value, row, place, ahead, 2e-4, math.radians(0.15))
                 compared += 1
         nodes.show_viewport = True
-    print(f"usd: {len(ids)} points of {len(groups)} groups, {len(times)} frames, {compared} places equal")
+    print(f"usd: {len(ids)} points, {len(times)} frames, {compared} places equal")
 
 
 def gltf():
@@ -88,9 +87,9 @@ def render(path, time, frame):
     scene.frame_set(int(frame // 1), subframe=frame % 1)
     places = [Vector([float(row["x"]), float(row["y"]), float(row.get("z", 0))]) for row in moments[time].values()]
     middle = sum(places, Vector()) / len(places)
-    wide = max(2.0, sorted((place - middle).length for place in places)[len(places) // 2])
+    wide = max(6.0, 1.5 * sorted((place - middle).length for place in places)[len(places) // 2])
     camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    camera.location = middle + Vector((-0.4, -1.6, 1.1)) * wide
+    camera.location = middle + Vector((-0.4, -1.3, 0.9)) * wide
     camera.rotation_euler = (middle - camera.location).to_track_quat("-Z", "Y").to_euler()
     sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
     sun.data.energy, sun.matrix_world = 3, Matrix.Rotation(0.7, 4, Vector((1, 0.4, 0)))

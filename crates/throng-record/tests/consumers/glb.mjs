@@ -35,7 +35,7 @@ const agents = [];
 gltf.scene.traverse((node) => { if (node.userData.number !== undefined) agents.push(node); });
 globalThis.run = {
   agents: agents.length,
-  seconds: Math.max(...gltf.animations.map((clip) => clip.duration)),
+  lasts: Math.max(...gltf.animations.map((clip) => clip.duration)),
   tracks: gltf.animations[0].tracks.length,
   /** Where everybody is after so many seconds, and which way it faces, in the scene's axes. */
   at(second) {
@@ -82,6 +82,8 @@ for (const line of lines) {
 }
 const times = [...moments.keys()].sort((a, b) => a - b);
 
+/** The seconds of the animation are singles. */
+const seconds = (time) => Math.fround(time - times[0]);
 const check = (holds, what) => { if (!holds) throw new Error(JSON.stringify(what)); };
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
@@ -97,7 +99,7 @@ try {
   let compared = 0, worst = 0;
   for (let k = 0; k < times.length; k += Math.max(1, Math.floor(times.length / 40))) {
     const there = moments.get(times[k]);
-    for (const agent of await view.evaluate((second) => globalThis.run.at(second), times[k] - times[0])) {
+    for (const agent of await view.evaluate((second) => globalThis.run.at(second), seconds(times[k]))) {
       const row = there.get(agent.number);
       check(agent.there === Boolean(row), { time: times[k], agent, row });
       if (!row) continue;
@@ -109,12 +111,12 @@ try {
       worst = Math.max(worst, off);
     }
   }
-  const { agents, seconds, tracks } = await view.evaluate(() => ({ agents: run.agents, seconds: run.seconds, tracks: run.tracks }));
+  const { agents, lasts, tracks } = await view.evaluate(() => ({ agents: run.agents, lasts: run.lasts, tracks: run.tracks }));
   const middle = times[times.length >> 1];
-  const triangles = await view.evaluate((second) => globalThis.run.picture(second), middle - times[0]);
+  const triangles = await view.evaluate((second) => globalThis.run.picture(second), seconds(middle));
   await view.screenshot({ path: picture });
   check(wrong.length === 0, wrong);
-  console.log(`${agents} agents, ${tracks} tracks, ${seconds.toFixed(2)} s; ${compared} places within ${(1e3 * worst).toFixed(2)} mm; ${triangles} triangles`);
+  console.log(`${agents} agents, ${tracks} tracks, ${lasts.toFixed(2)} s; ${compared} places within ${(1e3 * worst).toFixed(2)} mm; ${triangles} triangles`);
 } finally {
   await browser.close();
   server.close();

@@ -26,18 +26,25 @@ def numbers(at):
     if accessor.normalized:
         values = [max(value / 32767, -1.0) for value in values]
     values = [tuple(values[k:k + width]) for k in range(0, len(values), width)]
-    if accessor.min is not None:
+    if accessor.min:
         for a in range(width):
             low, high = min(value[a] for value in values), max(value[a] for value in values)
             assert abs(low - accessor.min[a]) < 1e-6 * max(1, abs(low)) and abs(high - accessor.max[a]) < 1e-6 * max(1, abs(high))
     return values
 
 
+def unit(q):
+    length = math.sqrt(sum(x * x for x in q))
+    return tuple(x / length for x in q)
+
+
 def slerp(a, b, t):
+    # what is rounded to 16 bits is not quite of length 1
+    a, b = unit(a), unit(b)
     dot = sum(x * y for x, y in zip(a, b))
     if dot < 0:
         b, dot = tuple(-x for x in b), -dot
-    angle = math.acos(min(1, dot))
+    angle = 2 * math.asin(min(1, math.dist(a, b) / 2))
     if angle < 1e-6:
         return a
     return tuple((math.sin((1 - t) * angle) * x + math.sin(t * angle) * y) / math.sin(angle) for x, y in zip(a, b))

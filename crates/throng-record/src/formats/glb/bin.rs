@@ -153,3 +153,28 @@ fn times(seconds: &[f32]) -> Accessor {
     let [min, max] = ends;
     Accessor { min, max, ..of(FLOAT, "SCALAR", seconds.len()) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_gets_no_larger_than_it_can() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut bin = Bin::new(&Output::create(folder.path().join("run.glb")).unwrap()).unwrap();
+        bin.view(None).unwrap();
+        bin.len = u64::from(u32::MAX) - 4;
+        bin.put(&[1; 4]).unwrap();
+        assert!(bin.put(&[1; 4]).unwrap_err().to_string().contains("4 GiB"));
+    }
+
+    #[test]
+    fn few_bytes_that_come_again_are_there_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut bin = Bin::new(&Output::create(folder.path().join("run.glb")).unwrap()).unwrap();
+        bin.view(None).unwrap();
+        let [first, other, again] = [[0.0, 1.0], [0.0, 2.0], [0.0, 1.0]].map(|seconds| bin.times(&seconds).unwrap());
+        assert!(first == again && first != other);
+        assert_eq!((bin.accessors.len(), bin.read().unwrap().0), (2, 16));
+    }
+}

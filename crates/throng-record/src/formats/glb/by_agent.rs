@@ -6,7 +6,7 @@ use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 
 /// So many rows are sorted in memory at a time (12 MiB), or those of one moment.
-const SORTED: usize = 1 << 18;
+const SORTED: usize = if cfg!(test) { 7 } else { 1 << 18 };
 
 /// Calls `each` with everybody in turn, and at which moments it was where. All rows are on the disk once more meanwhile, in memory are
 /// those of one agent.

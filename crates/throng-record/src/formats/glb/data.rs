@@ -89,8 +89,11 @@ impl<'a> Data<'a> {
     }
 }
 
+/// Makes a number of its bytes.
+type Decode = fn(&[u8]) -> f32;
+
 /// How many bytes a number takes that an accessor reads, and how they make it; those that are no singles are parts of the largest.
-fn number(accessor: &Accessor) -> Option<(usize, fn(&[u8]) -> f32)> {
+fn number(accessor: &Accessor) -> Option<(usize, Decode)> {
     Some(match (accessor.component_type, accessor.normalized) {
         (FLOAT, _) => (4, |b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])),
         (SHORT, true) => (2, |b| (f32::from(i16::from_le_bytes([b[0], b[1]])) / 32767.0).max(-1.0)),

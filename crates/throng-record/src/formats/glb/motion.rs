@@ -4,7 +4,7 @@ use super::axes;
 use super::bin::Bin;
 use super::json::{Animation, Channel, Node, Sampler, Target};
 use super::kept::kept;
-use crate::formats::spill::State;
+use crate::formats::spill::{Agent, State};
 use glam::{Quat, Vec3};
 use std::collections::BTreeMap;
 use std::io;
@@ -42,15 +42,14 @@ impl<'a> Motion<'a> {
         bin: &mut Bin,
         (at, node): (usize, &mut Node),
         scale: Vec3,
-        track: &[(u32, State)],
+        (agent, track): (&Agent, &[(u32, State)]),
     ) -> io::Result<()> {
         let moments: Vec<usize> = track.iter().map(|&(moment, _)| moment as usize).collect();
         let times: Vec<f64> = moments.iter().map(|&moment| f64::from(self.seconds[moment])).collect();
         let points: Vec<Vec3> = track.iter().map(|(_, state)| axes::point(state.place)).collect();
         let turns = turns(track);
-        let (Some(first), Some(turn)) = (points.first(), turns.first()) else { return Ok(()) };
 
-        let rest = (first.as_dvec3() * 1e4).round() / 1e4;
+        let rest = (axes::point(agent.first.place).as_dvec3() * 1e4).round() / 1e4;
         node.translation = Some(rest.to_array());
         if points.iter().any(|point| (point.as_dvec3() - rest).abs().max_element() > PLACE) {
             let way = |from: usize, to: usize| points[to].as_dvec3() - points[from].as_dvec3();
@@ -59,7 +58,7 @@ impl<'a> Motion<'a> {
             let values = bin.vectors(&values, false)?;
             self.channel(bin, (at, "translation"), kept.iter().map(|&k| moments[k]).collect(), values, None)?;
         }
-        node.rotation = Some(turn.to_array());
+        node.rotation = Some(axes::turn(agent.first.rotation).to_array());
         let way = |from: usize, to: usize| (turns[from].conjugate() * turns[to]).to_scaled_axis().as_dvec3();
         if (0..turns.len()).any(|to| way(0, to).abs().max_element() > TURN) {
             let kept = self.cheaper(&moments, 8, kept(&times, TURN, REACH, way));

@@ -8,6 +8,7 @@ use crate::tracks::Tracks;
 use crate::{Body, Frame, Output, Setting};
 use glam::{DVec2, DVec3, Quat, Vec3};
 use serde_json::{Value, json};
+use std::f64::consts::FRAC_1_SQRT_2;
 use throng::motion::Basis;
 
 fn written(setting: &Setting, frames: &[Frame]) -> Vec<u8> {
@@ -41,7 +42,7 @@ fn theirs() -> (Value, Vec<u8>) {
     let json = json!({
         "asset": { "version": "2.0" },
         "nodes": [
-            { "translation": [10, 0, 0], "rotation": [0, 0.70710678, 0, 0.70710678], "scale": [2, 2, 2], "children": [1], "extras": 3 },
+            { "translation": [10, 0, 0], "rotation": [0, FRAC_1_SQRT_2, 0, FRAC_1_SQRT_2], "scale": [2, 2, 2], "children": [1], "extras": 3 },
             { "children": [2], "extras": { "a": 1 } },
             { "name": "bone" },
         ],

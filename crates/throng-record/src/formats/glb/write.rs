@@ -65,7 +65,7 @@ impl GlbWriter {
             node.mesh = Some(meshes + agent.group as usize);
             let scale = axes::own(body::scale(agent.radius, flies));
             let at = scene.root.nodes.len();
-            motion.agent(&mut scene.bin, (at, &mut node), scale, track)?;
+            motion.agent(&mut scene.bin, (at, &mut node), scale, (agent, track))?;
             scene.root.nodes.push(node);
             scene.root.nodes[agents].children.push(at);
             Ok(())

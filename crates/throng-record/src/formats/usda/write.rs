@@ -44,14 +44,15 @@ impl UsdaWriter {
     /// What comes before the people.
     fn head(&mut self) -> io::Result<()> {
         let (setting, codes) = (&self.setting, self.codes());
-        let times = self.spill.moments.iter().map(|&(time, _)| time);
-        let [first, last] = [times.clone().next(), times.clone().last()].map(|time| code(time.unwrap_or(0.0), codes));
+        let moments = &self.spill.moments;
+        let [first, last] =
+            [moments.first(), moments.last()].map(|moment| code(moment.map_or(0.0, |&(time, _)| time), codes));
         let groups = list(setting.groups.iter(), |out, name| out.push_str(&quoted(name)));
         let said = describe::pairs(setting).into_iter().filter(|(key, _)| *key != keys::GROUPS);
         let said: String = said
             .map(|(key, value)| format!("    custom string {} = {}\n", key.replace('.', ":"), quoted(&value)))
             .collect();
-        let times = list(times, |out, time| out.push_str(&time.to_string()));
+        let times = list(moments.iter(), |out, (time, _)| out.push_str(&time.to_string()));
         let origin = setting.origin;
         let text = format!(
             "#usda 1.0\n(\n    defaultPrim = \"World\"\n    endTimeCode = {last}\n    framesPerSecond = {codes}\n    \
@@ -63,7 +64,7 @@ impl UsdaWriter {
             origin.y
         );
         let ground = mesh::ground(setting, self.spill.seen);
-        let meshes = [("Ground", ground, [0.6; 3]), ("Obstacles", mesh::solids(setting), [0.1; 3])];
+        let meshes = [("/World/Ground", ground, [0.6; 3]), ("/World/Obstacles", mesh::solids(setting), [0.1; 3])];
         let meshes = meshes.iter().filter(|(_, mesh, _)| !mesh.points.is_empty());
         let meshes: String = meshes.map(|(name, mesh, color)| self::mesh(name, mesh, *color, true, "    ")).collect();
         self.output.write_all(text.as_bytes())?;
@@ -95,7 +96,8 @@ impl UsdaWriter {
         let body = body::mesh(flies);
         for group in 0..groups {
             let name = quoted(&self.setting.group_name(group as u32));
-            let mesh = mesh("Body", &body, color::linear(group), false, "                ");
+            let path = format!("/World/Agents/Prototypes/Group_{group}/Body");
+            let mesh = mesh(&path, &body, color::linear(group), false, "                ");
             let _ = write!(
                 text,
                 "\n            def Xform \"Group_{group}\"\n            {{\n                custom string throng:name = {name}\n\
@@ -207,22 +209,44 @@ fn quoted(text: &str) -> String {
     out
 }
 
-/// A mesh, behind an indent.
-fn mesh(name: &str, mesh: &Mesh, color: [f32; 3], both_sides: bool, indent: &str) -> String {
-    let lines = [
-        format!("uniform bool doubleSided = {}", u8::from(both_sides)),
-        format!("int[] faceVertexCounts = {}", list(mesh.triangles.iter(), |out, _| out.push('3'))),
-        format!(
-            "int[] faceVertexIndices = {}",
-            list(mesh.triangles.iter().flatten(), |out, at| out.push_str(&at.to_string()))
-        ),
-        format!("point3f[] points = {}", list(mesh.points.iter(), |out, &point| triple(out, point, 4))),
-        format!(
-            "color3f[] primvars:displayColor = {}",
-            list(std::iter::once(color), |out, c| triple(out, c.into(), 3))
-        ),
-        "uniform token subdivisionScheme = \"none\"".to_owned(),
-    ];
-    let lines: String = lines.iter().map(|line| format!("{indent}    {line}\n")).collect();
-    format!("\n{indent}def Mesh \"{name}\"\n{indent}{{\n{lines}{indent}}}\n")
+/// A mesh by its path, behind an indent. Its colour is said twice: for what draws without materials, and for what does with them.
+fn mesh(path: &str, mesh: &Mesh, color: [f32; 3], both_sides: bool, indent: &str) -> String {
+    let name = path.rsplit('/').next().unwrap_or(path);
+    let mut rgb = String::new();
+    triple(&mut rgb, color.into(), 3);
+    let counts = list(mesh.triangles.iter(), |out, _| out.push('3'));
+    let indices = list(mesh.triangles.iter().flatten(), |out, at| out.push_str(&at.to_string()));
+    let points = list(mesh.points.iter(), |out, &point| triple(out, point, 4));
+    let both_sides = u8::from(both_sides);
+    let text = format!(
+        "
+def Mesh \"{name}\" (
+    prepend apiSchemas = [\"MaterialBindingAPI\"]
+)
+{{
+    uniform bool doubleSided = {both_sides}
+    int[] faceVertexCounts = {counts}
+    int[] faceVertexIndices = {indices}
+    rel material:binding = <{path}/Look>
+    point3f[] points = {points}
+    color3f[] primvars:displayColor = [{rgb}]
+    uniform token subdivisionScheme = \"none\"
+
+    def Material \"Look\"
+    {{
+        token outputs:surface.connect = <{path}/Look/Surface.outputs:surface>
+
+        def Shader \"Surface\"
+        {{
+            uniform token info:id = \"UsdPreviewSurface\"
+            color3f inputs:diffuseColor = {rgb}
+            float inputs:roughness = 0.8
+            token outputs:surface
+        }}
+    }}
+}}
+"
+    );
+    let line = |line: &str| if line.is_empty() { "\n".to_owned() } else { format!("{indent}{line}\n") };
+    text.lines().map(line).collect()
 }
