@@ -8,6 +8,7 @@ use crate::info::args::{self as info, InfoArgs};
 use crate::look::LookArgs;
 use crate::measure::args::{self as measure, MeasureArgs};
 use crate::options::{EndArgs, FilmArgs, ThreadArgs};
+use crate::replay::args::{self as replay, ReplayArgs};
 use crate::sheet::args::{self as sheet, SheetArgs};
 use crate::source::SceneArgs;
 use clap::{Args, Parser, Subcommand};
@@ -32,6 +33,7 @@ Examples:
   throng show doorway                a picture of the start, doorway.png
   throng sheet                       a still of each scene of the gallery, sheet.png
   throng measure flocking            how its members move: distributions of speeds and the like
+  throng replay obsmat.txt -o a.mp4  recorded people, and what a model makes of them, side by side
   throng info run.csv                what is in a file of trajectories
   throng explain circle --agent 3    why agent 3 goes where it goes, circle-agent-3.svg
   throng bench                       how long steps take on this machine
@@ -79,6 +81,12 @@ pub enum Command {
     /// Of the scene that it runs, or of a table of trajectories; docs/swarms.md says what the figures mean.
     #[command(after_help = measure::SHORT, after_long_help = measure::LONG)]
     Measure(Box<MeasureArgs>),
+    /// Replays recorded people: they enter as they did, walk by a model, and are compared with what they did
+    ///
+    /// Everybody enters at their time and place with their speed and goal. Recorded and simulated people are drawn side by side and
+    /// compared; docs/replay.md says what the figures mean.
+    #[command(after_help = replay::SHORT, after_long_help = replay::LONG)]
+    Replay(Box<ReplayArgs>),
     /// Draws why one agent goes where it goes: its velocity space at one moment
     #[command(after_help = explain::SHORT, after_long_help = explain::LONG)]
     Explain(Box<ExplainArgs>),

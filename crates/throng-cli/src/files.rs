@@ -24,7 +24,7 @@ pub fn create(paths: &[PathBuf], plan: &Plan) -> Result<Files, Failure> {
 }
 
 /// How the names of trajectories end that are written.
-fn trajectories() -> Vec<&'static str> {
+pub fn trajectories() -> Vec<&'static str> {
     FORMATS.iter().filter(|format| format.is_written()).map(|format| format.ending).collect()
 }
 

@@ -20,6 +20,7 @@ mod options;
 mod out;
 mod page;
 mod progress;
+mod replay;
 mod report;
 mod run;
 mod schema;
@@ -54,6 +55,7 @@ fn main() -> ExitCode {
         Command::Sheet(args) => sheet::sheet(args, &mut out),
         Command::Info(args) => info::info(args, &mut out),
         Command::Measure(args) => measure::measure(args, &mut out),
+        Command::Replay(args) => replay::replay(args, &mut out),
         Command::Explain(args) => explain::explain(args, &mut out),
         #[cfg(feature = "studio")]
         Command::Studio(args) => {

@@ -10,6 +10,7 @@ mod explain;
 mod interrupt;
 mod measure;
 mod mistakes;
+mod replay;
 mod run;
 mod shared;
 mod sheet;

@@ -4,10 +4,15 @@ use super::{People, columns};
 use crate::measure::json::{POINTS, distribution};
 use crate::report::number;
 use serde_json::{Value, json};
-use throng_record::pedestrian::{flow, steady_flow};
+use throng_record::pedestrian::{Figures, Question, flow, steady_flow};
 
 /// The figures as one object.
 pub fn json(People { question, figures }: &People) -> Value {
+    object(question, figures)
+}
+
+/// The same of figures that were measured elsewhere.
+pub fn object(question: &Question, figures: &Figures) -> Value {
     let area = question.area.as_ref().map(|area| {
         let diagram = figures.fundamental_diagram();
         json!({
