@@ -13,9 +13,9 @@ use throng_record::pedestrian::replay::Pace;
 /// After `throng replay -h`.
 pub const SHORT: &str = "\
 Examples:
-  throng replay zara01/obsmat.txt --map-offset 0,15 -o zara01.mp4
+  throng replay zara01/obsmat.txt --map-offset 0.5,16.2 -o zara01.mp4
   throng replay corridor.txt --map corridor.wkt --line 0,0,0,5
-  throng replay corridor.txt --model rvo --set rvo.time_horizon=4 --speed 90% --table people.csv
+  throng replay corridor.txt --model rvo:time_horizon=4 --speed 90% --table people.csv
 
 `throng replay --help` describes the outputs and the keys of --json; docs/replay.md, what the figures mean.";
 
@@ -49,14 +49,14 @@ Keys of --json (one object on standard output; metres, seconds):
   speed, nearest         { recorded: { mean, median }, replay: the same, distance: of Kolmogorov and Smirnov }
   crossings              null, or the same of the times at which --line is crossed
   recorded, replay       { people: as `throng measure --json` says them }
-  summary                of the world: least_separation, overlaps, guard_share, course_change_deg_per_s
+  summary                of the world: least_separation, overlaps, guard_share
   wall_seconds, interrupted, files
 What is not known is null.
 
 Exit codes: 0 done; 2 an error; 130 interrupted.
 
 Examples:
-  throng replay zara01/obsmat.txt --map-offset 0,15
+  throng replay zara01/obsmat.txt --map-offset 0.5,16.2
       a table of figures; walls from zara01/map.xml, which has another origin, groups from zara01/groups.txt
   throng replay zara01/obsmat.txt -o zara01.mp4 -o orca.csv --table people.csv
       side by side, the replayed people's trajectories, and a line a person

@@ -64,7 +64,6 @@ pub fn of(report: &Report, wall: Duration) -> Value {
             "least_separation": number(summary.least_separation),
             "overlaps": summary.overlaps,
             "guard_share": number(summary.guard_share),
-            "course_change_deg_per_s": number(summary.course_change_deg_per_s),
         },
         "wall_seconds": wall.as_secs_f64(),
         "interrupted": report.interrupted,

@@ -46,12 +46,11 @@ pub fn of(report: &Report) -> String {
         "  arrived    {arrived}, {delay} s after the recorded left (median); {late} on their way at the end, {stranded} cannot; {goals} goals are solid"
     );
     let summary = &replayed.summary;
-    let (least, guard, course) =
-        (short(summary.least_separation), short(100.0 * summary.guard_share), short(summary.course_change_deg_per_s));
+    let (least, guard) = (short(summary.least_separation), short(100.0 * summary.guard_share));
     let overlaps = summary.overlaps;
     let _ = writeln!(
         out,
-        "  motion     {overlaps} overlaps in sub-steps, separation {least}; the guard changed {guard} % of the moves; courses turn {course} °/s"
+        "  motion     {overlaps} overlaps in sub-steps, separation {least}; the guard changed {guard} % of the moves"
     );
     out.push_str("\ndisplacement, m: mean (median)\n");
     out.push_str(&displacements(report));
