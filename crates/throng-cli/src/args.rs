@@ -10,6 +10,7 @@ use crate::look::LookArgs;
 use crate::measure::args::{self as measure, MeasureArgs};
 use crate::options::{EndArgs, FilmArgs, ThreadArgs};
 use crate::recorded::args::{self as recorded, ConvertArgs, RenderArgs};
+use crate::replay::args::{self as replay, ReplayArgs};
 use crate::sheet::args::{self as sheet, SheetArgs};
 use crate::source::SceneArgs;
 use clap::{Args, Parser, Subcommand};
@@ -34,6 +35,7 @@ Examples:
   throng show doorway                a picture of the start, doorway.png
   throng sheet                       a still of each scene of the gallery, sheet.png
   throng measure flocking            how its members move: distributions of speeds and the like
+  throng replay obsmat.txt -o a.mp4  recorded people, and what a model makes of them, side by side
   throng info run.csv                what is in a file of trajectories
   throng convert run.csv -o run.usda the same as another kind of file
   throng render people.txt -o a.mp4  a video of it
@@ -89,6 +91,12 @@ pub enum Command {
     /// Draws trajectories: video and pictures of a file
     #[command(after_help = recorded::RENDER, after_long_help = recorded::RENDER)]
     Render(Box<RenderArgs>),
+    /// Replays recorded people: they enter as they did, walk by a model, and are compared with what they did
+    ///
+    /// Everybody enters at their time and place with their speed and goal. Recorded and simulated people are drawn side by side and
+    /// compared; docs/replay.md says what the figures mean.
+    #[command(after_help = replay::SHORT, after_long_help = replay::LONG)]
+    Replay(Box<ReplayArgs>),
     /// Draws why one agent goes where it goes: its velocity space at one moment
     #[command(after_help = explain::SHORT, after_long_help = explain::LONG)]
     Explain(Box<ExplainArgs>),

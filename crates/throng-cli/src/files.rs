@@ -26,7 +26,7 @@ pub fn create(paths: &[PathBuf], plan: &Plan) -> Result<Files, Failure> {
 }
 
 /// How the names of trajectories end that are written.
-fn written() -> Vec<&'static str> {
+pub fn written() -> Vec<&'static str> {
     FORMATS.iter().filter(|format| format.is_written()).map(|format| format.ending).collect()
 }
 

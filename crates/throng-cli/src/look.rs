@@ -5,8 +5,12 @@ use crate::field::FieldArgs;
 use crate::source::parse_four;
 use clap::{Args, ValueEnum};
 use glam::DVec2;
-use throng_draw::{ColorBy, Projection, Style, WorldBox};
+use throng_draw::{ColorBy, Projection, Style, WorldBox, columns, title_height};
 use throng_scene::Scene;
+
+/// A sheet nobody gave a size is at most this wide and high, pixels, and about twice as wide as high.
+const LARGEST: [f64; 2] = [1920.0, 1440.0];
+const ASPECT: f64 = 2.0;
 
 /// How pictures look.
 #[derive(Args, Debug)]
@@ -105,6 +109,28 @@ impl LookArgs {
             headings: !self.no_headings,
             ..said
         })
+    }
+
+    /// The look of a sheet of `count` panels of this style, and how many of them stand side by side: what is said is the size of all
+    /// together. `bounds` are the corners of the scene.
+    pub fn side_by_side(&self, mut style: Style, count: usize, bounds: [DVec2; 2]) -> (Style, usize) {
+        let (width, height) = (f64::from(style.width), f64::from(style.height));
+        let columns = match self.size {
+            Some(_) => {
+                let extent = style.view.map_or(bounds[1] - bounds[0], |view| view.max - view.min);
+                columns(count, (extent.x.max(1.0) / extent.y.max(1.0)).clamp(0.2, 5.0), width / height)
+            }
+            None => {
+                let columns = columns(count, width / height, ASPECT);
+                let whole = [width * columns as f64, height * count.div_ceil(columns) as f64];
+                let fit = (LARGEST[0] / whole[0]).min(LARGEST[1] / whole[1]).min(1.0);
+                let even = |pixels: f64| (pixels * fit * 0.5).round() as u32 * 2;
+                style.width = even(whole[0]);
+                style.height = even(whole[1]) + title_height(style.width);
+                columns
+            }
+        };
+        (style, columns)
     }
 }
 

@@ -22,6 +22,7 @@ mod out;
 mod page;
 mod progress;
 mod recorded;
+mod replay;
 mod report;
 mod run;
 mod schema;
@@ -59,6 +60,7 @@ fn main() -> ExitCode {
         Command::Measure(args) => measure::measure(args, &mut out),
         Command::Convert(args) => recorded::convert(args, &mut out),
         Command::Render(args) => recorded::render(args, &mut out),
+        Command::Replay(args) => replay::replay(args, &mut out),
         Command::Explain(args) => explain::explain(args, &mut out),
         #[cfg(feature = "studio")]
         Command::Studio(args) => {

@@ -152,7 +152,8 @@ fn name(path: &Path) -> String {
     }
 }
 
-fn parse_change(text: &str) -> Result<(String, String), String> {
+/// Reads a key and its value.
+pub fn parse_change(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
         Some((key, value)) if !key.trim().is_empty() => Ok((key.trim().to_owned(), value.trim().to_owned())),
         _ => Err("write KEY=VALUE, such as avoid.orca.time_horizon=3".into()),

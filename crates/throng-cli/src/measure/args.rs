@@ -164,7 +164,7 @@ fn parse_area(text: &str) -> Result<Area, String> {
 }
 
 /// Reads the two ends of a line.
-fn parse_line(text: &str) -> Result<Line, String> {
+pub fn parse_line(text: &str) -> Result<Line, String> {
     let [x0, y0, x1, y1] = parse_four(text)?;
     let line = Line { from: DVec2::new(x0, y0), to: DVec2::new(x1, y1) };
     if line.length() > 0.0 { Ok(line) } else { Err("the two ends are at one place".into()) }

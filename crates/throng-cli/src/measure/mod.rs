@@ -12,6 +12,7 @@ use crate::files::{distinct, is};
 use crate::interrupt;
 use crate::out::{Out, complain};
 use args::MeasureArgs;
+pub use people::{object as people_json, plan};
 use std::path::Path;
 pub use text::short;
 use throng_record::Output;

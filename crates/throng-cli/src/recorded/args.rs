@@ -41,7 +41,8 @@ pub struct RecordedArgs {
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
 
-    /// Where it was: a scene or a floor plan (see `throng run`), whose ground and obstacles it takes [default: what the file says]
+    /// Where it was: a scene or a floor plan (see `throng run`), or UCY's map.xml, whose ground and obstacles it takes [default:
+    /// what the file says, else a map.xml beside it]
     #[arg(long, value_name = "SCENE")]
     pub map: Option<PathBuf>,
 

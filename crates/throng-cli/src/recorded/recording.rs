@@ -2,6 +2,8 @@
 
 use super::args::RecordedArgs;
 use crate::failure::Failure;
+use crate::files::is;
+use crate::replay::map::{Map, beside};
 use crate::source::Changes;
 use glam::DVec2;
 use std::path::PathBuf;
@@ -37,8 +39,14 @@ impl Recording {
         if tracks.setting.title.is_empty() {
             tracks.setting.title.clone_from(&name);
         }
-        let (scene, moments) = match &args.map {
-            Some(map) => in_place(tracks, place(map)?),
+        let known = !(tracks.setting.walkable.is_empty() && tracks.setting.obstacles.is_empty());
+        let beside = beside(&path, "map.xml").filter(|_| !known);
+        let (scene, moments) = match args.map.clone().or(beside) {
+            Some(map) if is(&map, "xml") => {
+                tracks.setting.obstacles = Map::of(map)?.obstacles;
+                (Scene::default(), Moments::of(tracks))
+            }
+            Some(map) => in_place(tracks, place(&map)?),
             None => (Scene::default(), Moments::of(tracks)),
         };
         Ok(Self { path, name, moments, scene })

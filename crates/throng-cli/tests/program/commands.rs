@@ -40,9 +40,21 @@ fn completions_for_every_shell() {
 
 #[test]
 fn every_command_has_help() {
-    for command in
-        ["", "run", "compare", "bench", "list", "check", "show", "sheet", "measure", "explain", "schema", "completions"]
-    {
+    for command in [
+        "",
+        "run",
+        "compare",
+        "bench",
+        "list",
+        "check",
+        "show",
+        "sheet",
+        "measure",
+        "replay",
+        "explain",
+        "schema",
+        "completions",
+    ] {
         throng(folder().path()).args(command.split_whitespace()).arg("--help").assert().success();
     }
 }

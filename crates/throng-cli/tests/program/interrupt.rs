@@ -104,3 +104,19 @@ fn an_interrupted_measurement_writes_what_it_has() {
     assert!((1..1000).contains(&repeats), "{runs}");
     assert_eq!(names(folder.path()), ["a.md"]);
 }
+
+#[test]
+fn an_interrupted_replay_finishes_its_files() {
+    let folder = folder();
+    let mut text = "# framerate: 10\n".to_owned();
+    for frame in 0..200_000u32 {
+        let (x, y) = (f64::from(frame % 20_000) * 0.05, f64::from(frame / 20_000));
+        text += &format!("{} {frame} {x} {y}\n", frame / 20_000);
+    }
+    std::fs::write(folder.path().join("long.txt"), text).unwrap();
+    let begun = || folder.path().join("f/frame_000009.png").exists();
+    let all = interrupted(folder.path(), "replay long.txt -o f/ -o a.csv --size 320x240 --json", begun);
+    assert_eq!(names(folder.path()), ["a.csv", "f", "long.txt"]);
+    assert_eq!((&all["interrupted"], &all["predicted"]), (&Value::from(true), &Value::Null));
+    assert!(std::fs::read_to_string(folder.path().join("a.csv")).unwrap().ends_with('\n'));
+}

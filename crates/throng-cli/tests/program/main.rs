@@ -11,6 +11,7 @@ mod interrupt;
 mod measure;
 mod mistakes;
 mod recorded;
+mod replay;
 mod run;
 mod shared;
 mod sheet;

@@ -16,6 +16,30 @@ pub struct Walk {
     pub places: Vec<DVec2>,
 }
 
+impl Walk {
+    /// Where one was at a time: between two rows, on the straight way from one to the other; `None` before the first and after the last.
+    ///
+    /// ```
+    /// use glam::DVec2;
+    /// let walk = throng_record::pedestrian::Walk { number: 1, radius: 0.2, times: vec![1.0, 3.0], places: vec![DVec2::ZERO, DVec2::X] };
+    /// assert_eq!([0.5, 1.0, 2.5, 3.0].map(|time| walk.at(time).map(|at| at.x)), [None, Some(0.0), Some(0.75), Some(1.0)]);
+    /// ```
+    pub fn at(&self, time: f64) -> Option<DVec2> {
+        let (row, share) = self.row_at(time)?;
+        Some(if share > 0.0 { self.places[row].lerp(self.places[row + 1], share) } else { self.places[row] })
+    }
+
+    /// The last row at a time or before it, and how much of the time to the next one has gone, 0 to 1.
+    pub(crate) fn row_at(&self, time: f64) -> Option<(usize, f64)> {
+        // rounding leaves out nothing
+        let row = self.times.partition_point(|&row| row <= time + 1e-9).checked_sub(1)?;
+        let Some(next) = self.times.get(row + 1) else {
+            return (time <= self.times[row] + 1e-9).then_some((row, 0.0));
+        };
+        Some((row, ((time - self.times[row]) / (next - self.times[row])).max(0.0)))
+    }
+}
+
 /// Somebody who is there: which walk, and which of its rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Here {
@@ -65,7 +89,11 @@ impl People {
             times: own.iter().map(|spot| spot.time).collect(),
             places: own.iter().map(|spot| spot.place.truncate()).collect(),
         };
-        let walks: Vec<Walk> = spots.chunk_by(|a, b| a.number == b.number).map(walk).collect();
+        Self::new(spots.chunk_by(|a, b| a.number == b.number).map(walk).collect())
+    }
+
+    /// Those who went these ways; `walks` are by number, and no two of one.
+    pub fn new(walks: Vec<Walk>) -> Self {
         let rows = |(walk, own): (usize, &Walk)| (0..own.times.len()).map(move |row| Here { walk, row });
         let mut here: Vec<Here> = walks.iter().enumerate().flat_map(rows).collect();
         let time = |here: &Here| walks[here.walk].times[here.row];

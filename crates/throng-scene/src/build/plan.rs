@@ -104,10 +104,26 @@ impl Scene {
     /// With file, line, column and a hint: a number out of its limits, a polygon that crosses itself, agents that
     /// overlap each other or a wall, agents that do not fit, goals in walls, no or too many agents.
     pub fn plan(&self) -> Result<Plan, Error> {
-        self.lay_out().map_err(|wrong| match wrong {
+        self.lay_out().map_err(|wrong| self.told(wrong))
+    }
+
+    /// The ground that can be walked on (none: everywhere) and what is solid, of a scene in which nobody need be: a map.
+    ///
+    /// # Errors
+    /// With file, line, column and a hint: a number out of its limits, a polygon that crosses itself, a floor plan that cannot be read.
+    pub fn ground(&self) -> Result<(Vec<throng::Walkable>, Vec<throng::Obstacle>), Error> {
+        let both = || -> Result<_, Wrong> {
+            check_scene(self)?;
+            Ok((ground::areas(self)?, ground::obstacles(self)?))
+        };
+        both().map_err(|wrong| self.told(wrong))
+    }
+
+    fn told(&self, wrong: Wrong) -> Error {
+        match wrong {
             Wrong::Problem(problem) => self.explain(problem),
             Wrong::Error(error) => *error,
-        })
+        }
     }
 
     /// Gives a problem its place in the file.

@@ -6,10 +6,15 @@ use crate::measure::json::{POINTS, distribution};
 use crate::report::number;
 use serde_json::{Value, json};
 use throng_record::Table;
-use throng_record::pedestrian::{Inside, flow, steady_flow};
+use throng_record::pedestrian::{Figures, Inside, Question, flow, steady_flow};
 
 /// The figures as one object.
 pub fn json(People { question, figures, .. }: &People) -> Value {
+    object(question, figures)
+}
+
+/// The same of figures that were measured elsewhere.
+pub fn object(question: &Question, figures: &Figures) -> Value {
     let areas = question.areas.iter().zip(&figures.areas).map(|(area, inside)| {
         let diagram = Inside::fundamental_diagram(inside);
         json!({

@@ -18,7 +18,7 @@ use throng_record::pedestrian::{self, Figures, Ground, Question};
 use throng_record::{Spot, Table, Tracks};
 use throng_scene::import::wkt;
 
-pub use json::json;
+pub use json::{json, object};
 pub use plots::KEY;
 
 /// How far Voronoi cells reach where the ground is not known, metres.
@@ -71,7 +71,10 @@ pub fn of(args: &MeasureArgs, tracks: &Tracks, counts: impl Fn(&Spot) -> bool) -
 }
 
 /// Reads a floor plan.
-fn plan(path: &Path) -> Result<Vec<Walkable>, Failure> {
+///
+/// # Errors
+/// It cannot be read, or is none.
+pub fn plan(path: &Path) -> Result<Vec<Walkable>, Failure> {
     let wrong = |error: &dyn std::fmt::Display| Failure::Error(format!("cannot read {}: {error}", path.display()));
     let text = std::fs::read_to_string(path).map_err(|error| wrong(&error))?;
     let ring = |ring: Vec<[f64; 2]>| ring.into_iter().map(DVec2::from).collect();

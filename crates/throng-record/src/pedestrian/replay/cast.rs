@@ -1,0 +1,166 @@
+//! Who was recorded, and what each is taken to want.
+
+use crate::pedestrian::{Border, People, Walk, velocities};
+use glam::DVec2;
+
+/// Who is slower stands, m/s: noise of recordings is up to about this.
+const STANDS: f64 = 0.1;
+/// Who is slower when seen last has come to stay, m/s.
+const STAYS: f64 = 0.2;
+
+/// How fast somebody is taken to walk when nothing hinders them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Pace {
+    /// The mean of their own speeds while they walk (faster than 0.1 m/s).
+    Mean,
+    /// What this part of their own speeds while they walk is below, 0 to 1: 0.5 for the median.
+    Quantile(f64),
+    /// The same for everybody, m/s.
+    Constant(f64),
+}
+
+/// What somebody recorded is taken to want.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Walker {
+    /// Preferred speed, m/s.
+    pub speed: f64,
+    /// Where they go: where they were seen last, metres.
+    pub goal: DVec2,
+    /// Whether they stood when they were seen last, and so stay at the goal until then.
+    pub stays: bool,
+}
+
+/// Who was recorded.
+#[derive(Clone, Debug)]
+pub struct Cast {
+    /// Everybody who was seen at two moments at least.
+    pub people: People,
+    /// What each wants, by walk.
+    pub walkers: Vec<Walker>,
+    /// How many were seen only once.
+    pub seen_once: usize,
+    /// Rows to each side that a velocity is taken over.
+    pub rows: usize,
+    /// Rows over which the velocity is taken that somebody goes on with.
+    back: usize,
+}
+
+impl Pace {
+    /// The speed of somebody with these speeds; 0 for one who never walks.
+    fn of(self, mut speeds: Vec<f64>) -> f64 {
+        speeds.retain(|speed| *speed > STANDS);
+        match self {
+            Self::Constant(speed) => speed,
+            _ if speeds.is_empty() => 0.0,
+            Self::Mean => speeds.iter().sum::<f64>() / speeds.len() as f64,
+            Self::Quantile(part) => {
+                let rank = (part.clamp(0.0, 1.0) * (speeds.len() - 1) as f64).round() as usize;
+                *speeds.select_nth_unstable_by(rank, f64::total_cmp).1
+            }
+        }
+    }
+}
+
+impl Cast {
+    /// Those of a recording, with velocities over `interval` seconds (as near to it as whole rows come, one at least).
+    ///
+    /// ```
+    /// use throng_record::pedestrian::{People, replay::{Cast, Pace}};
+    /// let places = [0.0, 0.5, 1.0, 1.5].map(|x| glam::DVec2::X * x).to_vec();
+    /// let walk = throng_record::pedestrian::Walk { number: 7, radius: 0.2, times: vec![0.0, 0.4, 0.8, 1.2], places };
+    /// let cast = Cast::new(&People::new(vec![walk]), Pace::Quantile(0.5), 0.4);
+    /// assert_eq!((cast.walkers[0].speed, cast.walkers[0].goal.x, cast.walkers[0].stays), (1.25, 1.5, false));
+    /// ```
+    pub fn new(people: &People, pace: Pace, interval: f64) -> Self {
+        let moves = |walk: &&Walk| walk.times.last() > walk.times.first();
+        let seen = People::new(people.walks.iter().filter(moves).cloned().collect());
+        let whole = |rows: f64| if rows >= 1.0 { rows as usize } else { 1 };
+        let rows = whole((0.5 * interval / seen.interval()).round());
+        let mut cast = Self {
+            seen_once: people.walks.len() - seen.walks.len(),
+            walkers: Vec::new(),
+            rows,
+            back: whole((interval / seen.interval()).round()),
+            people: seen,
+        };
+        let walkers = (0..cast.people.walks.len()).map(|index| {
+            let walk = &cast.people.walks[index];
+            let speeds = velocities(walk, rows, Border::OneSided).into_iter().flatten().map(DVec2::length);
+            let last = walk.places.len() - 1;
+            Walker {
+                speed: pace.of(speeds.collect()),
+                goal: walk.places[last],
+                stays: cast.velocity(index, last).length() < STAYS,
+            }
+        });
+        cast.walkers = walkers.collect();
+        cast
+    }
+
+    /// The velocity that somebody goes on with at one of its rows, m/s: that up to then; at its first rows, that of those.
+    pub fn velocity(&self, walk: usize, row: usize) -> DVec2 {
+        let Walk { times, places, .. } = &self.people.walks[walk];
+        let (from, to) = if self.has_past(row) { (row - self.back, row) } else { (0, self.back.min(times.len() - 1)) };
+        (places[to] - places[from]) / (times[to] - times[from])
+    }
+
+    /// Whether the velocity at this row is that up to then.
+    pub fn has_past(&self, row: usize) -> bool {
+        row >= self.back
+    }
+
+    /// Which walk is somebody's, by number.
+    pub fn walk_of(&self, number: u32) -> Option<usize> {
+        self.people.walks.binary_search_by_key(&number, |walk| walk.number).ok()
+    }
+
+    /// Every moment, seconds.
+    pub fn times(&self) -> Vec<f64> {
+        self.people.moments.iter().map(|moment| moment.time).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Who walks at these speeds, a second each, four rows a second.
+    fn walk(speeds: &[f64]) -> Walk {
+        let (mut times, mut places) = (vec![10.0], vec![DVec2::new(3.0, -2.0)]);
+        for speed in speeds {
+            for _ in 0..4 {
+                times.push(times[times.len() - 1] + 0.25);
+                places.push(places[places.len() - 1] + 0.25 * speed * DVec2::Y);
+            }
+        }
+        Walk { number: 4, radius: 0.25, times, places }
+    }
+
+    #[test]
+    fn speeds_are_those_of_walking() {
+        let people = People::new(vec![walk(&[1.0, 1.0, 0.0, 0.0, 1.5])]);
+        let speed = |pace| Cast::new(&people, pace, 0.25).walkers[0].speed;
+        // of 21 rows the first nine at 1 m/s, two on the way to rest and to 1.5, seven at rest, four at 1.5
+        assert_eq!(
+            (speed(Pace::Quantile(0.5)), speed(Pace::Quantile(1.0)), speed(Pace::Quantile(0.0))),
+            (1.0, 1.5, 0.5)
+        );
+        assert!((speed(Pace::Mean) - (8.0 + 0.5 + 0.75 + 6.0) / 14.0).abs() < 1e-9, "{}", speed(Pace::Mean));
+        assert_eq!(speed(Pace::Constant(1.3)), 1.3);
+        let stands = People::new(vec![walk(&[0.0, 0.05])]);
+        let cast = Cast::new(&stands, Pace::Mean, 0.25);
+        assert_eq!((cast.walkers[0].speed, cast.walkers[0].stays), (0.0, true));
+    }
+
+    #[test]
+    fn one_goes_on_with_the_velocity_so_far() {
+        let people = People::new(vec![walk(&[1.0, 2.0])]);
+        let cast = Cast::new(&people, Pace::Mean, 0.5);
+        let velocity = |row| cast.velocity(0, row).y;
+        assert_eq!([0, 1, 2, 4, 5, 6, 8].map(velocity), [1.0, 1.0, 1.0, 1.0, 1.5, 2.0, 2.0]);
+        assert!(!cast.has_past(1) && cast.has_past(2));
+        let once = Walk { number: 9, times: vec![1.0], places: vec![DVec2::ZERO], radius: 0.2 };
+        let cast = Cast::new(&People::new(vec![walk(&[1.0]), once]), Pace::Mean, 0.5);
+        assert_eq!((cast.seen_once, cast.walk_of(4), cast.walk_of(9)), (1, Some(0), None));
+    }
+}

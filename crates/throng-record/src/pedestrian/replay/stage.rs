@@ -1,0 +1,124 @@
+//! Where recorded people walk again, and as whom.
+
+use glam::DVec2;
+use throng::{Agent, Error, Group, Obstacle, Settings, Walkable, World};
+
+/// Places that are tried for somebody who cannot be where they are: so far from each other, and no farther away, metres.
+const FINE: f64 = 0.05;
+const FARTHEST: f64 = 2.0;
+
+/// Where recorded people walk again, and as whom.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    /// What their world is made with. Its clock begins where the replay does.
+    pub settings: Settings,
+    /// What they share: their local model and manners.
+    pub group: Group,
+    /// What is the same for all of them: limits of speed, acceleration and turning.
+    pub agent: Agent,
+    /// Ground that can be walked on; none: everywhere but on obstacles.
+    pub walkable: Vec<Walkable>,
+    /// What is solid.
+    pub obstacles: Vec<Obstacle>,
+    /// Who is within this distance of their goal has arrived, metres.
+    pub near: f64,
+    /// Whether those who arrive stay there until the recorded ones leave, all of them.
+    pub stay: bool,
+}
+
+impl Stage {
+    /// The world with nobody in it.
+    ///
+    /// # Errors
+    /// What the world refuses of settings, ground or obstacles.
+    pub fn world(&self) -> Result<World, Error> {
+        let mut world = World::new(self.settings)?;
+        world.set_walkable(self.walkable.clone())?;
+        self.obstacles.iter().try_for_each(|obstacle| world.add_obstacle(obstacle.clone()).map(drop))?;
+        Ok(world)
+    }
+
+    /// Whether the straight way between two places goes through something solid, or off the ground.
+    pub fn blocks(&self, from: DVec2, to: DVec2) -> bool {
+        let obstacles = self.obstacles.iter().any(|obstacle| match obstacle {
+            Obstacle::Circle { center, radius } => {
+                let way = to - from;
+                let share = ((center - from).dot(way) / way.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+                (from + share * way).distance(*center) < *radius
+            }
+            Obstacle::Polygon { corners } => obstacle.covers(from) || obstacle.covers(to) || closed(corners, from, to),
+            Obstacle::Wall { points } => points.windows(2).any(|edge| meet(edge[0], edge[1], from, to)),
+        });
+        let on_ground = |at: DVec2| self.walkable.is_empty() || self.walkable.iter().any(|area| area.contains(at));
+        obstacles || !on_ground(from) || !on_ground(to)
+    }
+}
+
+/// Whether a way crosses the boundary of a polygon.
+fn closed(corners: &[DVec2], from: DVec2, to: DVec2) -> bool {
+    (0..corners.len()).any(|k| meet(corners[k], corners[(k + 1) % corners.len()], from, to))
+}
+
+/// Whether two segments cross each other.
+fn meet(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> bool {
+    let side = |from: DVec2, to: DVec2, of: DVec2| (to - from).perp_dot(of - from);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+/// The place nearest to another (to 5 cm) at which a disc has room on the ground, within 2 m; people do not count.
+pub(super) fn room(world: &World, at: DVec2, radius: f64) -> Option<DVec2> {
+    let free = |place: &DVec2| world.no_room(*place, radius as f32).is_none();
+    let ring = |k: u32| {
+        let distance = f64::from(k) * FINE;
+        // as far apart along a ring as rings are
+        let count = (std::f64::consts::TAU * f64::from(k)).ceil().max(1.0);
+        let turn = std::f64::consts::TAU / count;
+        (0..count as u32).map(move |j| at + distance * DVec2::from_angle(f64::from(j) * turn))
+    };
+    (0..=(FARTHEST / FINE) as u32).flat_map(ring).find(free)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stage() -> Stage {
+        let square = |from: f64, to: f64| [(from, from), (to, from), (to, to), (from, to)].map(DVec2::from).to_vec();
+        Stage {
+            settings: Settings::default(),
+            group: Group::default(),
+            agent: Agent::default(),
+            walkable: vec![Walkable { outer: square(-10.0, 10.0), holes: vec![] }],
+            obstacles: vec![
+                Obstacle::Polygon { corners: square(0.0, 1.0) },
+                Obstacle::Circle { center: DVec2::new(-5.0, 0.0), radius: 1.0 },
+                Obstacle::Wall { points: vec![DVec2::new(5.0, -1.0), DVec2::new(5.0, 1.0)] },
+            ],
+            near: 0.3,
+            stay: false,
+        }
+    }
+
+    #[test]
+    fn ways_through_what_is_solid_are_found() {
+        let blocks = |a: (f64, f64), b: (f64, f64)| stage().blocks(a.into(), b.into());
+        assert!(blocks((-1.0, 0.5), (2.0, 0.5)) && blocks((0.4, 0.4), (0.6, 0.6)) && !blocks((-1.0, 2.0), (2.0, 2.0)));
+        assert!(
+            blocks((-5.0, -3.0), (-5.0, 3.0))
+                && !blocks((-6.5, -3.0), (-6.5, 3.0))
+                && !blocks((-3.0, 0.0), (-3.0, 0.0))
+        );
+        assert!(blocks((4.0, 0.0), (6.0, 0.0)) && !blocks((4.0, 2.0), (6.0, 2.0)));
+        assert!(blocks((9.0, 9.0), (11.0, 9.0)));
+    }
+
+    #[test]
+    fn who_is_in_something_solid_is_put_beside_it() {
+        let world = stage().world().unwrap();
+        let at = DVec2::new(0.9, 0.5);
+        let beside = room(&world, at, 0.2).unwrap();
+        assert!((beside.x - 1.2).abs() < 0.06 && (beside.y - 0.5).abs() < 0.1, "{beside}");
+        assert_eq!(room(&world, DVec2::new(3.0, 3.0), 0.2), Some(DVec2::new(3.0, 3.0)));
+        assert_eq!(room(&world, DVec2::new(30.0, 3.0), 0.2), None);
+    }
+}
