@@ -18,6 +18,7 @@
 //!
 //! Read are such files, also as other programs write them again, as text: the first `PointInstancer`, moved by no more than translations.
 
+mod cursor;
 mod layer;
 mod read;
 #[cfg(test)]

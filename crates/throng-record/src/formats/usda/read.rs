@@ -1,6 +1,7 @@
 //! USD read.
 
-use super::layer::{self, Part, Prim, Wrong};
+use super::cursor::{Part, Wrong};
+use super::layer::{self, Prim};
 use super::{CODES, TIMES};
 use crate::formats::names::Names;
 use crate::formats::{Flaw, Reading, describe, keys};

@@ -1,6 +1,6 @@
 //! What values of attributes say.
 
-use super::layer::{Part, Wrong};
+use super::cursor::{Part, Wrong};
 use crate::formats::text;
 
 impl Part<'_> {
