@@ -174,7 +174,8 @@ fn a_floor_plan_alone_is_no_scene_but_can_become_one() {
     assert_eq!(error.kind, Kind::NotAScene);
     assert!(error.hint.as_deref().is_some_and(|hint| hint.contains("walkable.file = \"plan.wkt\"")), "{error}");
 
-    let scene = import::wkt::evacuation(&plan, [18.0, 4.0, 2.0, 2.0], 50).unwrap();
+    let ask = import::plan::Ask { exit: Some([18.0, 4.0, 2.0, 2.0]), people: Some(50), unit: None };
+    let scene = import::plan::load(&plan, &ask).unwrap().scene;
     assert!(matches!(scene.walkable, Some(Walkable::Polygon(_))));
     assert_eq!(scene.plan().unwrap().agents.len(), 50);
 
