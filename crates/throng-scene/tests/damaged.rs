@@ -76,7 +76,8 @@ fn damaged(text: &str, round: u64) -> String {
     let mut letters: Vec<char> = text.chars().collect();
     for _ in 0..1 + pick(4) {
         let at = pick(letters.len());
-        let length = pick(if pick(5) == 0 { 60 } else { 4 }).min(letters.len() - at);
+        let most = if pick(5) == 0 { 60 } else { 4 };
+        let length = pick(most).min(letters.len() - at);
         match pick(5) {
             0 => drop(letters.drain(at..at + length)),
             1 => {
@@ -84,7 +85,7 @@ fn damaged(text: &str, round: u64) -> String {
                 let to = pick(letters.len());
                 letters.splice(to..to, copy);
             }
-            2 => letters.truncate(if pick(10) == 0 { at } else { letters.len() }),
+            2 if pick(10) == 0 => letters.truncate(at),
             3 => {
                 // another number in place of one
                 let from = (at..letters.len()).find(|i| letters[*i].is_ascii_digit()).unwrap_or(at);

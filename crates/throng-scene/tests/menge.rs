@@ -110,7 +110,7 @@ fn what_is_wrong_with_a_project_is_told_with_its_place() {
         let error = open(&folder).unwrap_err().to_string();
         assert!(error.contains(expected), "{error}");
     };
-    says("<Experiment>", BEHAVIOR, "itS.xml:1:13: this is not XML");
+    says("<Experiment>", BEHAVIOR, "itS.xml:1:1: this is not XML");
     says("<BFSM/>", BEHAVIOR, "itS.xml:1:1: this is no scene of Menge's");
     says("<Experiment/>", BEHAVIOR, "itS.xml:1:1: nobody is in this scene");
     says(SCENE, "<x/>", "itB.xml:1:1: this is no behaviour of Menge's");

@@ -3,6 +3,9 @@
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
 
+/// Numbers beyond this are mistakes.
+const FARTHEST: f64 = 1e7;
+
 /// The polygons of a mesh, in metres. The format: the number of vertices and a line for each, of edges, of obstacles; then groups of
 /// nodes, each with a name, a number, and for each node five lines: its centre, its corners, its plane, its edges, its obstacles.
 ///
@@ -74,8 +77,8 @@ impl<'t> Lines<'t> {
     }
 
     fn number(&self, words: &[&str], k: usize, at: usize) -> Result<f64, Error> {
-        let number = words.get(k).and_then(|word| word.parse().ok()).filter(|number: &f64| number.is_finite());
-        number.ok_or_else(|| self.wrong(at, format!("number {} of this line is none", k + 1)))
+        let number = words.get(k).and_then(|word| word.parse().ok()).filter(|number: &f64| number.abs() <= FARTHEST);
+        number.ok_or_else(|| self.wrong(at, format!("number {} of this line is none, or beyond {FARTHEST}", k + 1)))
     }
 
     fn wrong(&self, at: usize, message: String) -> Error {

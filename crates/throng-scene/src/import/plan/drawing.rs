@@ -65,7 +65,7 @@ impl fmt::Display for Place {
 }
 
 /// Coordinates beyond this, metres, are mistakes.
-const FARTHEST: f64 = 1e7;
+pub(super) const FARTHEST: f64 = 1e7;
 
 /// The most points of a drawing.
 const MOST: usize = 4_000_000;
@@ -189,7 +189,8 @@ impl Form {
             while ring.len() > 1 && ring.first() == ring.last() {
                 ring.pop();
             }
-            ring.len() > 2 && signed_area(ring).abs() > 1e-9
+            // one that crosses itself may have none, and is an error
+            ring.len() > 2 && (signed_area(ring).abs() > 1e-9 || crossing(ring).is_some())
         };
         match self {
             Self::Area(outer, holes) => {

@@ -3,9 +3,9 @@
 use super::super::{Imported, roomy};
 use super::Ask;
 use super::assemble::{Parts, Start};
-use crate::build::has_room;
+use crate::build::{has_room, solid_shape};
 use crate::error::{Error, Kind};
-use crate::geometry::{DVec2, Solid, bounds, points, rectangle, signed_area};
+use crate::geometry::{DVec2, Solid, bounds, contains, points, rectangle, signed_area};
 use crate::scene::{
     Area, Body, Goal, Group, Number, Place, PolygonPlace, Rectangle, Region, Scene, Walkable, WalkablePlace,
 };
@@ -15,6 +15,10 @@ use std::path::Path;
 const EACH: f64 = 4.0;
 /// The most that is chosen so.
 const MOST: f64 = 1000.0;
+/// Up to this part of a place under bodies their places are drawn by chance.
+const DRAWN: f64 = 0.45;
+/// Bodies in rows are so much further apart than touching.
+const APART: f64 = 1.01;
 /// The least distance between bodies at the start, metres.
 const GAP: f64 = 0.05;
 
@@ -50,7 +54,7 @@ pub(super) fn scene(name: &str, mut parts: Parts, ask: &Ask) -> Result<Imported,
 fn goal(name: &str, parts: &mut Parts, ask: &Ask) -> Result<Goal, Error> {
     let radius = f64::from(throng::Agent::default().radius);
     let walkable: Vec<_> = parts.walkable.iter().map(walkable).collect();
-    let solid = Solid::new(&walkable, &[], radius);
+    let solid = solid(parts, radius);
     if let Some([x, y, width, height]) = ask.exit {
         let exit = Rectangle::between([x, y], [x + width, y + height]);
         reachable(&walkable, &solid, &exit, radius)?;
@@ -91,7 +95,7 @@ fn starting(parts: &mut Parts, ask: &Ask, goal: &Goal) -> Vec<Group> {
     let group = |(i, (start, count)): (usize, (&Start, u64))| Group {
         name: if parts.starts.len() == 1 { "people".into() } else { format!("people-{}", i + 1) },
         count: Some(count),
-        place: Place::Polygon(PolygonPlace { corners: start.corners.iter().map(DVec2::to_array).collect(), gap: 0.0 }),
+        place: standing(start, count, parts),
         goal: Some(goal.clone()),
         body: start.radius.map_or_else(Body::default, |radius| Body::Radius(Number::Constant(radius))),
         ..Group::default()
@@ -119,6 +123,39 @@ fn shares(people: u64, sizes: &[f64]) -> Vec<u64> {
         counts[i] += 1;
     }
     counts
+}
+
+/// What bodies up to a radius keep off.
+fn solid(parts: &Parts, radius: f64) -> Solid {
+    let obstacles: Vec<_> = parts.obstacles.iter().map(|obstacle| solid_shape(&obstacle.shape)).collect();
+    Solid::new(&parts.walkable.iter().map(walkable).collect::<Vec<_>>(), &obstacles, radius)
+}
+
+/// Where the people of a place to start from stand: drawn by chance; where there are too many for that, in rows, every row between
+/// those of the row before, some left out evenly.
+fn standing(start: &Start, count: u64, parts: &Parts) -> Place {
+    let corners = &start.corners;
+    let drawn = Place::Polygon(PolygonPlace { corners: corners.iter().map(DVec2::to_array).collect(), gap: 0.0 });
+    let radius = start.radius.unwrap_or(f64::from(throng::Agent::default().radius));
+    let bodies = count as f64 * std::f64::consts::PI * radius * radius;
+    let Some([low, high]) = bounds(corners.iter().copied()).filter(|_| bodies > DRAWN * signed_area(corners).abs())
+    else {
+        return drawn;
+    };
+    let solid = solid(parts, radius);
+    let step = DVec2::new(2.0, 3f64.sqrt()) * radius * APART;
+    let [columns, rows] = ((high - low) / step).to_array().map(|count| count.min(2000.0) as u32 + 1);
+    let spot = |(row, column): (u32, u32)| {
+        let shift = if row % 2 == 1 { 0.5 } else { 0.0 };
+        low + DVec2::new(f64::from(column) + shift, f64::from(row)) * step + radius * 1e-3
+    };
+    let spots = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))).map(spot);
+    let free: Vec<DVec2> = spots.filter(|p| contains(corners, *p) && solid.fits(*p, radius)).collect();
+    if (free.len() as u64) < count {
+        return drawn;
+    }
+    let chosen = (0..count as usize).map(|k| free[k * free.len() / count as usize].to_array());
+    Place::Points(chosen.collect())
 }
 
 fn walkable(area: &Area) -> throng::Walkable {

@@ -4,7 +4,7 @@
 //! something else is between 0.4 m and 2 m above it, nobody passes.
 
 use super::super::obj::{Triangles, Up, triangles};
-use super::drawing::{Drawing, Form, Place};
+use super::drawing::{Drawing, FARTHEST, Form, Place};
 use super::overlay::{difference, union};
 use crate::error::{Error, Kind};
 use crate::geometry::{DVec2, DVec3, points, signed_area};
@@ -37,6 +37,10 @@ pub(super) fn read(text: &str, unit: f64) -> Result<Drawing, Error> {
         return Err(Error::new(Kind::OutOfRange, message).hint("export less of it, or a coarser mesh"));
     }
     let face = |triangle: &[u32; 3]| triangle.map(|i| corners[i as usize].as_dvec3() * unit);
+    if let Some(far) = corners.iter().find(|p| f64::from(p.abs().max_element()) * unit > FARTHEST) {
+        let message = format!("the point {far} is farther than {FARTHEST} m away");
+        return Err(Error::new(Kind::OutOfRange, message).hint("say --plan-unit METRES if its unit is another"));
+    }
     let as_is: Vec<Face> = triangles.iter().map(face).collect();
     let turned: Vec<Face> = as_is.iter().map(|face| face.map(|p| DVec3::new(p.x, -p.z, p.y))).collect();
     let flat = |faces: &[Face]| faces.iter().filter(|face| is_walkable(face)).map(size).sum::<f64>();

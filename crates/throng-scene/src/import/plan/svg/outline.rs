@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use svgtypes::{PointsParser, SimplePathSegment as Segment, SimplifyingPathParser};
 
 /// Coordinates beyond this are not worked with.
-const FARTHEST: f64 = 1e12;
+const FARTHEST: f64 = 1e9;
 
 /// The shapes of an element, in its own units; `None` if it draws none.
 pub(super) fn of(elements: &Elements, node: Node, tolerance: f64) -> Result<Option<Vec<Form>>, Error> {
