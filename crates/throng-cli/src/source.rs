@@ -1,18 +1,21 @@
 //! Which scene a command is about.
 
 use crate::failure::Failure;
+use crate::look::parse_positive;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use throng::World;
-use throng_scene::{Built, Kind, Scene, gallery, import};
+use throng_scene::import::plan;
+use throng_scene::{Built, Kind, Scene, gallery};
 
 /// Which scene, and what of it is changed.
 #[derive(Args, Debug)]
 pub struct SceneArgs {
     /// The scene: a name of the gallery (see `throng list`) or a file
     ///
-    /// Files: a scene file (.toml); a JuPedSim scenario (a folder with config.json, a .zip of one, or a .json); or a
-    /// floor plan (.wkt) together with --exit and --people.
+    /// Files: a scene file (.toml); a JuPedSim scenario (a folder with config.json, a .zip of one, or a .json); a project
+    /// of Menge's (its .xml, or the folder); or a floor plan (.wkt, .geojson, .dxf, .svg, .obj), with --exit and --people
+    /// where it does not say them itself.
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
 
@@ -36,13 +39,17 @@ pub struct Changes {
     #[arg(long, value_name = "KEY=VALUE", value_parser = parse_change)]
     pub set: Vec<(String, String)>,
 
-    /// Of a floor plan (.wkt): where the exit is, its lower left corner, width and height in metres
+    /// Of a floor plan: where the exit is, its lower left corner, width and height in metres [default: the plan's own]
     #[arg(long, value_name = "X,Y,W,H", value_parser = parse_four, allow_hyphen_values = true)]
     pub exit: Option<[f64; 4]>,
 
-    /// Of a floor plan (.wkt): how many people there are
+    /// Of a floor plan: how many people there are [default: what it says, or one on every 4 m²]
     #[arg(long, value_name = "N")]
     pub people: Option<u64>,
+
+    /// Of a floor plan: the length of its unit in metres, such as 0.001 [default: what it says, or 1; 0.01 for SVG]
+    #[arg(long, value_name = "METRES", value_parser = parse_positive)]
+    pub plan_unit: Option<f64>,
 }
 
 /// A scene, what it is called, and what its importer left out.
@@ -104,36 +111,31 @@ impl Changes {
         if let Some(seed) = self.seed {
             scene.seed = seed;
         }
-        Ok(Loaded { name: name(path), scene, notes, path: path.to_path_buf(), plan: is_plan(path) })
+        Ok(Loaded { name: name(path), scene, notes, path: path.to_path_buf(), plan: plan::is_plan(path) })
     }
 
     fn read(&self, path: &Path) -> Result<(Scene, Vec<String>), Failure> {
-        if is_plan(path)
-            && let (Some(exit), Some(people)) = (self.exit, self.people)
-        {
-            if exit[2] <= 0.0 || exit[3] <= 0.0 {
-                let text = format!("--exit: the exit is {} m wide and {} m high", exit[2], exit[3]);
+        let ask = plan::Ask { exit: self.exit, people: self.people, unit: self.plan_unit };
+        if plan::is_plan(path) {
+            if let Some([_, _, width, height]) = self.exit.filter(|exit| exit[2] <= 0.0 || exit[3] <= 0.0) {
+                let text = format!("--exit: the exit is {width} m wide and {height} m high");
                 return Err(Failure::hint(text, "give x,y,width,height, the last two greater than 0"));
             }
-            let scene = import::wkt::evacuation(path, exit, people).map_err(|mut error| {
-                if error.kind == Kind::GoalInWall {
+            let imported = plan::load(path, &ask).map_err(|mut error| {
+                if error.kind == Kind::GoalInWall && self.exit.is_some() {
                     error.hint = Some("change --exit: x,y,width,height, x and y of the lower left corner".into());
                 }
                 error
             })?;
-            return Ok((scene, vec![]));
+            return Ok((imported.scene, imported.notes));
         }
-        if !is_plan(path) && (self.exit.is_some() || self.people.is_some()) {
-            let text = format!("--exit and --people are for floor plans (.wkt), not for {}", path.display());
+        if ask != plan::Ask::default() {
+            let text = format!("--exit, --people and --plan-unit are for floor plans, not for {}", path.display());
             return Err(Failure::hint(text, "change the goal and the count with --set, or in the scene file"));
         }
         let imported = throng_scene::open(path)?;
         Ok((imported.scene, imported.notes))
     }
-}
-
-fn is_plan(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("wkt"))
 }
 
 /// The stem of the names of files made from a scene.

@@ -61,18 +61,6 @@ impl Moments {
         Self { setting, moments, total: come.len(), fastest, spots }
     }
 
-    /// The same in a place that is known from elsewhere; `Err` gives the tracks back as they were if it has not all of
-    /// their groups. A group without a name is called by its index.
-    ///
-    /// # Errors
-    /// The place has not all groups.
-    pub fn placed(mut tracks: Tracks, place: Setting) -> Result<Self, Tracks> {
-        let Some(groups) = groups(&tracks.setting, &place) else { return Err(tracks) };
-        tracks.spots.iter_mut().for_each(|spot| spot.group = groups[spot.group as usize]);
-        tracks.setting = place;
-        Ok(Self::of(tracks))
-    }
-
     /// How many there are.
     pub fn count(&self) -> usize {
         self.moments.len()
@@ -153,16 +141,6 @@ impl Moments {
     }
 }
 
-/// Which groups of a place those of tracks are; `None` if it has not all of them.
-fn groups(tracks: &Setting, place: &Setting) -> Option<Vec<u32>> {
-    let called = |index: usize, name: &str| {
-        let own = &place.groups[index];
-        own == name || own.is_empty() && name == index.to_string()
-    };
-    let find = |name: &String| (0..place.groups.len()).find(|&index| called(index, name)).map(|index| index as u32);
-    tracks.groups.iter().map(find).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -211,10 +189,12 @@ mod tests {
     #[test]
     fn a_place_has_the_groups_or_is_not_theirs() {
         let place = Setting { groups: vec!["left".into(), String::new(), "right".into()], ..Setting::default() };
-        let found = Moments::placed(tracks(&[(0.0, 1, 0), (0.0, 2, 1)], &["right", "1"]), place.clone()).unwrap();
-        let groups: Vec<u32> = found.spots().iter().map(|spot| spot.group).collect();
-        assert_eq!(groups, [2, 1]);
-        let others = tracks(&[(0.0, 1, 0)], &["up"]);
-        assert_eq!(Moments::placed(others.clone(), place).unwrap_err(), others);
+        let mut found = tracks(&[(0.0, 1, 0), (0.0, 2, 1)], &["right", "1"]);
+        assert!(found.put_into(&place));
+        let groups: Vec<u32> = found.spots.iter().map(|spot| spot.group).collect();
+        assert_eq!((groups, &found.setting), (vec![2, 1], &place));
+        let mut others = tracks(&[(0.0, 1, 0)], &["up"]);
+        assert!(!others.put_into(&place));
+        assert_eq!(others, tracks(&[(0.0, 1, 0)], &["up"]));
     }
 }

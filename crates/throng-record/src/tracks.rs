@@ -116,6 +116,16 @@ impl Tracks {
         Format::of(path).and_then(Format::reader).is_some()
     }
 
+    /// Puts them into a place that is known from elsewhere, whose setting is theirs then; `false`, and nothing changes, if it has not all of
+    /// their groups. A group without a name is called by its index.
+    pub fn put_into(&mut self, place: &Setting) -> bool {
+        let find = |name: &String| (0..place.groups.len() as u32).find(|&group| place.group_name(group) == *name);
+        let Some(groups) = self.setting.groups.iter().map(find).collect::<Option<Vec<u32>>>() else { return false };
+        self.spots.iter_mut().for_each(|spot| spot.group = groups[spot.group as usize]);
+        self.setting = place.clone();
+        true
+    }
+
     /// By time, then by number.
     pub(crate) fn sort(&mut self) {
         self.spots.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.number.cmp(&b.number)));

@@ -48,7 +48,7 @@
 //! | look at what would be built | [`Scene::plan`] |
 //! | check what the scene expects | [`Watch`], [`Verdict`] |
 //! | the scenes that come with the project | [`gallery`] |
-//! | a floor plan, a JuPedSim scenario | [`import`] |
+//! | a floor plan, a JuPedSim scenario, a project of Menge's | [`import`] |
 //! | the JSON schema of scene files | [`schema()`] |
 
 mod build;
@@ -67,7 +67,7 @@ mod watch;
 pub use build::{Built, BuiltGroup, MAX_AGENTS, Plan, PlannedAgent, PlannedField, PlannedJourney};
 pub use caught::{caught, hush};
 pub use error::{Error, Kind};
-pub use import::open;
+pub use import::{Imported, open};
 pub use plugins::Plugins;
 pub use random::{Purpose, Random};
 pub use scene::*;

@@ -174,7 +174,8 @@ fn a_floor_plan_alone_is_no_scene_but_can_become_one() {
     assert_eq!(error.kind, Kind::NotAScene);
     assert!(error.hint.as_deref().is_some_and(|hint| hint.contains("walkable.file = \"plan.wkt\"")), "{error}");
 
-    let scene = import::wkt::evacuation(&plan, [18.0, 4.0, 2.0, 2.0], 50).unwrap();
+    let ask = import::plan::Ask { exit: Some([18.0, 4.0, 2.0, 2.0]), people: Some(50), unit: None };
+    let scene = import::plan::load(&plan, &ask).unwrap().scene;
     assert!(matches!(scene.walkable, Some(Walkable::Polygon(_))));
     assert_eq!(scene.plan().unwrap().agents.len(), 50);
 
@@ -226,6 +227,20 @@ fn an_obj_file_becomes_a_surface() {
 }
 
 #[test]
+fn a_face_that_is_not_convex_is_cut_into_triangles() {
+    // an arrow head that looks up, in space: 0.1 by both sides of 1
+    let text = "v 0 0 5\nv 1 0 5\nv 0 1 5\nv 0.1 0.1 5\nf 1 2 4 3\n";
+    let import::obj::Triangles { points, triangles } = import::obj::triangles(text, import::obj::Up::Z).unwrap();
+    assert_eq!(triangles.len(), 2);
+    let size = |[a, b, c]: [u32; 3]| {
+        let [a, b, c] = [a, b, c].map(|i| points[i as usize]);
+        (b - a).cross(c - a).z * 0.5
+    };
+    assert!(triangles.iter().all(|triangle| size(*triangle) > 0.0), "{triangles:?}");
+    assert!((triangles.iter().map(|triangle| size(*triangle)).sum::<f32>() - 0.1).abs() < 1e-6);
+}
+
+#[test]
 fn what_is_wrong_with_an_obj_file_is_told_with_its_line() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("it.obj");
@@ -246,7 +261,6 @@ fn what_is_wrong_with_an_obj_file_is_told_with_its_line() {
     says(&format!("{points}f 0 1 2"), "it.obj:5:3: there is no point 0");
     says(&format!("{points}f 1 2 -5"), "it.obj:5:7: there is no point -5");
     says(&format!("{points}f 1 a/2 3"), "it.obj:5:5: `a/2` names no point");
-    says(&format!("{points}f 1 2 4 3"), "it.obj:5:1: this face is not convex");
     says("v 0 0 0\nf 1 1 1\n", "it.obj: a mesh: it has no triangle with three different corners");
     let error = import::obj::load(folder.path().join("none.obj"), import::obj::Up::Z).unwrap_err().to_string();
     assert!(error.contains("none.obj"), "{error}");

@@ -291,7 +291,13 @@ impl App {
             if ui.button("New").on_hover_text("an empty scene (Ctrl N)").clicked() {
                 self.actions.push(Action::New);
             }
-            if ui.button("Open…").on_hover_text("a scene file, or trajectories to replay (Ctrl O)").clicked() {
+            if ui
+                .button("Open…")
+                .on_hover_text(
+                    "a scene file, a floor plan, another program's scene, or trajectories to replay (Ctrl O)",
+                )
+                .clicked()
+            {
                 self.actions.push(Action::Open);
             }
             if ui.button("Save as…").clicked() {

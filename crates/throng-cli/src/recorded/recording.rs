@@ -68,15 +68,12 @@ fn place(map: &std::path::Path) -> Result<(Scene, Setting), Failure> {
 }
 
 /// Tracks in a place; one that has other groups gives its ground and obstacles only.
-fn in_place(tracks: Tracks, (scene, setting): (Scene, Setting)) -> (Scene, Moments) {
-    let title = tracks.setting.title.clone();
-    match Moments::placed(tracks, setting.clone()) {
-        Ok(moments) => (scene, moments),
-        Err(mut tracks) => {
-            let groups = std::mem::take(&mut tracks.setting.groups);
-            let Setting { walkable, obstacles, shells, origin, .. } = setting;
-            tracks.setting = Setting { title, groups, walkable, obstacles, shells, origin, ..Setting::default() };
-            (Scene::default(), Moments::of(tracks))
-        }
+fn in_place(mut tracks: Tracks, (scene, setting): (Scene, Setting)) -> (Scene, Moments) {
+    if tracks.put_into(&setting) {
+        return (scene, Moments::of(tracks));
     }
+    let Setting { title, groups, .. } = std::mem::take(&mut tracks.setting);
+    let Setting { walkable, obstacles, shells, origin, .. } = setting;
+    tracks.setting = Setting { title, groups, walkable, obstacles, shells, origin, ..Setting::default() };
+    (Scene::default(), Moments::of(tracks))
 }

@@ -244,6 +244,72 @@ const CASES: &[Case] = &[
         code: 2,
     },
     Case {
+        what: "A floor plan whose layers say nothing",
+        files: &[(
+            "hall.svg",
+            "<svg xmlns=\"http://www.w3.org/2000/svg\">\n  <g id=\"Ebene 1\"><rect width=\"900\" height=\"500\"/></g>\n  <path d=\"M0 0h900\"/>\n</svg>\n",
+        )],
+        command: "throng run hall.svg",
+        code: 2,
+    },
+    Case {
+        what: "A path of an SVG that is wrong",
+        files: &[(
+            "hall.svg",
+            "<svg xmlns=\"http://www.w3.org/2000/svg\">\n  <path id=\"walls\" d=\"M0 0 H900 W500\"/>\n</svg>\n",
+        )],
+        command: "throng run hall.svg",
+        code: 2,
+    },
+    Case {
+        what: "A drawing (DXF) with a number that is none",
+        files: &[(
+            "hall.dxf",
+            "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nwalls\n10\n0,5\n20\n0\n11\n9\n21\n0\n0\nENDSEC\n0\nEOF\n",
+        )],
+        command: "throng run hall.dxf",
+        code: 2,
+    },
+    Case {
+        what: "An outline that crosses itself",
+        files: &[(
+            "hall.geojson",
+            "{ \"type\": \"FeatureCollection\", \"features\": [\n  { \"type\": \"Feature\", \"properties\": { \"layer\": \"floor\" }, \"geometry\": {\n    \"type\": \"Polygon\", \"coordinates\": [[[0, 0], [20, 0], [0, 10], [20, 10], [0, 0]]] } }\n] }\n",
+        )],
+        command: "throng run hall.geojson --exit 9,1,1,2 --people 20",
+        code: 2,
+    },
+    Case {
+        what: "A mesh that nobody can walk on",
+        files: &[("hall.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 3 2\n")],
+        command: "throng run hall.obj --exit 1,1,1,1 --people 5",
+        code: 2,
+    },
+    Case {
+        what: "An option of floor plans for a scene",
+        files: &[],
+        command: "throng run circle --plan-unit 0.01",
+        code: 2,
+    },
+    Case {
+        what: "A project of Menge's without its behaviour",
+        files: &[("hallS.xml", "<Experiment version=\"2.0\" />\n")],
+        command: "throng run hallS.xml",
+        code: 2,
+    },
+    Case {
+        what: "A project of Menge's with a number that is none",
+        files: &[
+            ("hallB.xml", "<BFSM>\n  <State name=\"Walk\" final=\"0\" />\n</BFSM>\n"),
+            (
+                "hallS.xml",
+                "<Experiment version=\"2.0\">\n  <AgentProfile name=\"all\">\n    <Common r=\"wide\" />\n  </AgentProfile>\n</Experiment>\n",
+            ),
+        ],
+        command: "throng run hallS.xml",
+        code: 2,
+    },
+    Case {
         what: "JSON that is no scenario",
         files: &[("config.json", "{ \"exits\": {} }")],
         command: "throng run config.json",

@@ -72,7 +72,7 @@ fn walls_groups_and_lines_are_told() {
     let [alone, together] = ["alone", "in_groups"].map(|who| number(&all["predicted"][who]["people"]));
     assert_eq!(alone + together, number(&all["predicted"]["horizons"][2]["people"]));
     assert!(alone > 0.0 && together > 0.0 && !all["crossings"].is_null());
-    assert_eq!(all["recorded"]["line"]["crossed"], 12);
+    assert_eq!(all["recorded"]["lines"][0]["crossed"], 12);
     let table = std::fs::read_to_string(at.join("people.csv")).unwrap();
     let lines: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!((lines.len(), lines[0].len(), lines[0][7]), (13, 7 + 12, "replay_1"));

@@ -149,7 +149,7 @@ impl Format {
         FORMATS.iter().find(|format| extension.eq_ignore_ascii_case(format.ending) && (format.kept || !part))
     }
 
-    /// Begins the file in which [`create`](Self::create) writes.
+    /// Begins a file of this kind, as a [`Choice`](crate::Choice) takes it.
     ///
     /// # Errors
     /// Those of [`Output::create`].

@@ -106,7 +106,8 @@ pub(super) fn obstacles(scene: &Scene) -> Result<Vec<throng::Obstacle>, Problem>
     scene.obstacles.iter().enumerate().map(one).collect()
 }
 
-fn solid_shape(shape: &Shape) -> throng::Obstacle {
+/// What is solid of a shape.
+pub(crate) fn solid_shape(shape: &Shape) -> throng::Obstacle {
     match shape {
         Shape::Circle(circle) => {
             throng::Obstacle::Circle { center: DVec2::from_array(circle.center), radius: circle.radius }

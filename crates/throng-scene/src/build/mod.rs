@@ -22,4 +22,4 @@ pub use count::MAX_AGENTS;
 pub use plan::{Plan, PlannedAgent, PlannedField, PlannedJourney};
 pub use world::{Built, BuiltGroup};
 
-pub(crate) use ground::has_room;
+pub(crate) use ground::{has_room, solid_shape};

@@ -1,14 +1,24 @@
 //! Floor plans and other programs' scenarios, as plain scenes; meshes, as surfaces.
 
+mod exits;
 pub mod jupedsim;
+#[cfg(feature = "menge")]
+pub mod menge;
+mod notes;
 pub mod obj;
 mod open;
+pub mod plan;
 pub mod vectors;
 pub mod wkt;
+#[cfg(any(feature = "menge", feature = "svg"))]
+mod xml;
 
 pub use open::open;
 
 use crate::scene::Scene;
+use exits::roomy;
+#[cfg(any(feature = "menge", feature = "svg"))]
+use xml::no_xml;
 
 /// A scene made from something else, and what of it a scene cannot say.
 #[derive(Clone, Debug, Default, PartialEq)]

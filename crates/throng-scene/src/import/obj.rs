@@ -2,6 +2,7 @@
 //! surface needs two, `v` and `f`, and the readers there are do not tell which number of which line is wrong.
 
 use crate::error::{Error, Kind};
+use earcut::Earcut;
 use glam::Vec3;
 use std::path::Path;
 use throng::space::surface::Mesh;
@@ -38,8 +39,8 @@ pub fn load(path: impl AsRef<Path>, up: Up) -> Result<Mesh, Error> {
         .map_err(|error| Error::new(Kind::Geometry, error.to_string()).file(path.display().to_string()))
 }
 
-/// The triangles of an OBJ text. Faces with more corners must be convex and are cut into triangles; everything but
-/// points and faces is left out.
+/// The triangles of an OBJ text. Faces with more corners are cut into triangles; everything but points and faces
+/// is left out.
 ///
 /// ```
 /// use throng_scene::import::obj::{Up, triangles};
@@ -51,8 +52,8 @@ pub fn load(path: impl AsRef<Path>, up: Up) -> Result<Mesh, Error> {
 /// ```
 ///
 /// # Errors
-/// With line and column: a coordinate that is no finite number, a face with fewer than three corners, one that names a
-/// point that is not there, or one that is not convex; and a text without faces.
+/// With line and column: a coordinate that is no finite number, a face with fewer than three corners, or one that names
+/// a point that is not there; and a text without faces.
 pub fn triangles(text: &str, up: Up) -> Result<Triangles, Error> {
     let reader = Reader { text };
     let mut out = Triangles::default();
@@ -71,11 +72,9 @@ pub fn triangles(text: &str, up: Up) -> Result<Triangles, Error> {
             return Err(reader.wrong(words[0], Kind::Geometry, message));
         }
         let points: Vec<Vec3> = corners.iter().map(|&i| out.points[i as usize]).collect();
-        if !is_convex(&points) {
-            let error = reader.wrong(words[0], Kind::Geometry, "this face is not convex");
-            return Err(error.hint("export it with triangulated faces"));
-        }
-        out.triangles.extend((2..corners.len()).map(|k| [corners[0], corners[k - 1], corners[k]]));
+        let parts =
+            if is_convex(&points) { (2..corners.len()).map(|k| [0, k - 1, k]).collect() } else { ears(&points) };
+        out.triangles.extend(parts.into_iter().map(|part: [usize; 3]| part.map(|k| corners[k])));
     }
     if out.triangles.is_empty() {
         let hint = "a surface in OBJ has points, lines `v x y z`, and faces that name them from 1, lines `f 1 2 3`";
@@ -140,10 +139,28 @@ impl<'t> Reader<'t> {
     }
 }
 
+/// The triangles of a polygon that is not convex, flattened along its mean normal, the same way round.
+fn ears(points: &[Vec3]) -> Vec<[usize; 3]> {
+    let normal = normal(points).normalize_or(Vec3::Z);
+    let x = normal.any_orthonormal_vector();
+    let y = normal.cross(x);
+    let flat = points.iter().map(|p| [f64::from(p.dot(x)), f64::from(p.dot(y))]);
+    let mut ends: Vec<usize> = vec![];
+    Earcut::new().earcut(flat, &[], &mut ends);
+    let front = |[a, b, c]: [usize; 3]| (points[b] - points[a]).cross(points[c] - points[a]).dot(normal) >= 0.0;
+    let turned = |[a, b, c]: [usize; 3]| if front([a, b, c]) { [a, b, c] } else { [a, c, b] };
+    ends.chunks_exact(3).map(|ends| turned([ends[0], ends[1], ends[2]])).collect()
+}
+
+/// The sum of the normals of a fan of triangles.
+fn normal(points: &[Vec3]) -> Vec3 {
+    (2..points.len()).map(|k| (points[k - 1] - points[0]).cross(points[k] - points[0])).sum()
+}
+
 /// Whether a polygon in space bends one way only, as seen along its mean normal.
 fn is_convex(points: &[Vec3]) -> bool {
     let n = points.len();
-    let normal: Vec3 = (2..n).map(|k| (points[k - 1] - points[0]).cross(points[k] - points[0])).sum();
+    let normal = normal(points);
     (0..n).all(|i| {
         let (a, b, c) = (points[i], points[(i + 1) % n], points[(i + 2) % n]);
         // straight corners are rounded either way

@@ -1,10 +1,7 @@
 //! Floor plans in WKT (well-known text): polygons with holes, metres.
 
-use crate::build::has_room;
 use crate::error::{Error, Kind};
-use crate::geometry::{Solid, bounds, points, rectangle};
-use crate::scene::{Area, Goal, Group, Place, Point, Rectangle, Region, Scene, Walkable, WalkablePlace};
-use std::path::Path;
+use crate::scene::{Area, Point};
 use std::str::FromStr;
 use wkt::Wkt;
 use wkt::types::Polygon;
@@ -74,57 +71,4 @@ fn area(polygon: &Polygon<f64>) -> Option<Area> {
     };
     let rings = polygon.rings().len();
     (rings > 0).then(|| Area { outer: ring(0), holes: (1..rings).map(ring).filter(|hole| hole.len() > 2).collect() })
-}
-
-/// A scene from a floor plan alone: people anywhere on it walk to an exit, a rectangle `[x, y, width, height]` with
-/// its lower left corner at (x, y).
-///
-/// # Errors
-/// The file cannot be read or is not WKT, or the exit is where nobody can stand.
-pub fn evacuation(plan: impl AsRef<Path>, exit: [f64; 4], people: u64) -> Result<Scene, Error> {
-    let plan = plan.as_ref();
-    let shown = plan.display().to_string();
-    let text = crate::file::read_text(plan)?;
-    let mut areas = areas(&text).map_err(|error| error.file(shown.clone()))?;
-    let [x, y, width, height] = exit;
-    let region = Rectangle::between([x, y], [x + width, y + height]);
-    reachable(&areas, &region).map_err(|error| error.file(shown))?;
-    let walkable = if areas.len() == 1 { Walkable::Polygon(areas.remove(0)) } else { Walkable::Polygons(areas) };
-    Ok(Scene {
-        title: format!("{people} people leave {}", plan.file_stem().unwrap_or_default().to_string_lossy()),
-        walkable: Some(walkable),
-        groups: vec![Group {
-            name: "people".into(),
-            count: Some(people),
-            place: Place::Walkable(WalkablePlace { gap: 0.05 }),
-            goal: Some(Goal::Exit(Region::Rectangle(region))),
-            ..Group::default()
-        }],
-        ..Scene::default()
-    })
-}
-
-/// That a body of the usual size fits somewhere in an exit.
-fn reachable(areas: &[Area], exit: &Rectangle) -> Result<(), Error> {
-    let ground = |area: &Area| throng::Walkable {
-        outer: points(&area.outer),
-        holes: area.holes.iter().map(|hole| points(hole)).collect(),
-    };
-    let ground: Vec<_> = areas.iter().map(ground).collect();
-    let usual = throng::Agent::default().radius;
-    let radius = f64::from(usual);
-    if has_room(&Solid::new(&ground, &[], radius), &rectangle(exit), radius) {
-        return Ok(());
-    }
-    let reach = bounds(ground.iter().flat_map(|area| area.outer.iter().copied())).unwrap_or_default();
-    let [low, high] = reach.map(|p| format!("({:.1}, {:.1})", p.x, p.y));
-    let ([x, y], [width, height]) = (exit.center, exit.size);
-    Err(Error::new(
-        Kind::GoalInWall,
-        format!(
-            "the exit, {width} by {height} m round ({x}, {y}), has no room for a body of radius {usual} m on the \
-             ground, which lies between {low} and {high}"
-        ),
-    )
-    .hint("move it, or make it reach further in: it counts as entered when the body's centre is inside"))
 }

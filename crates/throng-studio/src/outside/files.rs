@@ -28,6 +28,9 @@ impl Files {
         if self.is_film(scene) {
             return Ok(self.place(Path::new(scene), plugins).unwrap_or_else(Document::empty));
         }
+        if let Some(imported) = self.folder.import(Path::new(scene)) {
+            return imported.map(|document| document.with(plugins));
+        }
         match self.folder.text(Path::new(scene)) {
             Some(text) => Ok(self.folder.document(scene, text?)),
             None => Err(gallery::scene(scene).err().map_or_else(String::new, |error| error.to_string())),
@@ -88,6 +91,30 @@ mod tests {
         assert_eq!((document.origin(), &*document.scene().unwrap().title), (own.clone(), "mine"));
         assert!(files.film(&own, &document).is_none() && files.film("circle", &document).is_none());
         assert!(files.open("no such scene", &plugins).unwrap_err().contains("no such scene"));
+    }
+
+    #[test]
+    fn a_floor_plan_becomes_a_document() {
+        let folder = tempfile::tempdir().unwrap();
+        let (files, plugins) = (Files::default(), Arc::default());
+        let path = folder.path().join("hall.geojson");
+        let polygon = |layer: &str, x: f64| {
+            format!(
+                r#"{{"type":"Feature","properties":{{"layer":"{layer}"}},"geometry":{{"type":"Polygon","coordinates":
+                [[[{x},0],[20,0],[20,9],[{x},9],[{x},0]]]}}}}"#
+            )
+        };
+        let text = |exit: &str| {
+            let features = [polygon("floor", 0.0), polygon(exit, 18.0), polygon("axes", 1.0)].join(",");
+            format!(r#"{{"type":"FeatureCollection","features":[{features}]}}"#)
+        };
+        std::fs::write(&path, text("exit")).unwrap();
+        let document = files.open(&path.display().to_string(), &plugins).unwrap();
+        assert_eq!((&*document.name, &document.path), ("hall", &None));
+        assert!(document.text().starts_with("# layer `axes`: a shape"), "{}", document.text());
+        assert_eq!(document.scene().unwrap().groups.len(), 1);
+        std::fs::write(&path, text("way out")).unwrap();
+        assert!(files.open(&path.display().to_string(), &plugins).unwrap_err().contains("it has no exit"));
     }
 
     #[test]

@@ -12,6 +12,7 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 use throng_draw::record::{Plan, Recorder};
 use throng_record::Output;
+use throng_scene::Imported;
 
 /// The files of the system.
 #[derive(Default)]
@@ -36,6 +37,21 @@ impl Folder {
     /// The document of a file's text.
     pub fn document(&self, file: &str, text: String) -> Document {
         Document::of_file(Path::new(file), text)
+    }
+
+    /// A file of another program's as a document that is not in a file yet, headed by what was left out; `None` if it is a scene file,
+    /// or there is none.
+    pub fn import(&self, file: &Path) -> Option<Result<Document, String>> {
+        if !file.exists() || file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
+            return None;
+        }
+        let name = file.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
+        let text = |imported: Imported| {
+            let notes: String = imported.notes.iter().map(|note| format!("# {note}\n")).collect();
+            imported.scene.to_toml().map(|text| notes + &text)
+        };
+        let document = throng_scene::open(file).and_then(text).map(|text| Document::new(&name, text));
+        Some(document.map_err(|error| error.to_string()))
     }
 
     /// Films are read by who plays them.

@@ -57,6 +57,11 @@ impl Folder {
         Document::new(stem.unwrap_or("scene"), text)
     }
 
+    /// A page reads scene files alone.
+    pub fn import(&self, _: &Path) -> Option<Result<Document, String>> {
+        None
+    }
+
     /// What is in a file.
     pub fn bytes(&self, file: &str) -> Option<Arc<[u8]>> {
         self.files.get(file).cloned()

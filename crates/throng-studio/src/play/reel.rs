@@ -60,15 +60,13 @@ impl Reel {
     }
 
     /// A film of tracks that are not empty, in a place if that has their groups.
-    fn new(name: &str, tracks: Tracks, place: Option<(Scene, Setting)>) -> Self {
-        let placed = match place {
-            Some((scene, setting)) => Moments::placed(tracks, setting).map(|moments| (scene, moments)),
-            None => Err(tracks),
-        };
-        let (mut scene, moments) = placed.unwrap_or_else(|mut tracks| {
+    fn new(name: &str, mut tracks: Tracks, place: Option<(Scene, Setting)>) -> Self {
+        let placed = place.filter(|(_, setting)| tracks.put_into(setting)).map(|(scene, _)| scene);
+        let mut scene = placed.unwrap_or_else(|| {
             tracks.setting.title = name.into();
-            (Scene { title: name.into(), ..Scene::default() }, Moments::of(tracks))
+            Scene { title: name.into(), ..Scene::default() }
         });
+        let moments = Moments::of(tracks);
         scene.time.step = moments.period();
         scene.time.limit = (moments.count().max(2) - 1) as f64 * scene.time.step;
         Self {

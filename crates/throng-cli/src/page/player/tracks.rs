@@ -80,7 +80,7 @@ impl Tracks {
 
     /// Takes in a moment, so many steps after the first, of those runs that have come so far.
     pub fn push<'a>(&mut self, steps: u64, frames: impl IntoIterator<Item = (usize, &'a Frame)>) {
-        if steps % self.stride != 0 {
+        if !steps.is_multiple_of(self.stride) {
             return;
         }
         for (k, frame) in frames {

@@ -1,11 +1,10 @@
 //! From the editor's JSON to a scene.
 
-use super::super::Imported;
+use super::super::notes::Notes;
+use super::super::{Imported, roomy};
 use super::distribution::{Distribution, number_of};
-use super::notes::Notes;
-use crate::build::has_room;
 use crate::error::{Error, Kind};
-use crate::geometry::{DVec2, Solid, grown, points};
+use crate::geometry::{DVec2, Solid, points};
 use crate::scene::{
     Area, Arrived, Expect, Goal, Group, Number, Place, Point, PolygonPlace, Region, Scene, Stop, Time, Until, Walkable,
     Weighted,
@@ -105,23 +104,16 @@ struct Routes {
 
 impl Routes {
     fn read(config: &Value, solid: &Solid, radius: f64, notes: &mut Notes) -> Result<Self, Error> {
-        let mut roomy = |id: &str, value: &Value| -> Result<Region, Error> {
-            let corners = points(&corners_of(id, value)?);
-            let enough = has_room(solid, &corners, radius);
-            let larger = if enough { corners.clone() } else { grown(&corners, radius * 1.1) };
-            if !enough {
-                let how = if has_room(solid, &larger, radius) { "made larger" } else { "nobody can enter" };
-                notes.about(id, format!("no room for the centre of a body of radius {radius}: {how}"));
-            }
-            Ok(Region::Polygon(larger.iter().map(DVec2::to_array).collect()))
+        let mut region = |id: &str, value: &Value| -> Result<Region, Error> {
+            Ok(roomy(solid, &points(&corners_of(id, value)?), radius, id, notes))
         };
         let mut exits = vec![];
         for (id, value) in table(&config["exits"]) {
-            exits.push((id.clone(), Goal::Exit(roomy(id, value)?)));
+            exits.push((id.clone(), Goal::Exit(region(id, value)?)));
         }
         let mut checkpoints = vec![];
         for (id, value) in table(&config["checkpoints"]) {
-            let region = roomy(id, value)?;
+            let region = region(id, value)?;
             checkpoints.push((id.clone(), Goal::Area(region), value.clone()));
         }
         let checkpoints = checkpoints

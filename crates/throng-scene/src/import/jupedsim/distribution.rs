@@ -1,7 +1,7 @@
 //! Distributions: where how many people start, with what bodies and speeds.
 
+use super::super::notes::Notes;
 use super::convert::corners_or_none;
-use super::notes::Notes;
 use crate::geometry::{points, signed_area};
 use crate::scene::{Normal, Number, Source};
 use serde_json::Value;

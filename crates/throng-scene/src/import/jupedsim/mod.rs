@@ -7,7 +7,6 @@
 
 mod convert;
 mod distribution;
-mod notes;
 mod parts;
 
 use super::Imported;

@@ -1,20 +1,20 @@
-//! What of a scenario was left out or changed.
+//! What of a file was left out or changed.
 
-/// Notes, each about a part of the scenario or about the whole.
+/// Notes, each about a part of what was read or about the whole.
 #[derive(Debug, Default)]
-pub(super) struct Notes(Vec<(Vec<String>, String)>);
+pub(crate) struct Notes(Vec<(Vec<String>, String)>);
 
 /// More parts than this with the same note are counted, not named.
 const NAMED: usize = 3;
 
 impl Notes {
-    /// A note about the whole scenario, a sentence.
-    pub fn whole(&mut self, text: impl Into<String>) {
+    /// A note about the whole, a sentence.
+    pub(crate) fn whole(&mut self, text: impl Into<String>) {
         self.0.push((vec![], text.into()));
     }
 
     /// A note about a part. The text goes for several parts as well as for one.
-    pub fn about(&mut self, id: &str, text: impl Into<String>) {
+    pub(crate) fn about(&mut self, id: &str, text: impl Into<String>) {
         let text = text.into();
         let same = self.0.iter_mut().find(|(ids, known)| !ids.is_empty() && *known == text);
         match same {
@@ -25,7 +25,7 @@ impl Notes {
     }
 
     /// The notes, a line each.
-    pub fn lines(self) -> Vec<String> {
+    pub(crate) fn lines(self) -> Vec<String> {
         let line = |(ids, text): (Vec<String>, String)| match ids.as_slice() {
             [] => text,
             [one] => format!("{one}: {text}"),

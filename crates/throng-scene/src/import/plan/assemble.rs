@@ -1,0 +1,221 @@
+//! From what is drawn to what a scene needs: ground, obstacles, exits, places to start from.
+
+use super::super::notes::Notes;
+use super::chain::chain;
+use super::curve::{TOLERANCE, arc};
+use super::drawing::{Drawing, Form, Item};
+use super::layer::{KNOWN, Role};
+use super::overlay::parts;
+use crate::error::{Error, Kind};
+use crate::geometry::{DVec2, contains};
+use crate::scene::{Area, Circle, Obstacle, Point, Shape};
+use std::collections::BTreeMap;
+
+/// An exit that is drawn as a line reaches so far to both sides of it, one that is a point so far round it, metres.
+const REACH: f64 = 0.5;
+
+/// What a plan says.
+#[derive(Debug, Default)]
+pub(super) struct Parts {
+    pub walkable: Vec<Area>,
+    pub obstacles: Vec<Obstacle>,
+    /// Corners.
+    pub exits: Vec<Vec<DVec2>>,
+    pub starts: Vec<Start>,
+    pub notes: Notes,
+}
+
+/// Where people start.
+#[derive(Debug)]
+pub(super) struct Start {
+    pub corners: Vec<DVec2>,
+    /// How many, where the plan says so.
+    pub people: Option<u64>,
+    /// The radius of their bodies, where the plan says so, metres.
+    pub radius: Option<f64>,
+}
+
+impl Parts {
+    /// Sorts out what is drawn.
+    ///
+    /// # Errors
+    /// Those of [`Drawing::check`]; and nothing says what it is.
+    pub fn of(mut drawing: Drawing) -> Result<Self, Error> {
+        drawing.check()?;
+        let unknown = drawing.unknown();
+        let nothing = unknown.values().sum::<usize>() == drawing.items.len();
+        if nothing && !drawing.plain {
+            return Err(nothing_known(&unknown));
+        }
+        let mut notes = std::mem::take(&mut drawing.notes);
+        if !nothing {
+            for (layer, count) in &drawing.unknown() {
+                let shapes = if *count == 1 { "a shape".to_owned() } else { format!("{count} shapes") };
+                notes.about(&format!("layer `{layer}`"), format!("{shapes} that nothing says what they are: left out"));
+            }
+        } else {
+            drawing.items.iter_mut().for_each(|item| item.role = Some(Role::Walkable));
+        }
+        let mut parts = Self { notes, ..Self::default() };
+        let items = joined(drawing.items);
+        parts.grounds_and_places(&items);
+        parts.solids(&items);
+        for (at, text) in &drawing.labels {
+            parts.label(*at, text);
+        }
+        Ok(parts)
+    }
+
+    fn grounds_and_places(&mut self, items: &[Item]) {
+        for item in items {
+            let layer = format!("layer `{}`", item.layer);
+            match (item.role, &item.form) {
+                (Some(Role::Walkable), Form::Area(outer, holes)) => {
+                    self.walkable
+                        .push(Area { outer: plain(outer), holes: holes.iter().map(|hole| plain(hole)).collect() });
+                }
+                (Some(Role::Walkable), Form::Disc(center, radius)) => {
+                    self.walkable.push(Area { outer: plain(&disc(*center, *radius)), holes: vec![] });
+                }
+                (Some(Role::Walkable), _) => self.notes.about(&layer, "what is not closed is no ground: left out"),
+                (Some(Role::Exit), Form::Line(points)) => {
+                    self.notes.about(&layer, format!("a line: an exit that reaches {REACH} m to both sides"));
+                    self.exits.extend(points.windows(2).map(|ends| strip(ends[0], ends[1])));
+                }
+                (Some(Role::Exit), form) => self.exits.extend(form.region()),
+                (Some(Role::Start), Form::Line(_)) => {
+                    self.notes.about(&layer, "what is not closed is no place to start from: left out")
+                }
+                (Some(Role::Start), form) => {
+                    let start = |corners| Start { corners, people: item.people, radius: None };
+                    self.starts.extend(form.region().map(start));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn solids(&mut self, items: &[Item]) {
+        // somebody is in there
+        let inside: Vec<DVec2> = self
+            .walkable
+            .iter()
+            .filter_map(|area| area.outer.first())
+            .map(|p| DVec2::from_array(*p))
+            .chain(
+                self.exits.iter().chain(self.starts.iter().map(|start| &start.corners)).map(|corners| middle(corners)),
+            )
+            .collect();
+        let holds = |outline: &[DVec2]| inside.iter().any(|p| contains(outline, *p));
+        for item in items.iter().filter(|item| item.role == Some(Role::Obstacle)) {
+            let wall = |points: &[DVec2]| Shape::Wall(plain(points));
+            let closed = |outline: &[DVec2]| {
+                let mut points = outline.to_vec();
+                points.extend(outline.first());
+                wall(&points)
+            };
+            let shapes = match &item.form {
+                Form::Area(outer, holes) if holes.is_empty() && holds(outer) => vec![closed(outer)],
+                Form::Area(outer, holes) if holes.is_empty() => vec![Shape::Polygon(plain(outer))],
+                Form::Area(outer, holes) => {
+                    let area = Area { outer: plain(outer), holes: holes.iter().map(|hole| plain(hole)).collect() };
+                    parts(area).into_iter().map(Shape::Polygon).collect()
+                }
+                Form::Line(points) => vec![wall(points)],
+                Form::Disc(center, radius) => {
+                    vec![Shape::Circle(Circle { center: center.to_array(), radius: *radius })]
+                }
+                Form::Point(_) => {
+                    self.notes.about(&format!("layer `{}`", item.layer), "a point is no obstacle: left out");
+                    vec![]
+                }
+            };
+            self.obstacles.extend(shapes.into_iter().map(Obstacle::from));
+        }
+    }
+
+    /// What a text says of the place to start from that it stands in: `number=20`, `radius=0.2`, as JuPedSim's drawings have it.
+    fn label(&mut self, at: DVec2, text: &str) {
+        let Some(start) = self.starts.iter_mut().find(|start| contains(&start.corners, at)) else { return };
+        for said in text.split([';', ',', ' ', '\n']).flat_map(|part| part.split("\\P")) {
+            let Some((key, value)) = said.split_once('=') else { continue };
+            match key.trim() {
+                "number" | "people" | "count" => start.people = value.trim().parse().ok().or(start.people),
+                "radius" => {
+                    let radius = value.trim().parse().ok().filter(|radius| (0.01..=10.0).contains(radius));
+                    start.radius = radius.or(start.radius);
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+impl Form {
+    /// The ground it covers; none for lines.
+    fn region(&self) -> Option<Vec<DVec2>> {
+        match self {
+            Self::Area(outer, _) => Some(outer.clone()),
+            Self::Disc(center, radius) => Some(disc(*center, *radius)),
+            Self::Point(at) => Some(disc(*at, REACH)),
+            Self::Line(_) => None,
+        }
+    }
+}
+
+/// A layer's name, or that it has none.
+fn quoted(layer: &str) -> String {
+    if layer.is_empty() { "one without a name".to_owned() } else { format!("`{layer}`") }
+}
+
+fn nothing_known(unknown: &BTreeMap<&str, usize>) -> Error {
+    let some: Vec<String> = unknown.keys().take(6).map(|layer| quoted(layer)).collect();
+    let more = if unknown.len() > some.len() { " and others" } else { "" };
+    let message = match some.as_slice() {
+        [] => "this plan has no shapes".to_owned(),
+        some => format!("no layer of this plan says what is on it: it has {}{more}", some.join(", ")),
+    };
+    Error::new(Kind::Geometry, message)
+        .hint(format!("name layers by what is on them, with words that begin so: {KNOWN}"))
+}
+
+/// Lines of the same layer that meet, joined.
+fn joined(items: Vec<Item>) -> Vec<Item> {
+    let mut lines: BTreeMap<(Option<Role>, String), Vec<Item>> = BTreeMap::new();
+    let mut out = vec![];
+    for item in items {
+        match item.form {
+            Form::Line(_) => lines.entry((item.role, item.layer.clone())).or_default().push(item),
+            _ => out.push(item),
+        }
+    }
+    for ((role, layer), items) in lines {
+        let Some(place) = items.first().map(|item| item.place) else { continue };
+        let points =
+            items.into_iter().filter_map(|item| if let Form::Line(points) = item.form { Some(points) } else { None });
+        for (points, closed) in chain(points.collect()) {
+            let form = if closed { Form::Area(points, vec![]) } else { Form::Line(points) };
+            out.push(Item { role, layer: layer.clone(), form, place, people: None });
+        }
+    }
+    out
+}
+
+fn plain(points: &[DVec2]) -> Vec<Point> {
+    points.iter().map(DVec2::to_array).collect()
+}
+
+fn disc(center: DVec2, radius: f64) -> Vec<DVec2> {
+    let mut points = arc(center, [DVec2::X * radius, DVec2::Y * radius], [0.0, std::f64::consts::TAU], TOLERANCE);
+    points.pop();
+    points
+}
+
+fn strip(from: DVec2, to: DVec2) -> Vec<DVec2> {
+    let across = (to - from).normalize_or_zero().perp() * REACH;
+    vec![from - across, to - across, to + across, from + across]
+}
+
+pub(super) fn middle(corners: &[DVec2]) -> DVec2 {
+    corners.iter().sum::<DVec2>() / corners.len().max(1) as f64
+}

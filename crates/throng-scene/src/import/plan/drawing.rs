@@ -1,0 +1,208 @@
+//! What is drawn in a file, of whatever kind: shapes on layers, metres, y up.
+
+use super::super::notes::Notes;
+use super::layer::{Role, role};
+use crate::error::{Error, Kind};
+use crate::geometry::{DVec2, crossing, signed_area};
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// What was drawn in a file.
+#[derive(Debug, Default)]
+pub(super) struct Drawing {
+    pub items: Vec<Item>,
+    /// Texts, and where they stand.
+    pub labels: Vec<(DVec2, String)>,
+    pub notes: Notes,
+    /// Whether polygons that nothing is known of are ground.
+    pub plain: bool,
+    /// How many points were added.
+    points: usize,
+}
+
+/// A shape on a layer.
+#[derive(Debug)]
+pub(super) struct Item {
+    /// What it is, where that is known.
+    pub role: Option<Role>,
+    /// The name of its layer.
+    pub layer: String,
+    pub form: Form,
+    pub place: Place,
+    /// How many people start there, where the file says so.
+    pub people: Option<u64>,
+}
+
+/// A shape.
+#[derive(Clone, Debug)]
+pub(super) enum Form {
+    /// A closed outline, the first corner not repeated, and holes.
+    Area(Vec<DVec2>, Vec<Vec<DVec2>>),
+    /// From point to point, not closed.
+    Line(Vec<DVec2>),
+    /// A disc.
+    Disc(DVec2, f64),
+    /// A point.
+    Point(DVec2),
+}
+
+/// Where in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Place {
+    /// A line, from 1.
+    Line(usize),
+    /// A feature, from 0, as GeoJSON has them.
+    Feature(usize),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Line(line) => write!(f, "line {line}"),
+            Self::Feature(index) => write!(f, "features[{index}]"),
+        }
+    }
+}
+
+/// Coordinates beyond this, metres, are mistakes.
+pub(super) const FARTHEST: f64 = 1e7;
+
+/// The most points of a drawing.
+const MOST: usize = 4_000_000;
+
+impl Drawing {
+    /// An empty one in which polygons that nothing is known of are ground.
+    pub fn of_ground() -> Self {
+        Self { plain: true, ..Self::default() }
+    }
+
+    /// Adds a shape on a layer; past the most points, which is an error of [`Self::check`], none.
+    pub fn add(&mut self, layer: &str, form: Form, place: Place) {
+        self.points += form.points().len();
+        if self.points > MOST {
+            return;
+        }
+        self.items.push(Item { role: role(layer), layer: layer.to_owned(), form, place, people: None });
+    }
+
+    /// That no coordinate is wrong, that there are not too many, and that no outline crosses itself. Shapes without an extent are
+    /// left out, outlines whose ends meet are closed.
+    ///
+    /// # Errors
+    /// With the layer and the place.
+    pub fn check(&mut self) -> Result<(), Error> {
+        for item in &self.items {
+            let points = item.form.points();
+            if let Some(p) = points.iter().find(|p| !p.is_finite() || p.abs().max_element() > FARTHEST) {
+                let message = format!("a coordinate of ({}, {}) m is farther than {FARTHEST} m away", p.x, p.y);
+                return Err(item
+                    .wrong(Kind::OutOfRange, message)
+                    .hint("say --plan-unit METRES if its unit is another"));
+            }
+        }
+        if self.points > MOST {
+            return Err(Error::new(Kind::OutOfRange, format!("this plan has more than {MOST} points"))
+                .hint("leave out layers that people do not walk into, such as hatching"));
+        }
+        self.items.retain_mut(|item| item.form.tidy());
+        let known = |item: &&Item| item.role.is_some() || self.plain;
+        for item in self.items.iter().filter(known) {
+            let Form::Area(outer, holes) = &item.form else { continue };
+            for ring in std::iter::once(outer).chain(holes) {
+                if let Some((at, ..)) = crossing(ring) {
+                    let message = format!("this outline crosses itself at ({:.3}, {:.3}) m", at.x, at.y);
+                    let hint = "draw it in order round the shape, as one would walk it";
+                    return Err(item.wrong(Kind::Geometry, message).hint(hint));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Moves all points.
+    pub fn map(&mut self, to: impl Fn(DVec2) -> DVec2) {
+        self.items.iter_mut().for_each(|item| item.form.each(&to));
+        for (at, _) in &mut self.labels {
+            *at = to(*at);
+        }
+    }
+
+    /// The names of the layers that nothing is known of, with how many shapes are on each.
+    pub fn unknown(&self) -> BTreeMap<&str, usize> {
+        let mut unknown = BTreeMap::new();
+        for item in self.items.iter().filter(|item| item.role.is_none()) {
+            *unknown.entry(item.layer.as_str()).or_default() += 1;
+        }
+        unknown
+    }
+}
+
+impl Item {
+    /// An error about this shape.
+    pub fn wrong(&self, kind: Kind, message: impl fmt::Display) -> Error {
+        let mut error = Error::new(kind, format!("layer `{}`, {}: {message}", self.layer, self.place));
+        if let Place::Line(line) = self.place {
+            error.at = Some((line, 1));
+        }
+        error
+    }
+}
+
+impl Form {
+    /// A line, or the outline it is where it ends as it begins.
+    pub fn of_line(mut points: Vec<DVec2>, closed: bool) -> Self {
+        let ends = points.first().zip(points.last()).is_some_and(|(a, b)| points.len() > 3 && a.distance(*b) < 1e-6);
+        if ends {
+            points.pop();
+        }
+        if closed || ends { Self::Area(points, vec![]) } else { Self::Line(points) }
+    }
+
+    /// Moves all points; a disc becomes as large as it is along x.
+    pub fn each(&mut self, to: impl Fn(DVec2) -> DVec2) {
+        match self {
+            Self::Area(outer, holes) => outer.iter_mut().chain(holes.iter_mut().flatten()).for_each(|p| *p = to(*p)),
+            Self::Line(points) => points.iter_mut().for_each(|p| *p = to(*p)),
+            Self::Disc(center, radius) => {
+                let rim = to(*center + DVec2::X * *radius);
+                *center = to(*center);
+                *radius = center.distance(rim);
+            }
+            Self::Point(at) => *at = to(*at),
+        }
+    }
+
+    /// All its points; of a disc its middle and one on its rim.
+    pub fn points(&self) -> Vec<DVec2> {
+        match self {
+            Self::Area(outer, holes) => outer.iter().chain(holes.iter().flatten()).copied().collect(),
+            Self::Line(points) => points.clone(),
+            Self::Disc(center, radius) => vec![*center, *center + DVec2::X * *radius],
+            Self::Point(at) => vec![*at],
+        }
+    }
+
+    /// Drops points that repeat the one before; whether anything is left.
+    fn tidy(&mut self) -> bool {
+        let ring = |ring: &mut Vec<DVec2>| {
+            ring.dedup();
+            while ring.len() > 1 && ring.first() == ring.last() {
+                ring.pop();
+            }
+            // one that crosses itself may have none, and is an error
+            ring.len() > 2 && (signed_area(ring).abs() > 1e-9 || crossing(ring).is_some())
+        };
+        match self {
+            Self::Area(outer, holes) => {
+                holes.retain_mut(ring);
+                ring(outer)
+            }
+            Self::Line(points) => {
+                points.dedup();
+                points.len() > 1
+            }
+            Self::Disc(_, radius) => *radius > 0.0,
+            Self::Point(_) => true,
+        }
+    }
+}

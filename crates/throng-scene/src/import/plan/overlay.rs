@@ -1,0 +1,101 @@
+//! Polygons with holes put together and taken apart.
+
+use crate::geometry::{DVec2, bounds, signed_area};
+use crate::scene::{Area, Point};
+use i_overlay::core::fill_rule::FillRule;
+use i_overlay::core::overlay_rule::OverlayRule;
+use i_overlay::float::single::SingleFloatOverlay;
+
+type Ring = Vec<Point>;
+
+/// What lies in any of the outlines, whichever way round they go.
+pub(in super::super) fn union(outlines: &[Vec<DVec2>]) -> Vec<Area> {
+    let rings: Vec<Ring> = outlines.iter().map(|outline| turned(outline)).collect();
+    areas(rings.overlay(&Vec::<Ring>::new(), OverlayRule::Subject, FillRule::NonZero))
+}
+
+/// What lies in any of some outlines and in none of others.
+pub(super) fn difference(outlines: &[Vec<DVec2>], less: &[Vec<DVec2>]) -> Vec<Area> {
+    let rings = |outlines: &[Vec<DVec2>]| outlines.iter().map(|outline| turned(outline)).collect::<Vec<Ring>>();
+    areas(rings(outlines).overlay(&rings(less), OverlayRule::Difference, FillRule::NonZero))
+}
+
+/// What rings enclose: by the rule of even and odd, or all that they go round more often one way than the other.
+pub(super) fn enclosed(rings: &[Vec<DVec2>], even_odd: bool) -> Vec<Area> {
+    let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
+    let rings: Vec<Ring> = rings.iter().map(|ring| ring.iter().map(DVec2::to_array).collect()).collect();
+    areas(rings.overlay(&Vec::<Ring>::new(), OverlayRule::Subject, rule))
+}
+
+/// The same ground in parts without holes: every hole is cut through.
+pub(super) fn parts(area: Area) -> Vec<Ring> {
+    let (mut todo, mut done) = (vec![area], vec![]);
+    while let Some(area) = todo.pop() {
+        let corners = |ring: &Ring| bounds(ring.iter().map(|p| DVec2::from_array(*p)));
+        let (Some([low, high]), Some(hole)) = (corners(&area.outer), area.holes.first().and_then(corners)) else {
+            done.push(area.outer);
+            continue;
+        };
+        let (cut, low, high) = ((hole[0].x + hole[1].x) * 0.5, low - 1.0, high + 1.0);
+        let rings: Vec<Ring> = std::iter::once(area.outer).chain(area.holes).collect();
+        for (from, to) in [(low.x, cut), (cut, high.x)] {
+            let half: Vec<Ring> = vec![vec![[from, low.y], [to, low.y], [to, high.y], [from, high.y]]];
+            todo.extend(areas(rings.overlay(&half, OverlayRule::Intersect, FillRule::EvenOdd)));
+        }
+    }
+    done
+}
+
+/// Counter-clockwise.
+fn turned(outline: &[DVec2]) -> Ring {
+    let mut ring: Ring = outline.iter().map(DVec2::to_array).collect();
+    if signed_area(outline) < 0.0 {
+        ring.reverse();
+    }
+    ring
+}
+
+fn areas(shapes: Vec<Vec<Ring>>) -> Vec<Area> {
+    let area = |shape: Vec<Ring>| {
+        let mut rings = shape.into_iter();
+        Area { outer: rings.next().unwrap_or_default(), holes: rings.collect() }
+    };
+    shapes.into_iter().map(area).filter(|area| area.outer.len() > 2).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::points;
+
+    fn square(low: f64, high: f64) -> Vec<DVec2> {
+        [(low, low), (low, high), (high, high), (high, low)].map(DVec2::from).to_vec()
+    }
+
+    fn size(ring: &[Point]) -> f64 {
+        signed_area(&points(ring)).abs()
+    }
+
+    #[test]
+    fn squares_are_put_together_and_taken_out() {
+        let both = union(&[square(0.0, 2.0), square(1.0, 3.0)]);
+        assert_eq!((both.len(), both[0].holes.len()), (1, 0));
+        assert!((size(&both[0].outer) - 7.0).abs() < 1e-6);
+        let framed = difference(&[square(0.0, 4.0)], &[square(1.0, 3.0)]);
+        assert_eq!((framed.len(), framed[0].holes.len()), (1, 1));
+        assert!((size(&framed[0].holes[0]) - 4.0).abs() < 1e-6);
+        let rings = [square(0.0, 4.0), square(1.0, 3.0)];
+        assert_eq!(enclosed(&rings, true)[0].holes.len(), 1);
+        assert_eq!(enclosed(&rings, false)[0].holes.len(), 0);
+    }
+
+    #[test]
+    fn parts_have_no_holes_and_the_same_size() {
+        let holes: Vec<Vec<DVec2>> =
+            (0..5).map(|i| square(f64::from(i) * 2.0 + 0.5, f64::from(i) * 2.0 + 1.5)).collect();
+        let area = difference(&[square(0.0, 10.0)], &holes).remove(0);
+        assert_eq!(area.holes.len(), 5);
+        let parts = parts(area);
+        assert!((parts.iter().map(|ring| size(ring)).sum::<f64>() - 95.0).abs() < 1e-5);
+    }
+}

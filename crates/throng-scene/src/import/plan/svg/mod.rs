@@ -1,0 +1,43 @@
+//! SVG, vector graphics: rectangles, circles, ellipses, lines, polygons and paths, by the labels and ids of what they are in.
+
+mod elements;
+mod outline;
+
+use super::drawing::{Drawing, Place};
+use crate::error::{Error, Kind};
+use crate::geometry::DVec2;
+use elements::Elements;
+use roxmltree::{Document, ParsingOptions};
+
+/// The length of a pixel, or of a unit of the view box, where nobody says it, metres.
+const PIXEL: f64 = 0.01;
+
+/// The most elements and texts of a file.
+const MOST: u32 = 1_000_000;
+
+/// Reads the shapes of an SVG text. What is at the bottom of the picture is at y = 0.
+///
+/// # Errors
+/// With line and column: it is no XML, no SVG, or a number, a path or a transform is wrong.
+pub(super) fn read(text: &str, unit: Option<f64>) -> Result<Drawing, Error> {
+    let options = ParsingOptions { allow_dtd: true, nodes_limit: MOST, ..ParsingOptions::default() };
+    let document = Document::parse_with_options(text, options).map_err(|error| super::super::no_xml(text, &error))?;
+    let root = document.root_element();
+    if root.tag_name().name() != "svg" {
+        let message = format!("this XML has the root <{}>, not <svg>", root.tag_name().name());
+        return Err(Error::new(Kind::Syntax, message)
+            .hint("a plan in SVG begins with <svg xmlns=\"http://www.w3.org/2000/svg\">"));
+    }
+    let mut drawing = Drawing::default();
+    let unit = unit.unwrap_or_else(|| {
+        drawing.notes.whole(format!(
+            "a pixel, or unit of the view box, is taken to be {PIXEL} m: --plan-unit METRES changes it"
+        ));
+        PIXEL
+    });
+    let elements = Elements::new(text, &document, unit);
+    elements.read(&mut drawing)?;
+    let bottom = elements.bottom();
+    drawing.map(|p| DVec2::new(p.x, bottom - p.y) * unit);
+    Ok(drawing)
+}
