@@ -2,8 +2,10 @@
 
 use crate::choice::ChoiceArgs;
 use crate::options::FilmArgs;
+use crate::replay::args::parse_place;
 use crate::tracks::TrackArgs;
 use clap::Args;
+use glam::DVec2;
 use std::path::PathBuf;
 
 /// After `throng convert --help`.
@@ -32,6 +34,7 @@ Examples:
       writes run.mp4
   throng render bi_corr.txt -o corridor.mp4 --speed-up 2 --color density --trails 3
   throng render run.csv --map office -o end.png
+  throng render zara01/obsmat.txt --map zara01/map.xml --map-offset 0.5,16.2 -o street.mp4
   throng render obsmat.txt --frame-rate 25 --from 10 --to 30 -o frames/";
 
 /// A file of trajectories, and what is known of it.
@@ -42,9 +45,13 @@ pub struct RecordedArgs {
     pub file: PathBuf,
 
     /// Where it was: a scene or a floor plan (see `throng run`), or UCY's map.xml, whose ground and obstacles it takes [default:
-    /// what the file says, else a map.xml beside it]
-    #[arg(long, value_name = "SCENE")]
+    /// what the file says]
+    #[arg(long, value_name = "SCENE|FILE")]
     pub map: Option<PathBuf>,
+
+    /// Where the origin of the map is in the recording, metres
+    #[arg(long, value_name = "X,Y", value_parser = parse_place, allow_hyphen_values = true, requires = "map")]
+    pub map_offset: Option<DVec2>,
 
     /// What it does not say itself.
     #[command(flatten)]

@@ -12,7 +12,7 @@ use args::{ConvertArgs, RenderArgs};
 use recording::Recording;
 use std::path::{Path, PathBuf};
 use throng_draw::record::Plan;
-use throng_draw::{Still, Style};
+use throng_draw::{Still, Style, WorldBox};
 use throng_record::{Choice, Format};
 
 /// More moments than anybody means to write.
@@ -43,9 +43,13 @@ pub fn convert(args: &ConvertArgs, out: &mut Out) -> Result<(), Failure> {
 pub fn render(args: &RenderArgs, out: &mut Out) -> Result<(), Failure> {
     let recording = Recording::open(&args.recorded)?;
     let choice = args.choice.choice();
+    let [min, max] = recording.bounds();
+    let mut style = args.film.look.style(&recording.scene, [min, max])?;
+    // all of the ground that somebody comes to, from the first picture on
+    style.view.get_or_insert(WorldBox { min, max });
     let plan = Plan {
         setting: &recording.moments.setting,
-        style: &args.film.look.style(&recording.scene, recording.bounds())?,
+        style: &style,
         rate: args.film.rate(&recording.scene),
         speed_up: args.film.speed_up,
         still: args.film.still(),

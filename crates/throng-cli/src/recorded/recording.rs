@@ -3,7 +3,7 @@
 use super::args::RecordedArgs;
 use crate::failure::Failure;
 use crate::files::is;
-use crate::replay::map::{Map, beside};
+use crate::replay::map::Map;
 use crate::source::Changes;
 use glam::DVec2;
 use std::path::PathBuf;
@@ -39,14 +39,14 @@ impl Recording {
         if tracks.setting.title.is_empty() {
             tracks.setting.title.clone_from(&name);
         }
-        let known = !(tracks.setting.walkable.is_empty() && tracks.setting.obstacles.is_empty());
-        let beside = beside(&path, "map.xml").filter(|_| !known);
-        let (scene, moments) = match args.map.clone().or(beside) {
-            Some(map) if is(&map, "xml") => {
-                tracks.setting.obstacles = Map::of(map)?.obstacles;
+        let (scene, moments) = match &args.map {
+            Some(map) if is(map, "xml") => {
+                let mut map = Map::of(map.clone())?;
+                map.shift(args.map_offset.unwrap_or_default());
+                tracks.setting.obstacles = map.obstacles;
                 (Scene::default(), Moments::of(tracks))
             }
-            Some(map) => in_place(tracks, place(&map)?),
+            Some(map) => in_place(tracks, place(map, args.map_offset.unwrap_or_default())?),
             None => (Scene::default(), Moments::of(tracks)),
         };
         Ok(Self { path, name, moments, scene })
@@ -59,11 +59,15 @@ impl Recording {
     }
 }
 
-/// The place of a scene.
-fn place(map: &std::path::Path) -> Result<(Scene, Setting), Failure> {
+/// The place of a scene, moved by `offset`.
+fn place(map: &std::path::Path, offset: DVec2) -> Result<(Scene, Setting), Failure> {
     let loaded = Changes::default().load(map)?;
     let (world, built) = loaded.build()?;
-    let setting = moment::setting(&world, &built, loaded.title());
+    let mut setting = moment::setting(&world, &built, loaded.title());
+    let mut map = Map { path: None, walkable: setting.walkable, obstacles: setting.obstacles };
+    map.shift(offset);
+    (setting.walkable, setting.obstacles) = (map.walkable, map.obstacles);
+    setting.origin += offset;
     Ok((loaded.scene, setting))
 }
 

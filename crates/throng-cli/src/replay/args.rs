@@ -208,7 +208,7 @@ fn parse_pace(text: &str) -> Result<Pace, String> {
     }
 }
 
-fn parse_place(text: &str) -> Result<DVec2, String> {
+pub fn parse_place(text: &str) -> Result<DVec2, String> {
     let number = |text: &str| text.trim().parse().ok().filter(|x: &f64| x.is_finite());
     let place = text.split_once(',').and_then(|(x, y)| Some(DVec2::new(number(x)?, number(y)?)));
     place.ok_or_else(|| "write x,y in metres, such as 0,15".into())

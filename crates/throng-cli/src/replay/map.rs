@@ -63,7 +63,8 @@ impl Map {
         Ok(Self { path: Some(path), walkable, obstacles })
     }
 
-    fn shift(&mut self, by: DVec2) {
+    /// Moves it, metres.
+    pub fn shift(&mut self, by: DVec2) {
         let all = |points: &mut Vec<DVec2>| points.iter_mut().for_each(|point| *point += by);
         for area in &mut self.walkable {
             all(&mut area.outer);
@@ -88,7 +89,7 @@ pub fn together(args: &StageArgs, data: &Path) -> Result<Option<Vec<Vec<u32>>>, 
 }
 
 /// A file beside the recording, if it is there.
-pub fn beside(data: &Path, name: &str) -> Option<PathBuf> {
+fn beside(data: &Path, name: &str) -> Option<PathBuf> {
     Some(data.with_file_name(name)).filter(|path| path.is_file())
 }
 
