@@ -40,6 +40,7 @@ pub(super) fn bulge(from: DVec2, to: DVec2, bulge: f64, tolerance: f64) -> Vec<D
 }
 
 /// A cubic Bézier curve, without its first point.
+#[cfg(feature = "svg")]
 pub(super) fn cubic([a, b, c, d]: [DVec2; 4], tolerance: f64) -> Vec<DVec2> {
     // the second derivative is at most six times the larger of the second differences
     let bend = (a - 2.0 * b + c).length().max((b - 2.0 * c + d).length());

@@ -21,6 +21,7 @@ pub(super) fn difference(outlines: &[Vec<DVec2>], less: &[Vec<DVec2>]) -> Vec<Ar
 }
 
 /// What rings enclose: by the rule of even and odd, or all that they go round more often one way than the other.
+#[cfg(feature = "svg")]
 pub(super) fn enclosed(rings: &[Vec<DVec2>], even_odd: bool) -> Vec<Area> {
     let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
     let rings: Vec<Ring> = rings.iter().map(|ring| ring.iter().map(DVec2::to_array).collect()).collect();
