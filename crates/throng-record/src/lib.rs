@@ -9,6 +9,8 @@ mod behind;
 mod capture;
 mod choice;
 pub mod color;
+#[cfg(test)]
+mod draws;
 mod flow;
 pub mod formats;
 mod frame;

@@ -186,20 +186,12 @@ impl Mean {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::draws::draws;
     use glam::DVec2;
-
-    /// Numbers from 0 to 1 that look random.
-    fn draws() -> impl FnMut() -> f64 {
-        let mut state = 7u64;
-        move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1u64 << 53) as f64
-        }
-    }
 
     #[test]
     fn the_least_separation_is_that_of_all_pairs() {
-        let mut draw = draws();
+        let mut draw = draws(7);
         for count in [0, 1, 2, 3, 10, 200] {
             let one = |k| {
                 let core = if k % 3 == 0 { Vec2::new(draw() as f32, 0.1) } else { Vec2::ZERO };

@@ -1,17 +1,10 @@
 //! Floor plans and JuPedSim scenarios become plain scenes.
 
+mod shared;
+
+use shared::shared;
 use std::path::{Path, PathBuf};
 use throng_scene::{Goal, Kind, Scene, Walkable, import, open};
-
-/// A folder of real inputs, where it is there.
-fn shared(folder: &str) -> Option<PathBuf> {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let found = here.ancestors().map(|up| up.join("shared/data").join(folder)).find(|path| path.is_dir());
-    if found.is_none() {
-        eprintln!("skipped: no shared/data/{folder} above {}", here.display());
-    }
-    found
-}
 
 fn files(folder: &Path) -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();

@@ -1,17 +1,10 @@
 //! Menge's projects become scenes.
 
-use std::path::{Path, PathBuf};
-use throng_scene::{Goal, Kind, Number, Place, Region, Shape, Walkable, import, open};
+mod shared;
 
-/// A folder of real inputs, where it is there.
-fn shared(folder: &str) -> Option<PathBuf> {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let found = here.ancestors().map(|up| up.join("shared/data").join(folder)).find(|path| path.is_dir());
-    if found.is_none() {
-        eprintln!("skipped: no shared/data/{folder} above {}", here.display());
-    }
-    found
-}
+use shared::shared;
+use std::path::PathBuf;
+use throng_scene::{Goal, Kind, Number, Place, Region, Shape, Walkable, import, open};
 
 const SCENE: &str = r#"<Experiment version="2.0">
     <Common time_step="0.1" />

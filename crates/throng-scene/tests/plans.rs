@@ -1,18 +1,10 @@
 //! Floor plans of every kind become scenes in which people leave.
 
-use std::path::{Path, PathBuf};
+mod shared;
+
+use shared::shared;
 use throng_scene::import::plan::{Ask, from_text, load};
 use throng_scene::{Goal, Kind, Place, Scene, Shape, Walkable, open};
-
-/// A folder of real inputs, where it is there.
-fn shared(folder: &str) -> Option<PathBuf> {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let found = here.ancestors().map(|up| up.join("shared/data").join(folder)).find(|path| path.is_dir());
-    if found.is_none() {
-        eprintln!("skipped: no shared/data/{folder} above {}", here.display());
-    }
-    found
-}
 
 const ROOM: &str = r#"{ "type": "FeatureCollection", "features": [
     { "type": "Feature", "properties": { "layer": "floor" }, "geometry": { "type": "Polygon", "coordinates":

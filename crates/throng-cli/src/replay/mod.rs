@@ -54,9 +54,7 @@ pub fn replay(args: &ReplayArgs, out: &mut Out) -> Result<(), Failure> {
     let predicted = predictions(args, &stage, &cast)?;
     let report = Report::new(args, &stage, &cast, map.path, groups, replayed, predicted);
     if let Some(path) = &args.table {
-        let mut output = Output::create(path)?;
-        output.put(table::csv(&report).as_bytes())?;
-        output.finish()?;
+        table::table(&report).write_csv(Output::create(path)?)?;
     }
     if args.json {
         out.line(format_args!("{}", json::of(&report, begin.elapsed())))?;

@@ -1,46 +1,33 @@
 //! A line a person.
 
 use super::report::Report;
-use std::fmt::Write;
-use throng_record::pedestrian::Walk;
+use throng_record::Table;
 use throng_record::pedestrian::replay::Sample;
 
-/// Everybody as comma-separated values; what is not known is empty.
-pub fn csv(report: &Report) -> String {
+/// Everybody; what is not known is not a number.
+pub fn table(report: &Report) -> Table {
     let Report { cast, replayed, .. } = report;
-    let mut out = String::from("number,group,entered,left,arrived,way,preferred_speed");
-    let name = |seconds: Option<f64>| seconds.map_or_else(|| "end".to_owned(), |seconds| seconds.to_string());
+    let (walks, walkers) = (&cast.people.walks, &cast.walkers);
+    let mut table = Table::default();
+    let mut put = |name: &str, values: &dyn Fn(usize) -> Option<f64>| {
+        let rounded = |index| values(index).map_or(f64::NAN, |value| (value * 1e6).round() / 1e6);
+        table.push(name, (0..walks.len()).map(rounded).collect());
+    };
+    put("number", &|index| Some(walks[index].number.into()));
+    put("group", &|index| report.group_of(walks[index].number).map(|group| group as f64));
+    put("entered", &|index| walks[index].times.first().copied());
+    put("left", &|index| walks[index].times.last().copied());
+    put("arrived", &|index| replayed.arrived[index]);
+    put("way", &|index| Some(walks[index].places.windows(2).map(|pair| pair[0].distance(pair[1])).sum()));
+    put("preferred_speed", &|index| Some(walkers[index].speed));
     for horizon in &report.from_entry {
-        let at = name(horizon.seconds);
-        // writing to a string does not fail
-        let _ = write!(out, ",replay_{at},constant_velocity_{at},straight_{at}");
-    }
-    out.push('\n');
-    for (index, (walk, walker)) in cast.people.walks.iter().zip(&cast.walkers).enumerate() {
-        let Walk { number, times, places, .. } = walk;
-        let way: f64 = places.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
-        let group = report.group_of(*number).map(|group| group as f64);
-        let fields = [
-            group,
-            times.first().copied(),
-            times.last().copied(),
-            replayed.arrived[index],
-            Some(way),
-            Some(walker.speed),
-        ];
-        let _ = write!(out, "{number}");
-        let mut put = |value: Option<f64>| {
-            out.push(',');
-            if let Some(value) = value.filter(|value| value.is_finite()) {
-                let _ = write!(out, "{}", (value * 1e6).round() / 1e6);
-            }
-        };
-        fields.into_iter().for_each(&mut put);
-        for horizon in &report.from_entry {
-            let at = horizon.samples.binary_search_by_key(&index, |sample: &Sample| sample.walk);
-            (0..3).for_each(|k| put(at.ok().map(|at| horizon.samples[at].last[k])));
+        let after = horizon.seconds.map_or_else(|| "end".to_owned(), |seconds| seconds.to_string());
+        for (kind, name) in ["replay", "constant_velocity", "straight"].into_iter().enumerate() {
+            put(&format!("{name}_{after}"), &|index| {
+                let at = horizon.samples.binary_search_by_key(&index, |sample: &Sample| sample.walk).ok()?;
+                Some(horizon.samples[at].last[kind])
+            });
         }
-        out.push('\n');
     }
-    out
+    table
 }

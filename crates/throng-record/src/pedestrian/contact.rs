@@ -94,15 +94,12 @@ pub fn time_to_collision(apart: DVec2, velocity: DVec2, radii: f64) -> Option<f6
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::draws::draws;
     use crate::pedestrian::{Border, Moment, Walk};
 
     #[test]
     fn contacts_are_those_of_all_pairs() {
-        let mut draw = 3u64;
-        let mut next = || {
-            draw = draw.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (draw >> 11) as f64 / (1u64 << 53) as f64
-        };
+        let mut next = draws(3);
         for count in [0, 1, 2, 5, 40] {
             let walks: Vec<Walk> = (0..count)
                 .map(|number| {

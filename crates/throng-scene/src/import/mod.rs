@@ -28,3 +28,8 @@ pub struct Imported {
     /// What was left out or changed, a sentence each.
     pub notes: Vec<String>,
 }
+
+/// As much of what a file says as a message shows.
+fn short(said: &str) -> String {
+    said.chars().take(30).collect()
+}

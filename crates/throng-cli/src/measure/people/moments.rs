@@ -30,17 +30,17 @@ pub fn table(question: &Question, figures: &Figures) -> Table {
     }
     for (k, inside) in figures.areas.iter().enumerate() {
         for (name, value) in AREA {
-            table.push(numbered(name, k, question.areas.len()), inside.iter().map(value).collect());
+            table.push(numbered(name, "_", k, question.areas.len()), inside.iter().map(value).collect());
         }
     }
     for (k, crossings) in figures.crossings.iter().enumerate() {
         let crossed = figures.instants.iter().map(|at| count(crossings, at.time) as f64);
-        table.push(numbered("crossed", k, question.lines.len()), crossed.collect());
+        table.push(numbered("crossed", "_", k, question.lines.len()), crossed.collect());
     }
     table
 }
 
-/// A name, with a number where there are several.
-pub fn numbered(name: &str, index: usize, of: usize) -> String {
-    if of > 1 { format!("{name}_{}", index + 1) } else { name.to_owned() }
+/// A name, with a number from 1 behind it where there are several.
+pub fn numbered(name: &str, between: &str, index: usize, of: usize) -> String {
+    if of > 1 { format!("{name}{between}{}", index + 1) } else { name.to_owned() }
 }

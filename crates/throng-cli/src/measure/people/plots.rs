@@ -1,6 +1,7 @@
 //! The section about people on the page.
 
 use super::People;
+use super::moments::numbered;
 use crate::measure::page::escape_lines;
 use crate::page::{Height, Player, Plot, TIME, escape, swatch};
 use throng_record::pedestrian::{Inside, Instant, count};
@@ -42,18 +43,18 @@ impl People {
             self.over_time("Mean speed".into(), "m/s", [whole(|at| at.speed)]),
         ];
         for (k, inside) in figures.areas.iter().enumerate() {
+            let area = numbered("area", " ", k, question.areas.len());
             let of = |figure: fn(&Inside) -> f64| inside.iter().map(figure).collect::<Vec<f64>>();
-            let number = if question.areas.len() > 1 { format!(" {}", k + 1) } else { String::new() };
             let densities = [of(|at| at.density), of(|at| at.voronoi_density)];
-            out.push(self.over_time(format!("Density of area{number}"), "1/m²", densities));
+            out.push(self.over_time(format!("Density of {area}"), "1/m²", densities));
             let speeds = [of(|at| at.speed), of(|at| at.voronoi_speed)];
-            out.push(self.over_time(format!("Speed in area{number}"), "m/s", speeds));
-            out.push(diagram(format!("Fundamental diagram of area{number}"), inside));
+            out.push(self.over_time(format!("Speed in {area}"), "m/s", speeds));
+            out.push(diagram(format!("Fundamental diagram of {area}"), inside));
         }
         for (k, crossings) in figures.crossings.iter().enumerate() {
-            let number = if question.lines.len() > 1 { format!(" {}", k + 1) } else { String::new() };
+            let line = numbered("line", " ", k, question.lines.len());
             let crossed = figures.instants.iter().map(|at| count(crossings, at.time) as f64).collect();
-            out.push(self.over_time(format!("N(t): how many have crossed line{number}"), "", [crossed]));
+            out.push(self.over_time(format!("N(t): how many have crossed {line}"), "", [crossed]));
         }
         if figures.directions.iter().all(|&count| count > 0) {
             out.push(self.over_time("Lane order".into(), "", [whole(|at| at.lane_order)]));

@@ -40,14 +40,14 @@ impl People {
             let mean = |figure: fn(&Inside) -> f64| short(Inside::mean(inside, figure));
             let (density, cells) = (mean(|at| at.density), mean(|at| at.voronoi_density));
             let (speed, theirs) = (mean(|at| at.speed), mean(|at| at.voronoi_speed));
-            let (name, size) = (numbered("area", k, question.areas.len()), short(area.size()));
+            let (name, size) = (numbered("area", "_", k, question.areas.len()), short(area.size()));
             let _ = writeln!(out, "  {name:<10} {size} m²: density {density} /m², by Voronoi cells {cells} /m²");
             let _ = writeln!(out, "             speed {speed} m/s, by Voronoi cells {theirs} m/s");
         }
         for (k, (line, crossed)) in question.lines.iter().zip(&figures.crossings).enumerate() {
             let left = crossed.iter().filter(|crossing| crossing.leftwards).count();
             let [first, last] = [crossed.first(), crossed.last()].map(|at| at.map_or(f64::NAN, |at| at.time));
-            let (name, length) = (numbered("line", k, question.lines.len()), line.length());
+            let (name, length) = (numbered("line", "_", k, question.lines.len()), line.length());
             let _ = writeln!(
                 out,
                 "  {name:<10} {} m: {} cross it, {left} to its left, from {first:.2} to {last:.2} s",

@@ -93,30 +93,16 @@ impl<'a> Contents<'a> {
     /// A record is not what was written. One that the file ends in is left out.
     pub fn between(&self, from: f64, to: f64) -> Result<Tracks, Flaw> {
         let first = self.keys.iter().rfind(|key| key.time <= from).map_or(self.start, |key| key.at);
-        let mut rest = Rest(self.bytes.get(first..).unwrap_or_default());
+        let mut records = Records::from(self, first);
         let mut tracks = Tracks { setting: self.setting.clone(), ..Tracks::default() };
-        let (mut last, mut memory) = (None, Memory::default());
-        loop {
-            let at = self.bytes.len() - rest.0.len();
-            let broken = || flaw(format!("its record at byte {at} is broken"));
-            let record = match next(&mut rest) {
-                Next::Record(record) => record,
-                // what was cut ends like this, what is complete does not
-                Next::End if self.moments.is_none() => break,
-                Next::End | Next::Changed => return Err(broken()),
-            };
-            if !matches!(record.first(), Some(&(KEY | NEXT))) {
-                break;
-            }
-            let moment: Moment = memory.read(record, last.as_ref()).ok_or_else(broken)?;
+        while let Some((record, moment)) = records.next()? {
             if moment.time > to {
                 break;
             }
             if moment.time >= from {
                 let spots: Option<Vec<Spot>> = moment.states.iter().map(|state| state.spot(moment.time)).collect();
-                tracks.spots.extend(spots.ok_or_else(broken)?);
+                tracks.spots.extend(spots.ok_or_else(|| broken(record.at))?);
             }
-            last = Some(moment);
         }
         if let Some(most) = tracks.spots.iter().map(|spot| spot.group).max() {
             self.name(most, &mut tracks.setting.groups)?;
@@ -129,24 +115,16 @@ impl<'a> Contents<'a> {
     /// # Errors
     /// A record is not what was written.
     pub(super) fn whole(&self) -> Result<(u64, Index), Flaw> {
-        let mut rest = Rest(&self.bytes[self.start..]);
-        let (mut index, mut last, mut memory) = (Index::default(), None, Memory::default());
-        loop {
-            let at = self.bytes.len() - rest.0.len();
-            let broken = || flaw(format!("its record at byte {at} is broken"));
-            let record = match next(&mut rest) {
-                Next::Record(record @ [KEY | NEXT, ..]) => record,
-                Next::Record(_) | Next::End => return Ok((at as u64, index)),
-                Next::Changed => return Err(broken()),
-            };
-            let moment = memory.read(record, last.as_ref()).ok_or_else(broken)?;
-            if record[0] == KEY {
-                index.keys.push((at as u64, index.moments, moment.time));
+        let mut records = Records::from(self, self.start);
+        let mut index = Index::default();
+        while let Some((record, moment)) = records.next()? {
+            if record.key {
+                index.keys.push((record.at as u64, index.moments, moment.time));
             }
             index.moments += 1;
             index.last = moment.time;
-            last = Some(moment);
         }
+        Ok((records.at() as u64, index))
     }
 
     /// Groups without a name are called by their index.
@@ -156,6 +134,54 @@ impl<'a> Contents<'a> {
         }
         groups.extend((groups.len() as u32..=most).map(|group| group.to_string()));
         Ok(())
+    }
+}
+
+/// The moments of a file, one after the other.
+struct Records<'a> {
+    contents: &'a Contents<'a>,
+    /// What comes after the last moment.
+    rest: Rest<'a>,
+    last: Option<Moment>,
+    memory: Memory,
+}
+
+/// Where a moment is.
+struct Record {
+    /// The byte at which it begins.
+    at: usize,
+    /// Whether it stands by itself.
+    key: bool,
+}
+
+impl<'a> Records<'a> {
+    /// Those from a byte on.
+    fn from(contents: &'a Contents<'a>, at: usize) -> Self {
+        let rest = Rest(contents.bytes.get(at..).unwrap_or_default());
+        Self { contents, rest, last: None, memory: Memory::default() }
+    }
+
+    /// The byte behind the last moment.
+    fn at(&self) -> usize {
+        self.contents.bytes.len() - self.rest.0.len()
+    }
+
+    /// The next moment; none at the end of them.
+    fn next(&mut self) -> Result<Option<(Record, &Moment)>, Flaw> {
+        let (at, mut rest) = (self.at(), self.rest);
+        let record = match next(&mut rest) {
+            Next::Record(record) => record,
+            // what was cut ends like this, what is complete does not
+            Next::End if self.contents.moments.is_none() => return Ok(None),
+            Next::End | Next::Changed => return Err(broken(at)),
+        };
+        if !matches!(record.first(), Some(&(KEY | NEXT))) {
+            return Ok(None);
+        }
+        let moment = self.memory.read(record, self.last.as_ref()).ok_or_else(|| broken(at))?;
+        self.rest = rest;
+        let key = record[0] == KEY;
+        Ok(Some((Record { at, key }, self.last.insert(moment))))
     }
 }
 
@@ -171,6 +197,10 @@ fn index(bytes: &[u8]) -> Option<Index> {
         Next::Record(record) => decode(INDEX, record),
         Next::End | Next::Changed => None,
     }
+}
+
+fn broken(at: usize) -> Flaw {
+    flaw(format!("its record at byte {at} is broken"))
 }
 
 fn flaw(why: impl Into<String>) -> Flaw {

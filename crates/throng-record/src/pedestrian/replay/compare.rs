@@ -115,19 +115,12 @@ pub fn kolmogorov_smirnov(a: &[f64], b: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::draws::draws;
     use crate::pedestrian::{Border, Walk};
-
-    fn draws() -> impl FnMut() -> f64 {
-        let mut state = 5u64;
-        move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1u64 << 53) as f64
-        }
-    }
 
     #[test]
     fn the_distance_is_the_greatest_difference_of_shares() {
-        let mut draw = draws();
+        let mut draw = draws(5);
         for (n, m) in [(1, 1), (1, 7), (20, 13), (200, 300)] {
             // values that come again too
             let mut some =
@@ -146,7 +139,7 @@ mod tests {
 
     #[test]
     fn the_nearest_is_that_of_all_pairs() {
-        let mut draw = draws();
+        let mut draw = draws(5);
         let walk = |number: u32, place: DVec2| Walk { number, radius: 0.2, times: vec![0.0], places: vec![place] };
         for count in [0u32, 1, 2, 3, 40] {
             let places: Vec<DVec2> = (0..count).map(|_| DVec2::new(9.0 * draw(), 3.0 * draw())).collect();

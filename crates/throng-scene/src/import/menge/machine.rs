@@ -4,6 +4,7 @@ use super::super::notes::Notes;
 use super::xml::{Xml, children};
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
+use crate::import::short;
 use crate::scene::{Circle, Number, Rectangle, Region};
 use roxmltree::Node;
 use std::collections::BTreeMap;
@@ -156,7 +157,7 @@ fn aim(xml: &Xml, node: Node, notes: &mut Notes) -> Result<Option<Aim>, Error> {
             turned(xml, node, ["x", "y"], DVec2::new(width, height))?
         }
         other => {
-            let shown: String = other.chars().take(30).collect();
+            let shown = short(other);
             notes.about(&format!("goals of the kind `{shown}`"), "left out");
             return Ok(None);
         }
@@ -201,7 +202,7 @@ fn state(xml: &Xml, node: Node, notes: &mut Notes) -> Result<State, Error> {
                 Selector::Offset(DVec2::new(xml.needed(selector, "x_value")?, xml.needed(selector, "y_value")?))
             }
             other => {
-                let shown: String = other.chars().take(30).collect();
+                let shown = short(other);
                 notes.about(
                     &name,
                     format!("goals that are chosen by `{shown}` are left out: people stay where they are"),
@@ -220,7 +221,7 @@ fn state(xml: &Xml, node: Node, notes: &mut Notes) -> Result<State, Error> {
             "zero" => Velocity::Stand,
             "vel_field" => Velocity::Field(xml.text(velocity, "file_name")?.replace('\\', "/")),
             other => {
-                let shown: String = other.chars().take(30).collect();
+                let shown = short(other);
                 notes.about(
                     &name,
                     format!("velocities of the kind `{shown}` are left out: people take the shortest way"),
@@ -230,7 +231,7 @@ fn state(xml: &Xml, node: Node, notes: &mut Notes) -> Result<State, Error> {
         };
     }
     for action in children(node, "Action") {
-        let shown: String = action.attribute("type").unwrap_or("unnamed").chars().take(30).collect();
+        let shown = short(action.attribute("type").unwrap_or("unnamed"));
         notes.about(&name, format!("the action `{shown}` is left out"));
     }
     Ok(state)

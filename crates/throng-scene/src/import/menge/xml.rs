@@ -1,6 +1,7 @@
 //! Elements and attributes, with errors that name the place.
 
 use crate::error::{Error, Kind};
+use crate::import::short;
 use crate::scene::{Normal, Number};
 use roxmltree::{Document, Node, ParsingOptions};
 
@@ -32,7 +33,7 @@ impl<'t> Xml<'t> {
         // Menge reads `.3` and `3.`, as Rust does
         let number = said.trim().parse().ok().filter(|number: &f64| number.is_finite());
         number.map(Some).ok_or_else(|| {
-            let shown: String = said.chars().take(30).collect();
+            let shown = short(said);
             self.wrong(node, Kind::WrongType, format!("`{name}` is `{shown}`, which is no number"))
         })
     }
@@ -73,7 +74,7 @@ impl<'t> Xml<'t> {
                 Ok(Number::Normal(Normal { mean, deviation, min: bound("min")?, max: bound("max")? }))
             }
             other => {
-                let shown: String = other.chars().take(30).collect();
+                let shown = short(other);
                 let error = self.wrong(node, Kind::UnknownKey, format!("there is no distribution `{shown}`"));
                 Err(error.hint("it is c (value), u (min, max) or n (mean, stddev)"))
             }

@@ -1,6 +1,7 @@
 //! A DXF text as pairs of a group code and a value, in sections and entities.
 
 use crate::error::{Error, Kind};
+use crate::import::short;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -121,7 +122,7 @@ impl Pair<'_> {
     /// It is no finite number.
     pub fn number(&self) -> Result<f64, Error> {
         self.value.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| {
-            let shown: String = self.value.chars().take(30).collect();
+            let shown = short(self.value);
             let mut error = Error::new(Kind::Syntax, format!("`{shown}` is no number (group code {})", self.code));
             error.at = Some((self.line, 1));
             error

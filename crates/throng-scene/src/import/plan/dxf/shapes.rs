@@ -5,6 +5,7 @@ use super::super::drawing::{Drawing, Form, Place};
 use super::{Entity, Pairs};
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
+use crate::import::short;
 use glam::{DAffine2, DMat2};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -126,7 +127,7 @@ impl<'p, 't> Shapes<'p, 't> {
             }
             "SEQEND" | "VERTEX" | "VIEWPORT" | "ATTDEF" | "ATTRIB" | "DIMENSION" | "LEADER" | "IMAGE" => return Ok(()),
             kind => {
-                let shown: String = kind.chars().take(30).collect();
+                let shown = short(kind);
                 drawing.notes.about(&shown, "shapes of this kind are left out");
                 return Ok(());
             }

@@ -6,6 +6,7 @@ use super::super::layer::role;
 use super::{Place, outline};
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
+use crate::import::short;
 use glam::{DAffine2, DMat2};
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
@@ -155,11 +156,6 @@ impl<'t> Elements<'t> {
         let tag = node.tag_name().name();
         Error::new(Kind::Geometry, format!("<{tag}>: {message}")).place(self.text, start..start + tag.len() + 1)
     }
-}
-
-/// A value in a message.
-pub(super) fn short(said: &str) -> String {
-    said.chars().take(30).collect()
 }
 
 /// What an element is called: its label, or else its id, and its class.

@@ -3,9 +3,10 @@
 use super::super::curve::{arc, cubic};
 use super::super::drawing::Form;
 use super::super::overlay::enclosed;
-use super::elements::{Elements, short};
+use super::elements::Elements;
 use crate::error::Error;
 use crate::geometry::{DVec2, points, signed_area};
+use crate::import::short;
 use roxmltree::Node;
 use std::f64::consts::TAU;
 use svgtypes::{PointsParser, SimplePathSegment as Segment, SimplifyingPathParser};
