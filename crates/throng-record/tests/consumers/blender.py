@@ -4,13 +4,17 @@ Every frame's positions, directions and who is there are compared with the table
 the USD file, beside that of the glTF file.
 """
 import csv
+import json
 import math
+import os
 import sys
 
 import bpy
 from mathutils import Matrix, Quaternion, Vector
 
-usda, glb, table, picture = sys.argv[1:5]
+usda, glb, table = sys.argv[1:4]
+# Blender has a folder of its own
+picture = os.path.abspath(sys.argv[4])
 moments = {}
 for row in csv.DictReader(open(table, newline="")):
     moments.setdefault(float(row["time"]), {})[int(row["number"])] = row
@@ -37,6 +41,7 @@ def usd():
     nodes = next(modifier for modifier in agents.modifiers if modifier.type == "NODES")
     # time codes are frames; theirs may be 24ths of a second
     codes = float(next(line.split("=")[1] for line in open(usda) if "timeCodesPerSecond" in line))
+    written = json.loads(next(line.split("=")[1] for line in open(usda) if "int64[] ids" in line))
     compared = 0
     for time in times:
         frame = round(time * codes, 6)
@@ -46,14 +51,16 @@ def usd():
         assert len(seen) == len(moments[time]), (time, len(seen), len(moments[time]))
         nodes.show_viewport = False
         points = agents.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.attributes
-        ids, masks = points["id"].data, points["mask"].data
+        # Blender 5.0 leaves the ids in the file
+        ids, masks = [id.value for id in points["id"].data] if "id" in points else written, points["mask"].data
+        assert len(ids) == len(masks)
         for at, (number, mask) in enumerate(zip(ids, masks)):
-            row = moments[time].get(number.value)
-            assert mask.value == (row is not None), (time, number.value)
+            row = moments[time].get(number)
+            assert mask.value == (row is not None), (time, number)
             if row:
                 place = agents.matrix_world @ Vector(points["position"].data[at].vector)
                 ahead = Quaternion(points["orientation"].data[at].value) @ Vector((1, 0, 0))
-                compare(number.value, row, place, ahead, 2e-4, math.radians(0.15))
+                compare(number, row, place, ahead, 2e-4, math.radians(0.15))
                 compared += 1
         nodes.show_viewport = True
     print(f"usd: {len(ids)} points, {len(times)} frames, {compared} places equal")
