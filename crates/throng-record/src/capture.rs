@@ -50,10 +50,7 @@ impl Frame {
         self.standing = world.standing();
         self.accounts.clear();
         self.accounts.extend_from_slice(world.accounts());
-        self.bodies.clear();
-        let mut rows: Vec<usize> = (0..agents.len()).collect();
-        rows.sort_unstable_by_key(|&row| agents.number[row]);
-        self.bodies.extend(rows.into_iter().map(|row| Body {
+        let body = |row: usize| Body {
             number: agents.number[row],
             group: agents.group[row].index() as u32,
             goal: world.goal_of(row).map(|goal| goal.index() as u32),
@@ -67,8 +64,29 @@ impl Frame {
             core: agents.core[row],
             preferred_speed: agents.preferred_speed[row],
             status: agents.status[row],
-        }));
+        };
+        let places = places(&agents.number);
+        self.bodies.truncate(places.len());
+        if !places.is_empty() {
+            self.bodies.resize_with(places.len(), || body(0));
+        }
+        for (row, place) in places.into_iter().enumerate() {
+            self.bodies[place as usize] = body(row);
+        }
     }
+}
+
+/// At which place each row comes when they go by their numbers. Rows lie in memory as the agents do in space: to read them one after
+/// the other and to write them where they belong takes half the time of the other way round.
+fn places(numbers: &[u32]) -> Vec<u32> {
+    // packed, so that nothing is looked up while they are compared
+    let mut order: Vec<u64> = numbers.iter().zip(0..).map(|(&number, row)| u64::from(number) << 32 | row).collect();
+    order.sort_unstable();
+    let mut places = vec![0; numbers.len()];
+    for (place, row) in (0..).zip(order) {
+        places[row as u32 as usize] = place;
+    }
+    places
 }
 
 /// Whether those of a group fly as vehicles.
