@@ -53,6 +53,25 @@ pub(super) fn crowd(times: Times) -> impl Strategy<Value = (Setting, Vec<Frame>)
     })
 }
 
+/// Many people over many moments, a tenth of a second apart: who comes and who goes does so in the first and the last hundred.
+pub(super) fn large(people: u32, moments: usize) -> (Setting, Vec<Frame>) {
+    let one = |number: u32| One {
+        from: number as usize * 7 % 100,
+        to: moments - number as usize * 13 % 100,
+        group: number % 3,
+        start: DVec2::new(f64::from(number % 100), f64::from(number / 100)) * 5.0 - 250.0,
+        velocity: Vec2::from_angle(number as f32) * 2.0,
+        radius: 0.2,
+    };
+    let people: Vec<One> = (0..people).map(one).collect();
+    let frames = (0..moments).map(|k| {
+        let there = (0..).zip(&people).filter(|(_, one)| (one.from..one.to).contains(&k));
+        let bodies = there.map(|(number, one)| body(number, one, k as f32 * 0.1, 7)).collect();
+        Frame { time: k as f64 * 0.1, bodies, ..Frame::default() }
+    });
+    (setting(), frames.collect())
+}
+
 /// Who was somewhere after so many seconds: most go straight on, all tremble.
 fn body(number: u32, one: &One, time: f32, salt: u64) -> Body {
     let mut state = salt ^ u64::from(number) ^ u64::from(time.to_bits()) << 20;

@@ -210,6 +210,17 @@ proptest! {
     }
 }
 
+/// Needs ten gigabytes of memory and of disk.
+#[test]
+#[ignore = "minutes"]
+fn ten_million_rows_come_back() {
+    let (setting, frames) = crowd::large(10_000, 1100);
+    assert!(frames.iter().map(|frame| frame.bodies.len()).sum::<usize>() >= 10_000_000);
+    for format in both() {
+        compare(format, &setting, &frames).unwrap();
+    }
+}
+
 /// A small file, cut at every byte, and with every byte turned over; of one that is not so small, at a few thousand.
 #[test]
 fn every_byte_counts() {
