@@ -2,7 +2,8 @@
 //
 // usage: node web/test.mjs FOLDER [PICTURE.png]      (what it needs: see page.mjs)
 //
-// With HASH=..., the state of `circle` after 500 steps must have that hash: the program's (`throng run circle --json`).
+// With PROGRAM=..., scenes of every kind must be in the same state as in that program (`throng run SCENE --json`), to the bit.
+import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
@@ -51,12 +52,23 @@ await checked('circle runs to its end, and there is something to see', async () 
   await page.close();
 });
 
+/** Scenes, after so many steps of so many seconds. */
+const same = {
+  circle: [500, 0.04], office: [150, 0.04], maze: [150, 0.04], 'mixed-sizes': [150, 0.04], 'field-goal': [150, 0.04],
+  sphere: [150, 0.04], 'boids-in-box': [150, 0.04], 'swarm-aggregation': [150, 0.016666667],
+};
+
 await checked('the same bits as the program', async () => {
-  const page = await open('circle@500', (now) => now.step === 500);
-  const { hash } = await shows(page);
-  console.log(`hash after 500 steps: ${hash}`);
-  expect(!process.env.HASH || hash === process.env.HASH, `the program's is ${process.env.HASH}`);
-  await page.close();
+  for (const [scene, [steps, step]] of Object.entries(same)) {
+    const page = await open(`${scene}@${steps}`, `(now) => now.step === ${steps}`);
+    const { hash } = await shows(page);
+    await page.close();
+    console.log(`${scene} after ${steps} steps: ${hash}`);
+    if (!process.env.PROGRAM) continue;
+    const run = ['run', scene, '-q', '--json', '--no-files', '--no-expect', '--set', 'time.until=limit', '--set', `time.limit=${steps * step}`];
+    const program = JSON.parse(execFileSync(process.env.PROGRAM, run)).state_hash;
+    expect(hash === program, `${scene}: ${hash} is not the program's ${program}`);
+  }
 });
 
 await checked('what is written is checked, kept when the page is loaded anew, and downloaded', async () => {

@@ -36,7 +36,8 @@ impl Outline {
             }
         }
         let sides = &mut halves[..count];
-        sides.sort_unstable_by(|a, b| 0.0f64.partial_cmp(&a.perp_dot(*b)).unwrap_or(Ordering::Equal));
+        // parallel ones stay as they are, however sorts are done
+        sides.sort_by(|a, b| 0.0f64.partial_cmp(&a.perp_dot(*b)).unwrap_or(Ordering::Equal));
         let mut outline = Self::POINT;
         let mut at = -sides.iter().sum::<DVec2>();
         outline.corners[0] = at.as_vec2();

@@ -196,8 +196,8 @@ impl<const D: usize> Update<'_, D> {
             }
         }
         let terms = &mut terms[..count];
-        // latest first: it is the first to be left out
-        terms.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+        // latest first: it is the first to be left out; those at the same time stay in the order of their axes
+        terms.sort_by(|a, b| b.0.total_cmp(&a.0));
         let step = self.length * f64::from(self.cost[node]);
         for from in 0..count {
             let (latest, base) = (terms[from].0, terms[count - 1].0);
