@@ -10,6 +10,7 @@ use std::path::PathBuf;
 use throng_draw::WorldBox;
 use throng_record::{Moments, Setting, Tracks, moment};
 use throng_scene::Scene;
+use throng_scene::import::plan::is_plan;
 
 /// What was recorded.
 pub struct Recording {
@@ -40,10 +41,13 @@ impl Recording {
             tracks.setting.title.clone_from(&name);
         }
         let (scene, moments) = match &args.map {
-            Some(map) if is(map, "xml") => {
-                let mut map = Map::of(map.clone())?;
+            Some(map) if is(map, "xml") || is_plan(map) => {
+                let mut map = Map::of(map.clone(), &args.plan)?;
                 map.shift(args.map_offset.unwrap_or_default());
                 tracks.setting.obstacles = map.obstacles;
+                if !map.walkable.is_empty() {
+                    tracks.setting.walkable = map.walkable;
+                }
                 (Scene::default(), Moments::of(tracks))
             }
             Some(map) => in_place(tracks, place(map, args.map_offset.unwrap_or_default())?),

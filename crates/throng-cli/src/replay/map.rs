@@ -3,12 +3,13 @@
 use super::args::StageArgs;
 use crate::failure::Failure;
 use crate::files::is;
-use crate::measure::plan;
+use crate::source::PlanArgs;
 use glam::DVec2;
 use std::path::{Path, PathBuf};
 use throng::{Obstacle, Walkable};
 use throng_record::pedestrian::groups;
 use throng_record::{Flaw, Setting, TracksError};
+use throng_scene::import::plan::is_plan;
 
 /// Where people can walk.
 #[derive(Clone, Debug, Default)]
@@ -31,7 +32,7 @@ impl Map {
         let beside = beside(data, "map.xml").filter(|_| !known);
         let mut map = match args.map.clone().or(beside) {
             _ if args.no_map => Self::default(),
-            Some(path) => Self::of(path)?,
+            Some(path) => Self::of(path, &args.plan)?,
             None => Self { path: None, walkable: setting.walkable.clone(), obstacles: setting.obstacles.clone() },
         };
         if let Some(offset) = args.map_offset {
@@ -48,11 +49,11 @@ impl Map {
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn of(path: PathBuf) -> Result<Self, Failure> {
+    pub fn of(path: PathBuf, how: &PlanArgs) -> Result<Self, Failure> {
         let (walkable, obstacles) = if is(&path, "xml") {
             (Vec::new(), read(&path, throng_record::map)?)
-        } else if is(&path, "wkt") {
-            (plan(&path)?, Vec::new())
+        } else if is_plan(&path) {
+            (how.ground(&path)?, Vec::new())
         } else {
             let scene = throng_scene::open(&path)?.scene;
             scene.ground().map_err(|mut error| {
