@@ -135,6 +135,6 @@ fn what_is_wrong_with_the_plan_of_a_scene_is_told_with_its_file() {
     says(&walls, "\"a.svg\"", Kind::Geometry, &["a.svg: nothing of this plan can be walked on", "`walkable`"]);
     let crossed = File::new("a.wkt", "POLYGON ((0 0, 20 10, 20 0, 0 10, 0 0))");
     says(&crossed, "\"a.wkt\"", Kind::Geometry, &["a.wkt: polygon 1: this outline crosses itself at (10.000, 5.000)"]);
-    let error = format!("walkable.file = {{ file = \"a\" }}\n").parse::<Scene>().unwrap_err().to_string();
+    let error = "walkable.file = { file = \"a\" }\n".parse::<Scene>().unwrap_err().to_string();
     assert!(error.contains("expected the name of a floor plan, or { name = .., unit = .., level = .. }"), "{error}");
 }

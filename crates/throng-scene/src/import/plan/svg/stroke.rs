@@ -12,7 +12,8 @@ const MITER: f64 = 4.0;
 
 /// What is painted of shapes whose lines are so wide: of filled ones all, of others their lines.
 pub(super) fn painted(forms: Vec<Form>, look: &Look, width: f64, tolerance: f64) -> Vec<Form> {
-    if forms.iter().any(|form| form.points().iter().any(|p| !(p.abs().max_element() < FARTHEST))) {
+    let near = |form: &Form| form.points().iter().all(|p| p.abs().max_element() < FARTHEST);
+    if !forms.iter().all(near) {
         // which is an error of the drawing
         return forms;
     }
