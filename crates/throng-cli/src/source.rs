@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::look::parse_positive;
 use clap::Args;
 use std::path::{Path, PathBuf};
-use throng::{Walkable, World};
+use throng::World;
 use throng_scene::import::plan;
 use throng_scene::{Built, Kind, Scene, gallery};
 
@@ -46,8 +46,8 @@ impl PlanArgs {
     ///
     /// # Errors
     /// It cannot be read, or is none.
-    pub fn ground(&self, path: &Path) -> Result<Vec<Walkable>, Failure> {
-        Ok(plan::ground(path, &self.ask())?.areas)
+    pub fn ground(&self, path: &Path) -> Result<plan::Ground, Failure> {
+        Ok(plan::ground(path, &self.ask())?)
     }
 }
 

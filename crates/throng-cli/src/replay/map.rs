@@ -20,6 +20,8 @@ pub struct Map {
     pub walkable: Vec<Walkable>,
     /// What is solid.
     pub obstacles: Vec<Obstacle>,
+    /// What was left out of a floor plan, or changed.
+    pub notes: Vec<String>,
 }
 
 impl Map {
@@ -33,7 +35,9 @@ impl Map {
         let mut map = match args.map.clone().or(beside) {
             _ if args.no_map => Self::default(),
             Some(path) => Self::of(path, &args.plan)?,
-            None => Self { path: None, walkable: setting.walkable.clone(), obstacles: setting.obstacles.clone() },
+            None => {
+                Self { walkable: setting.walkable.clone(), obstacles: setting.obstacles.clone(), ..Self::default() }
+            }
         };
         if let Some(offset) = args.map_offset {
             if map.walkable.is_empty() && map.obstacles.is_empty() {
@@ -50,10 +54,13 @@ impl Map {
     /// # Errors
     /// It cannot be read.
     pub fn of(path: PathBuf, how: &PlanArgs) -> Result<Self, Failure> {
+        let mut notes = Vec::new();
         let (walkable, obstacles) = if is(&path, "xml") {
             (Vec::new(), read(&path, throng_record::map)?)
         } else if is_plan(&path) {
-            (how.ground(&path)?, Vec::new())
+            let ground = how.ground(&path)?;
+            notes = ground.notes;
+            (ground.areas, Vec::new())
         } else {
             let scene = throng_scene::open(&path)?.scene;
             scene.ground().map_err(|mut error| {
@@ -61,7 +68,7 @@ impl Map {
                 error
             })?
         };
-        Ok(Self { path: Some(path), walkable, obstacles })
+        Ok(Self { path: Some(path), walkable, obstacles, notes })
     }
 
     /// Moves it, metres.

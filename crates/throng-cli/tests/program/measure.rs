@@ -176,6 +176,8 @@ fn several_areas_and_lines_are_measured_at_once() {
         <rect id="floor" width="2000" height="200"/><rect id="column" x="210" y="90" width="20" height="20"/></svg>"#,
     );
     assert!((holed - drawn).abs() < 1e-4 && (holed - whole).abs() > 1e-3, "{whole}, {holed}, {drawn}");
+    let told = stderr(&call(folder.path(), "measure stream.txt --area 1,0,4,2 --walkable drawn.svg").success());
+    assert!(told.contains("note: a pixel, or unit of the view box, is taken to be 0.01 m"), "{told}");
     let table = std::fs::read_to_string(folder.path().join("a.csv")).unwrap();
     let heads = "time,people,speed,lane_order,density_1,area_speed_1,voronoi_density_1,voronoi_speed_1,\
                  density_2,area_speed_2,voronoi_density_2,voronoi_speed_2,crossed_1,crossed_2";

@@ -10,6 +10,7 @@ use super::Subject;
 use super::args::MeasureArgs;
 use crate::failure::Failure;
 use crate::files::is;
+use crate::out::note;
 use crate::page::Player;
 use std::path::Path;
 use throng_record::pedestrian::{self, Figures, Ground, Question};
@@ -55,7 +56,13 @@ pub fn of(args: &MeasureArgs, tracks: &Tracks, counts: impl Fn(&Spot) -> bool) -
         return Ok(None);
     }
     let walkable = match &asked.walkable {
-        Some(path) => args.changes.plan.ground(path)?,
+        Some(path) => {
+            let ground = args.changes.plan.ground(path)?;
+            if !args.quiet {
+                note(&ground.notes);
+            }
+            ground.areas
+        }
         None => tracks.setting.walkable.clone(),
     };
     let cut_off = asked.cut_off.or(walkable.is_empty().then_some(CUT_OFF));
