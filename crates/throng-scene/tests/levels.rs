@@ -46,7 +46,7 @@ fn levels_are_listed_and_chosen_by_their_numbers() {
     is(Some(2), 100.0);
     is(Some(3), 25.0);
     let notes = from_text("a.obj", &building(), &asked(None)).unwrap().notes.join("\n");
-    let list = "levels 1: 0.0 m high, 200.0 m²; 2: 3.0 m high, 100.0 m²; 3: 6.0 m high, 25.0 m²";
+    let list = "levels 1 (at 0.0 m, 200.0 m²), 2 (at 3.0 m, 100.0 m²), 3 (at 6.0 m, 25.0 m²)";
     assert!(notes.contains(&format!("{list}: level 1, the largest, is taken; --level N")), "{notes}");
     let notes = from_text("a.obj", &building(), &asked(Some(2))).unwrap().notes.join("\n");
     assert!(notes.contains(&format!("{list}: level 2 is taken")), "{notes}");
@@ -57,10 +57,10 @@ fn a_level_that_is_not_there_is_told() {
     for level in [0, 4, u64::MAX] {
         let error = from_text("a.obj", &building(), &asked(Some(level))).unwrap_err();
         assert_eq!((error.kind, error.message), (Kind::OutOfRange, format!("this mesh has no level {level}")));
-        assert!(error.hint.is_some_and(|hint| hint.starts_with("it has levels 1: 0.0 m high, 200.0 m²; 2:")));
+        assert!(error.hint.is_some_and(|hint| hint.starts_with("it has levels 1 (at 0.0 m, 200.0 m²), 2")));
     }
     let error = from_text("a.wkt", "POLYGON ((0 0, 9 0, 9 9, 0 0))", &asked(Some(1))).unwrap_err();
-    assert!(error.message.contains("a.wkt has no levels to choose from"), "{error}");
+    assert!(error.message.contains("this plan has no levels to choose from"), "{error}");
 }
 
 #[test]

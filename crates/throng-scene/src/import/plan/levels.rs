@@ -83,12 +83,12 @@ impl Levels {
 fn list(levels: &[Level]) -> String {
     let one = |(i, level): (usize, &Level)| {
         let height = if level.height.abs() < 0.05 { 0.0 } else { level.height };
-        format!("{}: {height:.1} m high, {:.1} m²", i + 1, level.size)
+        format!("{} (at {height:.1} m, {:.1} m²)", i + 1, level.size)
     };
     let some: Vec<String> = levels.iter().enumerate().take(LISTED).map(one).collect();
-    let more = if levels.len() > LISTED { format!("; {} more", levels.len() - LISTED) } else { String::new() };
+    let more = if levels.len() > LISTED { format!(" and {} more", levels.len() - LISTED) } else { String::new() };
     let levels = if levels.len() == 1 { "one level" } else { "levels" };
-    format!("{levels} {}{more}", some.join("; "))
+    format!("{levels} {}{more}", some.join(", "))
 }
 
 /// For every face that people can walk on or step over, the first of those that are joined with it.

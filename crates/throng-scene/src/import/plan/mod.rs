@@ -124,7 +124,7 @@ fn parts(name: &str, text: &str, ask: &Ask) -> Result<Parts, Error> {
     }
     let ending = ending(Path::new(name));
     if ask.level.is_some() && ending != "obj" {
-        return Err(Error::new(Kind::Conflict, format!("{name} has no levels to choose from: only meshes (.obj) do"))
+        return Err(Error::new(Kind::Conflict, "this plan has no levels to choose from: only meshes (.obj) do")
             .hint("leave out the level"));
     }
     let drawing = match ending.as_str() {
