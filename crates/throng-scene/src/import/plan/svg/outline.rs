@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::geometry::{DVec2, points, signed_area};
 use crate::import::short;
 use std::f64::consts::TAU;
-use svgtypes::{PointsParser, SimplePathSegment as Segment, SimplifyingPathParser};
+use svgtypes::{PathParser, PathSegment, PointsParser, SimplePathSegment as Segment, SimplifyingPathParser};
 
 /// The shapes of an element, in its own units; `None` if it draws none.
 pub(super) fn of(elements: &Elements, item: &Todo, tolerance: f64) -> Result<Option<Vec<Form>>, Error> {
@@ -70,6 +70,11 @@ fn path(elements: &Elements, item: &Todo, tolerance: f64) -> Result<Vec<Form>, E
     let said = node.attribute("d").unwrap_or_default();
     let (mut lines, mut rings) = (vec![], vec![]);
     let mut run: Vec<DVec2> = vec![];
+    // an arc so large would become more curves than there is memory for
+    if PathParser::from(said).flatten().any(|segment| reach(&segment) > FARTHEST) {
+        let message = format!("its path goes farther than {FARTHEST} units, in `{}`", short(said));
+        return Err(elements.wrong(node, message));
+    }
     for segment in SimplifyingPathParser::from(said) {
         let segment = segment
             .map_err(|error| elements.wrong(node, format!("its path is wrong: {error}, in `{}`", short(said))))?;
@@ -112,4 +117,21 @@ fn path(elements: &Elements, item: &Todo, tolerance: f64) -> Result<Vec<Form>, E
         [first, ..] => forms.push(Form::Area(first.clone(), vec![])),
     }
     Ok(forms)
+}
+
+/// The largest of the numbers that say where a part of a path leads to, or how large an arc is.
+fn reach(segment: &PathSegment) -> f64 {
+    let numbers = match *segment {
+        PathSegment::EllipticalArc { rx, ry, x, y, .. } => [rx, ry, x, y],
+        PathSegment::MoveTo { x, y, .. }
+        | PathSegment::LineTo { x, y, .. }
+        | PathSegment::CurveTo { x, y, .. }
+        | PathSegment::SmoothCurveTo { x, y, .. }
+        | PathSegment::Quadratic { x, y, .. }
+        | PathSegment::SmoothQuadratic { x, y, .. } => [x, y, 0.0, 0.0],
+        PathSegment::HorizontalLineTo { x, .. } => [x, 0.0, 0.0, 0.0],
+        PathSegment::VerticalLineTo { y, .. } => [y, 0.0, 0.0, 0.0],
+        PathSegment::ClosePath { .. } => [0.0; 4],
+    };
+    numbers.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
