@@ -174,6 +174,10 @@ fn what_is_wrong_is_told_with_its_place() {
         (r#"<rect id="wall" width="5 furlongs" height="1"/>"#, "<rect>: `width` is `5 furlongs`, which is no length"),
         (r#"<rect id="wall" width="5em" height="1"/>"#, "only lengths in px, %"),
         (r#"<rect id="wall" width="50%" height="1"/>"#, "give the picture a viewBox"),
+        (
+            r#"<line id="wall" x2="3" stroke="red" stroke-width="1e300"/>"#,
+            "<line>: its stroke is more than 1000000000 units",
+        ),
         (r#"<svg viewBox="0 0 0 0"/>"#, "<svg>: its viewBox is wrong"),
         (r#"<path id="wall" d="M0 0A5 49e60 0 1 1 9 9"/>"#, "<path>: its path goes farther than 1000000000 units"),
         (r#"<path id="wall" d="M0 0h1e80A5 4 0 1 1 9 9"/>"#, "<path>: its path goes farther than"),

@@ -3,7 +3,7 @@
 use super::super::curve::TOLERANCE;
 use super::super::drawing::Drawing;
 use super::super::layer::{Role, role};
-use super::super::overlay::THIN;
+use super::super::overlay::{FARTHEST, THIN};
 use super::stroke::painted;
 use super::style::{Look, Styles};
 use super::viewport::fitted;
@@ -181,6 +181,9 @@ impl<'t> Elements<'t> {
             look.of("stroke").filter(|stroke| *stroke != "none").and(Some(look.of("stroke-width").unwrap_or("1")));
         if let Some(pen) = pen.filter(|_| role(layer) == Some(Role::Obstacle)) {
             let width = self.pixels(node, "stroke-width", pen, item.view)?;
+            if width > FARTHEST {
+                return Err(self.wrong(node, format!("its stroke is more than {FARTHEST} units wide")));
+            }
             if width * wide * self.unit > 2.0 * THIN {
                 forms = painted(forms, look, width, tolerance);
             }
