@@ -52,3 +52,8 @@ fn failure(error: &io::Error) -> Failure {
 pub fn complain(text: &str) {
     let _ = writeln!(io::stderr(), "{text}");
 }
+
+/// Says to standard error what was left out of a file, or changed.
+pub fn note<'n>(notes: impl IntoIterator<Item = &'n String>) {
+    notes.into_iter().for_each(|note| complain(&format!("note: {note}")));
+}

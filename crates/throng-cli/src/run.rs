@@ -3,7 +3,7 @@
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files;
-use crate::out::{Out, complain};
+use crate::out::{Out, complain, note};
 use crate::progress::{Progress, share};
 use crate::report::Report;
 use crate::source::Loaded;
@@ -28,7 +28,7 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
         loaded.scene.expect = Expect::default();
     }
     if !args.quiet {
-        loaded.notes.iter().for_each(|note| complain(&format!("note: {note}")));
+        note(&loaded.notes);
     }
     interrupt::watch();
     let report = threads::with(args.threads.count(), || simulate(args, &loaded))?;
@@ -60,7 +60,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let Loaded { name, scene, .. } = loaded;
     let (mut world, built) = loaded.build()?;
     if !args.quiet {
-        built.notes.iter().for_each(|note| complain(&format!("note: {note}")));
+        note(&built.notes);
     }
     let annotations = args.annotate.annotations(scene);
     if !args.no_files {

@@ -24,6 +24,33 @@ pub struct SceneArgs {
     pub changes: Changes,
 }
 
+/// How a floor plan is read.
+#[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
+pub struct PlanArgs {
+    /// Of a floor plan: the length of its unit in metres, such as 0.001 [default: what it says, or 1; 0.01 for SVG]
+    #[arg(long, value_name = "METRES", value_parser = parse_positive)]
+    pub plan_unit: Option<f64>,
+
+    /// Of a mesh with several levels: which, from 1 for the lowest; `throng check` lists them [default: the largest]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub level: Option<u64>,
+}
+
+impl PlanArgs {
+    /// What is said of a plan.
+    pub fn ask(&self) -> plan::Ask {
+        plan::Ask { unit: self.plan_unit, level: self.level, ..plan::Ask::default() }
+    }
+
+    /// Reads the ground of a floor plan.
+    ///
+    /// # Errors
+    /// It cannot be read, or is none.
+    pub fn ground(&self, path: &Path) -> Result<plan::Ground, Failure> {
+        Ok(plan::ground(path, &self.ask())?)
+    }
+}
+
 /// What of a scene is changed.
 #[derive(Args, Debug, Default)]
 pub struct Changes {
@@ -47,9 +74,9 @@ pub struct Changes {
     #[arg(long, value_name = "N")]
     pub people: Option<u64>,
 
-    /// Of a floor plan: the length of its unit in metres, such as 0.001 [default: what it says, or 1; 0.01 for SVG]
-    #[arg(long, value_name = "METRES", value_parser = parse_positive)]
-    pub plan_unit: Option<f64>,
+    /// How it is read.
+    #[command(flatten)]
+    pub plan: PlanArgs,
 }
 
 /// A scene, what it is called, and what its importer left out.
@@ -115,7 +142,7 @@ impl Changes {
     }
 
     fn read(&self, path: &Path) -> Result<(Scene, Vec<String>), Failure> {
-        let ask = plan::Ask { exit: self.exit, people: self.people, unit: self.plan_unit };
+        let ask = plan::Ask { exit: self.exit, people: self.people, ..self.plan.ask() };
         if plan::is_plan(path) {
             if let Some([_, _, width, height]) = self.exit.filter(|exit| exit[2] <= 0.0 || exit[3] <= 0.0) {
                 let text = format!("--exit: the exit is {width} m wide and {height} m high");
@@ -130,7 +157,8 @@ impl Changes {
             return Ok((imported.scene, imported.notes));
         }
         if ask != plan::Ask::default() {
-            let text = format!("--exit, --people and --plan-unit are for floor plans, not for {}", path.display());
+            let text =
+                format!("--exit, --people, --plan-unit and --level are for floor plans, not for {}", path.display());
             return Err(Failure::hint(text, "change the goal and the count with --set, or in the scene file"));
         }
         let imported = throng_scene::open(path)?;

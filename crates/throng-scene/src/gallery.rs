@@ -28,7 +28,7 @@ const GROUPS: &[(&str, &[&str])] = groups! {
     "meetings": "headon", "ring", "ring-1000", "crossing", "overtaking", "gathering", "robots";
     "air": "sphere", "drones";
     // the examples of RVO2 and RVO2-3D, with their numbers
-    "rvo2": "rvo2-circle", "rvo2-roadmap", "rvo2-sphere";
+    "rvo2": "rvo2-circle", "rvo2-blocks", "rvo2-roadmap", "rvo2-sphere";
     "bodies": "mixed-sizes", "vehicle", "sliding-door";
     "walls": "corridor", "bottleneck", "doorway", "doorway-0.8", "doorway-0.6", "doorway-two-way", "narrow-corridor", "maze", "office";
     "steering": "seek-flee", "pursue-evade", "offset-pursuit", "arrival", "wander", "unaligned-avoidance", "queueing", "leader-following",

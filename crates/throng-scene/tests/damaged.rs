@@ -19,6 +19,20 @@ const DXF: &str = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n0\nSEC
 0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nfloor\n70\n1\n10\n0\n20\n0\n10\n20\n20\n0\n42\n0.3\n10\n20\n20\n10\n10\n0\n20\n10\n0\nINSERT\n8\ncolumns\n2\nC\n10\n9\n20\n5\n70\n2\n44\n2\n\
 0\nARC\n8\nwall\n10\n5\n20\n5\n40\n2\n50\n0\n51\n90\n0\nELLIPSE\n8\nwall\n10\n5\n20\n5\n11\n1\n21\n0\n40\n0.5\n0\nLINE\n8\nexit\n10\n19\n20\n4\n11\n19\n21\n6\n0\nENDSEC\n0\nEOF\n";
 
+/// Pairs with spaces between.
+const CURVES: &str = "0 SECTION 2 ENTITIES 0 SPLINE 8 wall 70 1 71 2 40 0 40 0 40 0 40 1 40 1 40 1 41 1 41 2 41 1 10 2 20 4 10 4 20 2 10 6 20 4 \
+0 SPLINE 8 wall 11 7 21 7 11 8 21 8 11 9 21 7 0 HATCH 8 floor 91 2 92 2 72 1 73 1 93 3 10 0 20 0 42 0.2 10 20 20 0 10 20 20 10 97 0 \
+92 1 93 4 72 1 10 9 20 2 11 11 21 2 72 2 10 11 20 3 40 1 50 270 51 450 73 1 72 3 10 10 20 4 11 1 21 0 40 0.4 50 0 51 180 73 0 \
+72 4 94 2 73 0 74 0 95 6 96 3 40 0 40 0 40 0 40 1 40 1 40 1 10 9 20 4 10 8 20 3 10 9 20 2 97 0 75 1 76 1 0 POINT 8 exit 10 18 20 4 0 ENDSEC 0 EOF";
+
+const STYLED: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="20cm" height="50%" viewBox="0 0 2000 1000"><style>
+/* walls */ .w, #a > rect:first-child { fill: none; stroke: #000; stroke-width: 20px } svg .h { display: none !important } rect { fill-rule: evenodd }</style>
+<rect id="floor" width="100%" height="1000" rx="5%"/><g id="walls" stroke-linejoin="round" stroke-linecap="square" stroke-miterlimit="3">
+<polyline class="w" points="1000,1000 1000,600 1100,600"/><rect class="w" x="300" y="300" width="200" height="100" ry="20"/><rect class="h" width="9"/></g>
+<svg id="columns" x="10%" y="100" width="400" height="200" viewBox="0 0 40 20" preserveAspectRatio="xMaxYMin slice"><rect width="4" height="2"/></svg>
+<symbol id="s" viewBox="0 0 10 10"><circle r="4" cx="50%"/></symbol><use id="pillar" href="#s" x="700" y="700" width="90" height="90"/>
+<rect id="exit" x="1900" y="400" width="100" height="200"/></svg>"##;
+
 const OBJ: &str = "v 0 0 0\nv 10 0 0\nv 10 0 -10\nv 0 0 -10\nv 4 0 -4\nv 6 0 -4\nv 6 3 -6\nv 4 3 -6\nf 1 2 3 4\nf 5 6 7 8\nf -1 -2 -3\n";
 
 const WKT: &str = "GEOMETRYCOLLECTION (POLYGON ((0 0, 20 0, 20 10, 0 10, 0 0), (1 1, 2 1, 2 2, 1 1)), MULTIPOLYGON (((5 5, 6 5, 6 6, 5 5))))";
@@ -124,7 +138,9 @@ fn damaged_plans_never_panic() {
         ("a.geojson", GEOJSON, &ask),
         ("a.svg", SVG, &ask),
         ("a.dxf", DXF, &ask),
-        ("a.obj", OBJ, &Ask { exit: Some([1.0, 1.0, 2.0, 2.0]), ..ask }),
+        ("b.dxf", &CURVES.replace(' ', "\n"), &ask),
+        ("b.svg", STYLED, &ask),
+        ("a.obj", OBJ, &Ask { exit: Some([1.0, 1.0, 2.0, 2.0]), level: Some(1), ..ask }),
         ("a.wkt", WKT, &out),
     ] {
         survives(name, text, |text| from_text(name, &text, ask));

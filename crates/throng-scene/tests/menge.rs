@@ -81,6 +81,43 @@ fn profiles_generators_obstacles_and_states_map() {
 }
 
 #[test]
+fn a_lattice_has_six_neighbours_at_the_same_distance() {
+    let lattice = |says: &str| {
+        let grid = r#"type="rect_grid" anchor_x="1" anchor_y="2" offset_x="1" offset_y="2" count_x="2" count_y="3" rotation="90""#;
+        let generator = format!(r#"type="hex_lattice" anchor_x="3" anchor_y="2" density="1.2" width="7.5" {says}"#);
+        let (_keep, folder) = project(&SCENE.replace(grid, &generator), BEHAVIOR);
+        let imported = open(&folder).unwrap_or_else(|error| panic!("{error}"));
+        let Place::Points(points) = imported.scene.groups[0].place.clone() else { panic!() };
+        points
+    };
+    // discs whose density is 1.2 when they are packed as densely as can be: each has a hexagon of 1 / 1.2 m²
+    let apart = (2.0 / (1.2 * 3f64.sqrt())).sqrt();
+    for (direction, count) in [("x", 52), ("y", 56)] {
+        let says = |more: &str| format!(r#"row_direction="{direction}" population="50" {more}"#);
+        let points = lattice(&says(r#"alignment="center""#));
+        assert_eq!(points.len(), count, "{direction}");
+        let near =
+            |p: &[f64; 2]| points.iter().filter(|q| ((p[0] - q[0]).hypot(p[1] - q[1]) - apart).abs() < 1e-6).count();
+        let least = points
+            .iter()
+            .flat_map(|p| points.iter().map(move |q| (p[0] - q[0]).hypot(p[1] - q[1])))
+            .filter(|d| *d > 0.0);
+        assert!((least.fold(f64::INFINITY, f64::min) - apart).abs() < 1e-6);
+        assert!(points.iter().filter(|p| near(p) == 6).count() > count / 2 && points.iter().all(|p| near(p) <= 6));
+        // the first row lies round the anchor; turned, along y
+        let reach = |points: &[[f64; 2]], k: usize| {
+            points.iter().map(|p| p[k]).fold([9e9_f64, -9e9], |[a, b], x: f64| [a.min(x), b.max(x)])
+        };
+        let [left, right] = reach(&points, 0);
+        assert!(((left + right) * 0.5 - 3.0).abs() < 1e-6 && right - left <= 7.5, "{left} to {right}");
+        let [low, high] = reach(&lattice(&says(r#"alignment="center" rotation="90""#)), 1);
+        assert!(((low + high) * 0.5 - 2.0).abs() < 1e-6, "{low} to {high}");
+        assert!((reach(&lattice(&says(r#"alignment="left""#)), 0)[0] - 3.0).abs() < 1e-6);
+        assert!((reach(&lattice(&says(r#"alignment="right""#)), 0)[1] - 3.0).abs() < 1e-6);
+    }
+}
+
+#[test]
 fn where_states_are_drawn_and_come_back_people_go_round() {
     let behavior = BEHAVIOR
         .replace(r#"to="Leave"><Condition type="timer" dist="u" min="2" max="4" per_agent="1" />"#, r#"><Condition type="auto" /><Target type="prob"><State name="Walk" weight="3" /><State name="Leave" weight="1" /></Target>"#);
@@ -113,6 +150,7 @@ fn what_is_wrong_with_a_project_is_told_with_its_place() {
     says(&SCENE.replace("r=\"0.3\"", "r=\"-1\""), BEHAVIOR, "`r` can be less than 0.001");
     says(&SCENE.replace("anchor_x=\"1\"", ""), BEHAVIOR, "<Generator> has no `anchor_x`");
     says(&SCENE.replace("count_x=\"2\"", "count_x=\"2e9\""), BEHAVIOR, "make the group larger than 1000000");
+    says(&SCENE.replace("rect_grid", "hex_lattice"), BEHAVIOR, "<Generator> has no `density`");
     says(&SCENE.replace("rect_grid", "spiral"), BEHAVIOR, "generators of the kind `spiral` are not read");
     says(
         SCENE,

@@ -88,7 +88,7 @@ fn the_layers_of_a_room_say_what_is_what() {
 
 #[test]
 fn what_is_asked_for_comes_before_what_the_plan_says() {
-    let ask = Ask { exit: Some([18.0, 1.0, 1.0, 2.0]), people: Some(30), unit: None };
+    let ask = Ask { exit: Some([18.0, 1.0, 1.0, 2.0]), people: Some(30), ..Ask::default() };
     let scene = from_text("room.geojson", ROOM, &ask).unwrap().scene;
     assert_eq!(scene.groups[0].count, Some(30));
     assert!(
@@ -105,7 +105,7 @@ fn degrees_become_metres() {
     let text = r#"{ "type": "FeatureCollection", "features": [
         { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates":
             [[[8.0, 50.0], [8.001, 50.0], [8.001, 50.001], [8.0, 50.001], [8.0, 50.0]]] } } ] }"#;
-    let ask = Ask { exit: Some([30.0, 50.0, 4.0, 4.0]), people: Some(5), unit: None };
+    let ask = Ask { exit: Some([30.0, 50.0, 4.0, 4.0]), people: Some(5), ..Ask::default() };
     let imported = from_text("square.geojson", text, &ask).unwrap();
     let Some(Walkable::Polygon(area)) = &imported.scene.walkable else { panic!() };
     let [low, high] = [area.outer[0], area.outer[2]];
@@ -241,7 +241,7 @@ fn what_is_wrong_with_a_plan_is_told_with_its_place() {
     says("a.svg", "<svg", Some((1, 1)), "this is not XML");
     says("a.svg", "<html/>", None, "the root <html>, not <svg>");
     says("a.svg", &DRAWN.replace("h100v", "h100w"), Some((5, 77)), "its path is wrong");
-    says("a.svg", &DRAWN.replace("x1=\"1000\"", "x1=\"50%\""), Some((4, 34)), "`x1` is `50%`: only lengths in px");
+    says("a.svg", &DRAWN.replace("x1=\"1000\"", "x1=\"5em\""), Some((4, 34)), "`x1` is `5em`: only lengths in px");
     let unnamed = DRAWN
         .replace("Walkable", "a")
         .replace("walls", "b")
@@ -320,7 +320,7 @@ fn people_walk_on_the_meshes_of_recast() {
         [("nav_test.obj", [-18.0, -20.0, 3.0, 3.0], 1500.0), ("undulating.obj", [5040.0, -5060.0, 6.0, 6.0], 9000.0)]
     {
         let path = folder.join(name);
-        let ask = Ask { exit: Some(exit), people: Some(20), unit: None };
+        let ask = Ask { exit: Some(exit), people: Some(20), ..Ask::default() };
         let imported = load(&path, &ask).unwrap_or_else(|error| panic!("{error}"));
         let Some(Walkable::Polygon(area)) = &imported.scene.walkable else { panic!("{name}") };
         let size = |ring: &Vec<[f64; 2]>| {

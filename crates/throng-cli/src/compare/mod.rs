@@ -12,7 +12,7 @@ pub use args::{COMPARE, COMPARE_SHORT, CompareArgs};
 
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::out::{Out, complain};
+use crate::out::{Out, complain, note};
 use crate::progress::Progress;
 use crate::source::Loaded;
 use crate::threads::Workers;
@@ -33,7 +33,7 @@ pub fn compare(args: &CompareArgs, out: &mut Out) -> Result<(), Failure> {
     loaded.scene.seed = seeds[0];
     let plan = Plan { loaded, models: args.models()?, seeds };
     if !args.quiet {
-        plan.loaded.notes.iter().for_each(|note| complain(&format!("note: {note}")));
+        note(&plan.loaded.notes);
     }
     interrupt::watch();
     let workers = Workers::new(args.threads.count(), plan.models.len() * plan.seeds.len())?;

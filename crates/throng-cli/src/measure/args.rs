@@ -139,7 +139,7 @@ pub struct PeopleArgs {
     #[arg(long, value_name = "SECONDS", value_parser = parse_positive, default_value_t = 0.4)]
     pub interval: f64,
 
-    /// The ground that can be walked on, a floor plan (.wkt), to which Voronoi cells are clipped [default: what the file says]
+    /// The ground that can be walked on, a floor plan (see `throng run`) less what is solid in it, to which Voronoi cells are clipped [default: what the file says]
     #[arg(long, value_name = "FILE")]
     pub walkable: Option<PathBuf>,
 

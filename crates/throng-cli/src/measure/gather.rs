@@ -3,7 +3,7 @@
 use super::args::MeasureArgs;
 use super::{Measured, Subject, people};
 use crate::failure::Failure;
-use crate::out::complain;
+use crate::out::note;
 use crate::progress::{Progress, share};
 use crate::source::Loaded;
 use crate::{interrupt, threads};
@@ -26,7 +26,7 @@ pub fn gather(args: &MeasureArgs) -> Result<Subject, Failure> {
         people::not_of_scenes(args)?;
         let loaded = args.changes.load(&args.of)?;
         if !args.quiet {
-            loaded.notes.iter().for_each(|note| complain(&format!("note: {note}")));
+            note(&loaded.notes);
         }
         let groups = threads::with(args.threads.count(), || simulated(args, &loaded))?;
         Subject { name: loaded.name, groups, people: None }
@@ -38,7 +38,7 @@ pub fn gather(args: &MeasureArgs) -> Result<Subject, Failure> {
 fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failure> {
     let (mut world, built) = loaded.build()?;
     if !args.quiet {
-        built.notes.iter().for_each(|note| complain(&format!("note: {note}")));
+        note(&built.notes);
     }
     let scene = &loaded.scene;
     let names: Vec<String> = built.groups[..scene.groups.len()].iter().map(|group| group.name.clone()).collect();

@@ -12,7 +12,7 @@ use crate::files::{distinct, is};
 use crate::interrupt;
 use crate::out::{Out, complain};
 use args::MeasureArgs;
-pub use people::{object as people_json, plan};
+pub use people::object as people_json;
 use std::path::Path;
 pub use text::short;
 use throng_record::Output;

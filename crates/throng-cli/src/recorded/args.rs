@@ -3,6 +3,7 @@
 use crate::choice::ChoiceArgs;
 use crate::options::FilmArgs;
 use crate::replay::args::parse_place;
+use crate::source::PlanArgs;
 use crate::tracks::TrackArgs;
 use clap::Args;
 use glam::DVec2;
@@ -52,6 +53,10 @@ pub struct RecordedArgs {
     /// Where the origin of the map is in the recording, metres
     #[arg(long, value_name = "X,Y", value_parser = parse_place, allow_hyphen_values = true, requires = "map")]
     pub map_offset: Option<DVec2>,
+
+    /// How a floor plan is read.
+    #[command(flatten)]
+    pub plan: PlanArgs,
 
     /// What it does not say itself.
     #[command(flatten)]

@@ -6,7 +6,7 @@ mod recording;
 use crate::failure::Failure;
 use crate::files;
 use crate::interrupt;
-use crate::out::{Out, complain};
+use crate::out::{Out, complain, note};
 use crate::progress::Progress;
 use args::{ConvertArgs, RenderArgs};
 use recording::Recording;
@@ -29,6 +29,9 @@ pub fn convert(args: &ConvertArgs, out: &mut Out) -> Result<(), Failure> {
         return Err(Failure::hint(text, hint));
     }
     let recording = Recording::open(&args.recorded)?;
+    if !args.quiet {
+        note(&recording.notes);
+    }
     let (choice, style) = (args.choice.choice(), Style::default());
     let setting = &recording.moments.setting;
     let from = recording.start(&choice);
@@ -42,6 +45,9 @@ pub fn convert(args: &ConvertArgs, out: &mut Out) -> Result<(), Failure> {
 /// They cannot be read, a file cannot be written, or what is chosen is not there.
 pub fn render(args: &RenderArgs, out: &mut Out) -> Result<(), Failure> {
     let recording = Recording::open(&args.recorded)?;
+    if !args.quiet {
+        note(&recording.notes);
+    }
     let choice = args.choice.choice();
     let [min, max] = recording.bounds();
     let mut style = args.film.look.style(&recording.scene, [min, max])?;

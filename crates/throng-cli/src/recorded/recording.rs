@@ -10,6 +10,7 @@ use std::path::PathBuf;
 use throng_draw::WorldBox;
 use throng_record::{Moments, Setting, Tracks, moment};
 use throng_scene::Scene;
+use throng_scene::import::plan::is_plan;
 
 /// What was recorded.
 pub struct Recording {
@@ -21,6 +22,8 @@ pub struct Recording {
     pub moments: Moments,
     /// The scene of which the pictures are, if that is known.
     pub scene: Scene,
+    /// What was left out of a floor plan, or changed.
+    pub notes: Vec<String>,
 }
 
 impl Recording {
@@ -39,17 +42,22 @@ impl Recording {
         if tracks.setting.title.is_empty() {
             tracks.setting.title.clone_from(&name);
         }
+        let mut notes = Vec::new();
         let (scene, moments) = match &args.map {
-            Some(map) if is(map, "xml") => {
-                let mut map = Map::of(map.clone())?;
+            Some(map) if is(map, "xml") || is_plan(map) => {
+                let mut map = Map::of(map.clone(), &args.plan)?;
                 map.shift(args.map_offset.unwrap_or_default());
+                notes = map.notes;
                 tracks.setting.obstacles = map.obstacles;
+                if !map.walkable.is_empty() {
+                    tracks.setting.walkable = map.walkable;
+                }
                 (Scene::default(), Moments::of(tracks))
             }
             Some(map) => in_place(tracks, place(map, args.map_offset.unwrap_or_default())?),
             None => (Scene::default(), Moments::of(tracks)),
         };
-        Ok(Self { path, name, moments, scene })
+        Ok(Self { path, name, moments, scene, notes })
     }
 
     /// The corners of all there is to see.
@@ -64,7 +72,7 @@ fn place(map: &std::path::Path, offset: DVec2) -> Result<(Scene, Setting), Failu
     let loaded = Changes::default().load(map)?;
     let (world, built) = loaded.build()?;
     let mut setting = moment::setting(&world, &built, loaded.title());
-    let mut map = Map { path: None, walkable: setting.walkable, obstacles: setting.obstacles };
+    let mut map = Map { walkable: setting.walkable, obstacles: setting.obstacles, ..Map::default() };
     map.shift(offset);
     (setting.walkable, setting.obstacles) = (map.walkable, map.obstacles);
     setting.origin += offset;

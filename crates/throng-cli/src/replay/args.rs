@@ -3,6 +3,7 @@
 use crate::look::{parse_not_negative, parse_positive};
 use crate::measure::args::parse_line;
 use crate::options::{FilmArgs, ThreadArgs};
+use crate::source::PlanArgs;
 use crate::tracks::TrackArgs;
 use clap::Args;
 use glam::DVec2;
@@ -121,8 +122,8 @@ pub struct ReplayArgs {
 #[derive(Args, Debug)]
 #[command(next_help_heading = "People")]
 pub struct StageArgs {
-    /// The walls: OpenTraj's map.xml, a floor plan (.wkt), or a scene of which only ground and obstacles count [default: what the
-    /// file says, else a map.xml beside it]
+    /// The walls: OpenTraj's map.xml, a floor plan (see `throng run`), or a scene, of which ground and obstacles count [default: what
+    /// the file says, else a map.xml beside it]
     #[arg(long, value_name = "FILE")]
     pub map: Option<PathBuf>,
 
@@ -133,6 +134,10 @@ pub struct StageArgs {
     /// Where the origin of the map is in the recording, metres
     #[arg(long, value_name = "X,Y", value_parser = parse_place, allow_hyphen_values = true)]
     pub map_offset: Option<DVec2>,
+
+    /// How a floor plan is read.
+    #[command(flatten)]
+    pub plan: PlanArgs,
 
     /// Who belongs together: a line a group, the numbers of its members [default: a groups.txt beside the file]
     #[arg(long, value_name = "FILE")]

@@ -3,12 +3,13 @@
 use super::args::StageArgs;
 use crate::failure::Failure;
 use crate::files::is;
-use crate::measure::plan;
+use crate::source::PlanArgs;
 use glam::DVec2;
 use std::path::{Path, PathBuf};
 use throng::{Obstacle, Walkable};
 use throng_record::pedestrian::groups;
 use throng_record::{Flaw, Setting, TracksError};
+use throng_scene::import::plan::is_plan;
 
 /// Where people can walk.
 #[derive(Clone, Debug, Default)]
@@ -19,6 +20,8 @@ pub struct Map {
     pub walkable: Vec<Walkable>,
     /// What is solid.
     pub obstacles: Vec<Obstacle>,
+    /// What was left out of a floor plan, or changed.
+    pub notes: Vec<String>,
 }
 
 impl Map {
@@ -31,8 +34,10 @@ impl Map {
         let beside = beside(data, "map.xml").filter(|_| !known);
         let mut map = match args.map.clone().or(beside) {
             _ if args.no_map => Self::default(),
-            Some(path) => Self::of(path)?,
-            None => Self { path: None, walkable: setting.walkable.clone(), obstacles: setting.obstacles.clone() },
+            Some(path) => Self::of(path, &args.plan)?,
+            None => {
+                Self { walkable: setting.walkable.clone(), obstacles: setting.obstacles.clone(), ..Self::default() }
+            }
         };
         if let Some(offset) = args.map_offset {
             if map.walkable.is_empty() && map.obstacles.is_empty() {
@@ -48,11 +53,14 @@ impl Map {
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn of(path: PathBuf) -> Result<Self, Failure> {
+    pub fn of(path: PathBuf, how: &PlanArgs) -> Result<Self, Failure> {
+        let mut notes = Vec::new();
         let (walkable, obstacles) = if is(&path, "xml") {
             (Vec::new(), read(&path, throng_record::map)?)
-        } else if is(&path, "wkt") {
-            (plan(&path)?, Vec::new())
+        } else if is_plan(&path) {
+            let ground = how.ground(&path)?;
+            notes = ground.notes;
+            (ground.areas, Vec::new())
         } else {
             let scene = throng_scene::open(&path)?.scene;
             scene.ground().map_err(|mut error| {
@@ -60,7 +68,7 @@ impl Map {
                 error
             })?
         };
-        Ok(Self { path: Some(path), walkable, obstacles })
+        Ok(Self { path: Some(path), walkable, obstacles, notes })
     }
 
     /// Moves it, metres.

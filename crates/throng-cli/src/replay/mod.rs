@@ -13,7 +13,7 @@ mod text;
 use crate::failure::Failure;
 use crate::files::is;
 use crate::interrupt;
-use crate::out::{Out, complain};
+use crate::out::{Out, complain, note};
 use crate::progress::Progress;
 use crate::threads::{self, Workers};
 use args::ReplayArgs;
@@ -45,6 +45,9 @@ pub fn replay(args: &ReplayArgs, out: &mut Out) -> Result<(), Failure> {
     let tracks = args.tracks.read(&args.data)?;
     let cast = cast(args, &tracks)?;
     let map = Map::read(&args.stage, &args.data, &tracks.setting)?;
+    if !args.quiet {
+        note(&map.notes);
+    }
     let stage = stage::stage(args, &scene, &cast, &map)?;
     let groups = together(&args.stage, &args.data)?;
     let kinds = Kinds::of(&tracks, &cast, groups.as_deref());

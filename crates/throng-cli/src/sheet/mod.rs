@@ -7,7 +7,7 @@ mod still;
 use crate::failure::Failure;
 use crate::files::one_picture;
 use crate::interrupt;
-use crate::out::{Out, complain};
+use crate::out::{Out, note};
 use crate::progress::Progress;
 use crate::threads::Workers;
 use args::SheetArgs;
@@ -23,7 +23,7 @@ pub fn sheet(args: &SheetArgs, out: &mut Out) -> Result<(), Failure> {
     one_picture(&args.output, "sheet")?;
     let (sections, scenes) = pick::pick(&args.scenes)?;
     if !args.quiet {
-        scenes.iter().flat_map(|loaded| &loaded.notes).for_each(|note| complain(&format!("note: {note}")));
+        note(scenes.iter().flat_map(|loaded| &loaded.notes));
     }
     let widest = sections.iter().map(|section| section.names.len()).max().unwrap_or(1);
     let contact = Contact::create(&args.output, &sections, args.width, usize::from(args.columns).min(widest))?;

@@ -161,6 +161,23 @@ fn several_areas_and_lines_are_measured_at_once() {
     let both = |key: &str| Value::from([one[key][0].clone(), two[key][0].clone()].to_vec());
     assert_eq!((&all["people"]["areas"], &all["people"]["lines"]), (&both("areas"), &both("lines")));
     assert_ne!(one["areas"], two["areas"]);
+    // cells end at the ground less what is solid in it, whichever way a plan says it
+    let plan = |name: &str, text: &str| {
+        std::fs::write(folder.path().join(name), text).unwrap();
+        let asked = format!("stream.txt --from 10 --to 25 --area 1,0,4,2 --walkable {name}");
+        number(&measured(folder.path(), &asked)["people"]["areas"][0]["voronoi_speed"])
+    };
+    let whole = plan("whole.wkt", "POLYGON ((0 0, 20 0, 20 2, 0 2, 0 0))");
+    let holed =
+        plan("holed.wkt", "POLYGON ((0 0, 20 0, 20 2, 0 2, 0 0), (2.1 0.9, 2.3 0.9, 2.3 1.1, 2.1 1.1, 2.1 0.9))");
+    let drawn = plan(
+        "drawn.svg",
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="2000" height="200">
+        <rect id="floor" width="2000" height="200"/><rect id="column" x="210" y="90" width="20" height="20"/></svg>"#,
+    );
+    assert!((holed - drawn).abs() < 1e-4 && (holed - whole).abs() > 1e-3, "{whole}, {holed}, {drawn}");
+    let told = stderr(&call(folder.path(), "measure stream.txt --area 1,0,4,2 --walkable drawn.svg").success());
+    assert!(told.contains("note: a pixel, or unit of the view box, is taken to be 0.01 m"), "{told}");
     let table = std::fs::read_to_string(folder.path().join("a.csv")).unwrap();
     let heads = "time,people,speed,lane_order,density_1,area_speed_1,voronoi_density_1,voronoi_speed_1,\
                  density_2,area_speed_2,voronoi_density_2,voronoi_speed_2,crossed_1,crossed_2";

@@ -94,7 +94,7 @@ fn missing_scenes() {
     refuses("run nothing.toml", &["error: there is no file nothing.toml", "hint:"]);
     refuses("run cirle", &["there is no scene `cirle`", "did you mean `circle`?"]);
     refuses("check plan.wkt --exit 0,0,1,1 --people 3", &["plan.wkt"]);
-    refuses("run circle --people 3", &["--exit, --people and --plan-unit are for floor plans"]);
+    refuses("run circle --people 3", &["--exit, --people, --plan-unit and --level are for floor plans"]);
 }
 
 #[test]

@@ -119,6 +119,7 @@ fn mistakes_are_named() {
         ("render walk.csv -o a.xyz", "cannot tell what to write"),
         ("render missing.rec", "cannot read missing.rec"),
         ("render walk.csv --map nowhere -o a.png", "nowhere"),
+        ("render walk.csv --map nowhere.svg -o a.png", "there is no file nowhere.svg"),
         ("run doorway -o a.csv --groups up", "there is no group `up`"),
     ] {
         let told = stderr(&call(folder.path(), arguments).code(2));

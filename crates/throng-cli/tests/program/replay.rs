@@ -82,6 +82,15 @@ fn walls_groups_and_lines_are_told() {
     // the replayed are at the recording's times
     let info: Value = serde_json::from_str(&stdout(&call(at, "info again.csv --json").success())).unwrap();
     assert_eq!(info["people"], 12);
+    // the same corridor, drawn in millimetres
+    let corners = "10 -8000 20 -2000 10 8000 20 -2000 10 8000 20 2000 10 -8000 20 2000";
+    let drawn = format!("0 SECTION 2 ENTITIES 0 LWPOLYLINE 8 floor 70 1 {corners} 0 ENDSEC\n").replace(' ', "\n");
+    write("corridor.dxf", &drawn);
+    let [wkt, dxf] = ["corridor.wkt", "corridor.dxf --plan-unit 0.001"].map(|map| {
+        let all = replayed(at, &format!("streams.txt --map {map} --every 0 --radius 0.15"));
+        (all["from_entry"].clone(), all["map"].clone())
+    });
+    assert_eq!(wkt, dxf);
     let text = stdout(&call(at, "replay streams.txt --map corridor.wkt --every 0").success());
     assert!(text.contains("12 people") && text.contains("KS distance") && text.contains("groups     2"), "{text}");
     assert!(!text.contains("ahead") && text.contains("at the end, final"), "{text}");

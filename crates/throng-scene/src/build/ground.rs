@@ -1,10 +1,11 @@
 //! Ground and obstacles: from what a scene says to what the world takes.
 
 use super::check::{check_points, check_rectangle};
+use super::limits::{Limit, check_some};
 use crate::error::{Error, Kind};
 use crate::file::{Path, Problem};
 use crate::geometry::{DVec2, Solid, bounds, contains, crossing, points, rectangle, signed_area};
-use crate::import::wkt;
+use crate::import::plan::{self, Ask};
 use crate::scene::{Area, As, Obstacle, Point, Scene, Shape, Walkable};
 
 /// What went wrong: a value of the scene, or a file it names.
@@ -19,8 +20,8 @@ impl From<Problem> for Wrong {
     }
 }
 
-/// The areas people can walk on; none: everywhere.
-pub(super) fn areas(scene: &Scene) -> Result<Vec<throng::Walkable>, Wrong> {
+/// The areas people can walk on; none: everywhere. What is left out of a floor plan is noted.
+pub(super) fn areas(scene: &Scene, notes: &mut Vec<String>) -> Result<Vec<throng::Walkable>, Wrong> {
     let path = Path::of("walkable");
     let one = |path: &Path, area: &Area| -> Result<throng::Walkable, Problem> {
         check_points(&path.key("outer"), &area.outer)?;
@@ -30,8 +31,7 @@ pub(super) fn areas(scene: &Scene) -> Result<Vec<throng::Walkable>, Wrong> {
             check_points(&path, hole)?;
             check_polygon(&path, hole, "the hole")?;
         }
-        let holes = area.holes.iter().map(|hole| points(hole)).collect();
-        Ok(throng::Walkable { outer: points(&area.outer), holes })
+        Ok(area.walkable())
     };
     match &scene.walkable {
         None => Ok(vec![]),
@@ -46,22 +46,19 @@ pub(super) fn areas(scene: &Scene) -> Result<Vec<throng::Walkable>, Wrong> {
                 areas.iter().enumerate().map(|(i, area)| one(&path.index(i), area)).collect();
             Ok(areas?)
         }
-        Some(Walkable::File(name)) => {
+        Some(Walkable::File(plan)) => {
             let path = path.key("file");
-            let file = scene.origin.folder.join(name);
-            let text = crate::file::read_text(&file).map_err(|error| {
-                let mut problem = Problem::new(&path, error.kind, error.message);
-                problem.hint = error.hint;
-                problem
+            check_some(&path.key("unit"), plan.unit, Limit::Positive)?;
+            let ask = Ask { unit: plan.unit, level: plan.level, ..Ask::default() };
+            let ground = plan::ground(scene.origin.folder.join(&plan.name), &ask);
+            let ground = ground.map_err(|error| match error.kind {
+                Kind::File | Kind::NotAScene => {
+                    Problem { hint: error.hint, ..Problem::new(&path, error.kind, error.message) }.into()
+                }
+                _ => Wrong::Error(Box::new(error)),
             })?;
-            let shown = file.display().to_string();
-            let areas = wkt::areas(&text).map_err(|error| Wrong::Error(Box::new(error.file(shown.clone()))))?;
-            let areas: Result<Vec<_>, _> = areas.iter().map(|area| one(&path, area)).collect();
-            Ok(areas.map_err(|mut problem| {
-                problem.path = path;
-                problem.message = format!("{shown}: {}", problem.message);
-                problem
-            })?)
+            notes.extend(ground.notes);
+            Ok(ground.areas)
         }
     }
 }

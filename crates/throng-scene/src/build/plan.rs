@@ -114,7 +114,7 @@ impl Scene {
     pub fn ground(&self) -> Result<(Vec<throng::Walkable>, Vec<throng::Obstacle>), Error> {
         let both = || -> Result<_, Wrong> {
             check_scene(self)?;
-            Ok((ground::areas(self)?, ground::obstacles(self)?))
+            Ok((ground::areas(self, &mut vec![])?, ground::obstacles(self)?))
         };
         both().map_err(|wrong| self.told(wrong))
     }
@@ -141,7 +141,8 @@ impl Scene {
     fn lay_out(&self) -> Result<Plan, Wrong> {
         check_scene(self)?;
         let counts = counts(self)?;
-        let walkable = ground::areas(self)?;
+        let mut notes = vec![];
+        let walkable = ground::areas(self, &mut notes)?;
         let obstacles = ground::obstacles(self)?;
         let draws: Vec<Draw> = (0..self.groups.len()).map(|group| Draw { scene: self, group }).collect();
         let sizes: Vec<Vec<Size>> =
@@ -192,7 +193,7 @@ impl Scene {
         let cast = Cast { origin: settings.origin, obstacles: &obstacles, named: &named, paths: &around.paths };
         let rules = rules::make(self, &cast)?;
         let figures = rules.as_ref().map_or_else(Vec::new, |rules| rules.figures());
-        let notes = RefCell::new(vec![]);
+        let notes = RefCell::new(notes);
         let place = Place { areas: walkable.clone(), obstacles: obstacles.iter().cloned().map(Some).collect() };
         let (origin, place) = (settings.origin, &place);
         let made = OnceCell::new();

@@ -1,6 +1,7 @@
 //! Ground, and regions of it.
 
 use super::{Circle, Point};
+use crate::geometry::{points, signed_area};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -14,8 +15,62 @@ pub enum Walkable {
     Polygon(Area),
     /// Several polygons with holes: what lies in any of them.
     Polygons(Vec<Area>),
-    /// The polygons of a WKT file. A relative name is looked for beside the scene file.
-    File(String),
+    /// The ground of a floor plan, less what is solid in it.
+    File(PlanFile),
+}
+
+/// A floor plan: WKT, GeoJSON, DXF, SVG or OBJ. In files its name, or `{ name = "hall.dxf", unit = 0.001 }`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(from = "Said", into = "Said")]
+pub struct PlanFile {
+    /// The file. A relative name is looked for beside the scene file.
+    pub name: String,
+    /// The length of its unit, metres. Without it, what the file says, or a metre, in SVG a centimetre. Limit: > 0.
+    pub unit: Option<f64>,
+    /// Which level of a mesh, from 1 for the lowest. Without it, the largest.
+    pub level: Option<u64>,
+}
+
+/// What files say of a floor plan.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(untagged, expecting = "expected the name of a floor plan, or { name = .., unit = .., level = .. }")]
+enum Said {
+    /// The file. A relative name is looked for beside the scene file.
+    Name(String),
+    /// The file, and how it is read.
+    Table(PlanTable),
+}
+
+/// A floor plan, and how it is read.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct PlanTable {
+    /// The file. A relative name is looked for beside the scene file.
+    name: String,
+    /// The length of its unit, metres. Without it, what the file says, or a metre, in SVG a centimetre. Limit: > 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<f64>,
+    /// Which level of a mesh, from 1 for the lowest. Without it, the largest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    level: Option<u64>,
+}
+
+impl From<Said> for PlanFile {
+    fn from(said: Said) -> Self {
+        match said {
+            Said::Name(name) => Self { name, ..Self::default() },
+            Said::Table(PlanTable { name, unit, level }) => Self { name, unit, level },
+        }
+    }
+}
+
+impl From<PlanFile> for Said {
+    fn from(plan: PlanFile) -> Self {
+        match plan {
+            PlanFile { name, unit: None, level: None } => Self::Name(name),
+            PlanFile { name, unit, level } => Self::Table(PlanTable { name, unit, level }),
+        }
+    }
 }
 
 /// A polygon with holes.
@@ -27,6 +82,19 @@ pub struct Area {
     /// Corners of each hole.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub holes: Vec<Vec<Point>>,
+}
+
+impl Area {
+    /// How large it is, m².
+    pub(crate) fn size(&self) -> f64 {
+        let size = |ring: &Vec<Point>| signed_area(&points(ring)).abs();
+        size(&self.outer) - self.holes.iter().map(size).sum::<f64>()
+    }
+
+    /// As the world takes it.
+    pub(crate) fn walkable(&self) -> throng::Walkable {
+        throng::Walkable { outer: points(&self.outer), holes: self.holes.iter().map(|hole| points(hole)).collect() }
+    }
 }
 
 /// A rectangle.

@@ -34,7 +34,7 @@ pub use cast::Cast;
 pub use expect::{Arrived, DistanceExpect, Expect, FigureExpect, FlowExpect, GroupExpect, To, When};
 pub use flow::{Field, Flow};
 pub use goal::{AirGoal, Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
-pub use ground::{Area, Rectangle, Region, Walkable};
+pub use ground::{Area, PlanFile, Rectangle, Region, Walkable};
 pub use group::{Group, Speed};
 pub use model::Model;
 pub use mover::{Keyframe, Mover};

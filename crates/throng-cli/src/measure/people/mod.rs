@@ -10,13 +10,11 @@ use super::Subject;
 use super::args::MeasureArgs;
 use crate::failure::Failure;
 use crate::files::is;
+use crate::out::note;
 use crate::page::Player;
-use glam::DVec2;
 use std::path::Path;
-use throng::Walkable;
 use throng_record::pedestrian::{self, Figures, Ground, Question};
 use throng_record::{Spot, Table, Tracks};
-use throng_scene::import::wkt;
 
 pub use json::{json, object};
 pub use plots::KEY;
@@ -58,7 +56,13 @@ pub fn of(args: &MeasureArgs, tracks: &Tracks, counts: impl Fn(&Spot) -> bool) -
         return Ok(None);
     }
     let walkable = match &asked.walkable {
-        Some(path) => plan(path)?,
+        Some(path) => {
+            let ground = args.changes.plan.ground(path)?;
+            if !args.quiet {
+                note(&ground.notes);
+            }
+            ground.areas
+        }
         None => tracks.setting.walkable.clone(),
     };
     let cut_off = asked.cut_off.or(walkable.is_empty().then_some(CUT_OFF));
@@ -68,25 +72,6 @@ pub fn of(args: &MeasureArgs, tracks: &Tracks, counts: impl Fn(&Spot) -> bool) -
     let page = args.output.iter().any(|path| is(path, "html") || is(path, "htm"));
     let player = page.then(|| player::player(tracks, &question, &counts));
     Ok(Some(People { figures: Figures::of(&people, &question), question, player }))
-}
-
-/// Reads a floor plan.
-///
-/// # Errors
-/// It cannot be read, or is none.
-pub fn plan(path: &Path) -> Result<Vec<Walkable>, Failure> {
-    let wrong = |error: &dyn std::fmt::Display| Failure::Error(format!("cannot read {}: {error}", path.display()));
-    let text = std::fs::read_to_string(path).map_err(|error| wrong(&error))?;
-    let ring = |ring: Vec<[f64; 2]>| ring.into_iter().map(DVec2::from).collect();
-    let areas = wkt::areas(&text).map_err(|mut error| {
-        error.file.get_or_insert_with(|| path.display().to_string().into());
-        Failure::from(error)
-    })?;
-    let area = |area: throng_scene::Area| Walkable {
-        outer: ring(area.outer),
-        holes: area.holes.into_iter().map(ring).collect(),
-    };
-    Ok(areas.into_iter().map(area).collect())
 }
 
 /// All moments as a table.

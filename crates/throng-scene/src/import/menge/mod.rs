@@ -7,6 +7,7 @@
 
 mod convert;
 mod files;
+mod lattice;
 mod machine;
 mod nav;
 mod people;

@@ -1,6 +1,7 @@
 //! Who is there: groups, with profiles, states and places.
 
 use super::super::notes::Notes;
+use super::lattice;
 use super::profile::Profile;
 use super::xml::{Xml, children};
 use crate::error::{Error, Kind};
@@ -107,6 +108,7 @@ fn generate(xml: &Xml, node: Node, out: &mut Vec<DVec2>, notes: &mut Notes) -> R
                 .flat_map(|v| (0..count.x as u32).map(move |u| DVec2::new(f64::from(u), f64::from(v))));
             out.extend(places.map(|place| anchor + turn.rotate(place * offset)));
         }
+        "hex_lattice" => out.extend(lattice::places(xml, node, MOST - out.len() as f64)?),
         other => {
             let shown: String = other.chars().take(30).collect();
             let error = xml.wrong(node, Kind::UnknownKey, format!("generators of the kind `{shown}` are not read"));

@@ -1,18 +1,21 @@
 //! From what is drawn to what a scene needs: ground, obstacles, exits, places to start from.
 
 use super::super::notes::Notes;
+use super::Ground;
 use super::chain::chain;
 use super::curve::{TOLERANCE, arc};
 use super::drawing::{Drawing, Form, Item};
 use super::layer::{KNOWN, Role};
-use super::overlay::parts;
+use super::overlay::{difference, parts, wall};
 use crate::error::{Error, Kind};
-use crate::geometry::{DVec2, contains};
+use crate::geometry::{DVec2, contains, points, rectangle};
 use crate::scene::{Area, Circle, Obstacle, Point, Shape};
 use std::collections::BTreeMap;
 
 /// An exit that is drawn as a line reaches so far to both sides of it, one that is a point so far round it, metres.
 const REACH: f64 = 0.5;
+/// Ground that is smaller is none, m².
+const SLIVER: f64 = 1e-6;
 
 /// What a plan says.
 #[derive(Debug, Default)]
@@ -64,6 +67,26 @@ impl Parts {
             parts.label(*at, text);
         }
         Ok(parts)
+    }
+
+    /// The ground less what is solid.
+    ///
+    /// # Errors
+    /// Nothing is ground.
+    pub fn ground(self) -> Result<Ground, Error> {
+        let solids = self.obstacles.iter().flat_map(|obstacle| outlines(&obstacle.shape));
+        let solids: Vec<Vec<DVec2>> = solids.collect();
+        let free = if solids.is_empty() && self.walkable.len() < 2 {
+            self.walkable
+        } else {
+            difference(&self.walkable, &solids).into_iter().filter(|area| area.size() > SLIVER).collect()
+        };
+        if free.is_empty() {
+            let hint =
+                "name the layer of the ground, drawn as closed shapes, by a word such as `walkable`, `floor` or `room`";
+            return Err(Error::new(Kind::Geometry, "nothing of this plan can be walked on").hint(hint));
+        }
+        Ok(Ground { areas: free.iter().map(Area::walkable).collect(), notes: self.notes.lines() })
     }
 
     fn grounds_and_places(&mut self, items: &[Item]) {
@@ -160,6 +183,16 @@ impl Form {
             Self::Point(at) => Some(disc(*at, REACH)),
             Self::Line(_) => None,
         }
+    }
+}
+
+/// What is solid of an obstacle.
+fn outlines(shape: &Shape) -> Vec<Vec<DVec2>> {
+    match shape {
+        Shape::Circle(circle) => vec![disc(DVec2::from_array(circle.center), circle.radius)],
+        Shape::Rectangle(r) => vec![rectangle(r)],
+        Shape::Polygon(corners) => vec![points(corners)],
+        Shape::Wall(corners) => points(corners).windows(2).map(|ends| wall(ends[0], ends[1])).collect(),
     }
 }
 

@@ -25,7 +25,7 @@ pub(super) fn arc(center: DVec2, [a, b]: [DVec2; 2], [from, to]: [f64; 2], toler
 
 /// The arc between two points that leaves the line to the right by `bulge` times half its length, as DXF has it: the tangent of
 /// a quarter of the angle. Without the first point.
-pub(super) fn bulge(from: DVec2, to: DVec2, bulge: f64, tolerance: f64) -> Vec<DVec2> {
+fn bulge(from: DVec2, to: DVec2, bulge: f64, tolerance: f64) -> Vec<DVec2> {
     let half = (to - from) * 0.5;
     if bulge.abs() < 1e-9 || half.length_squared() == 0.0 {
         return vec![to];
@@ -39,8 +39,20 @@ pub(super) fn bulge(from: DVec2, to: DVec2, bulge: f64, tolerance: f64) -> Vec<D
     points
 }
 
+/// Corners, with how much the line after each bulges, as points.
+pub(super) fn bulged(corners: &[(DVec2, f64)], closed: bool, tolerance: f64) -> Vec<DVec2> {
+    let mut points: Vec<DVec2> = corners.first().map(|(at, _)| *at).into_iter().collect();
+    let next = corners.iter().skip(1).chain(corners.first().filter(|_| closed));
+    for ((from, bent), (to, _)) in corners.iter().zip(next) {
+        points.extend(bulge(*from, *to, *bent, tolerance));
+    }
+    if closed && points.len() > 1 {
+        points.pop();
+    }
+    points
+}
+
 /// A cubic Bézier curve, without its first point.
-#[cfg(feature = "svg")]
 pub(super) fn cubic([a, b, c, d]: [DVec2; 4], tolerance: f64) -> Vec<DVec2> {
     // the second derivative is at most six times the larger of the second differences
     let bend = (a - 2.0 * b + c).length().max((b - 2.0 * c + d).length());

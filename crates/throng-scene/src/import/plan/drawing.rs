@@ -53,6 +53,8 @@ pub(super) enum Place {
     Line(usize),
     /// A feature, from 0, as GeoJSON has them.
     Feature(usize),
+    /// A polygon, from 0.
+    Polygon(usize),
 }
 
 impl fmt::Display for Place {
@@ -60,12 +62,16 @@ impl fmt::Display for Place {
         match self {
             Self::Line(line) => write!(f, "line {line}"),
             Self::Feature(index) => write!(f, "features[{index}]"),
+            Self::Polygon(index) => write!(f, "polygon {}", index + 1),
         }
     }
 }
 
 /// Coordinates beyond this, metres, are mistakes.
 pub(super) const FARTHEST: f64 = 1e7;
+
+/// How a unit is changed, for hints.
+pub(super) const UNIT: &str = "say how long its unit is: --plan-unit METRES, or in a scene `unit` beside the name";
 
 /// The most points of a drawing.
 const MOST: usize = 4_000_000;
@@ -95,9 +101,7 @@ impl Drawing {
             let points = item.form.points();
             if let Some(p) = points.iter().find(|p| !p.is_finite() || p.abs().max_element() > FARTHEST) {
                 let message = format!("a coordinate of ({}, {}) m is farther than {FARTHEST} m away", p.x, p.y);
-                return Err(item
-                    .wrong(Kind::OutOfRange, message)
-                    .hint("say --plan-unit METRES if its unit is another"));
+                return Err(item.wrong(Kind::OutOfRange, message).hint(UNIT));
             }
         }
         if self.points > MOST {
@@ -140,7 +144,8 @@ impl Drawing {
 impl Item {
     /// An error about this shape.
     pub fn wrong(&self, kind: Kind, message: impl fmt::Display) -> Error {
-        let mut error = Error::new(kind, format!("layer `{}`, {}: {message}", self.layer, self.place));
+        let layer = if self.layer.is_empty() { String::new() } else { format!("layer `{}`, ", self.layer) };
+        let mut error = Error::new(kind, format!("{layer}{}: {message}", self.place));
         if let Place::Line(line) = self.place {
             error.at = Some((line, 1));
         }

@@ -5,7 +5,7 @@ use super::Ask;
 use super::assemble::{Parts, Start};
 use crate::build::{has_room, solid_shape};
 use crate::error::{Error, Kind};
-use crate::geometry::{DVec2, Solid, bounds, contains, points, rectangle, signed_area};
+use crate::geometry::{DVec2, Solid, bounds, contains, rectangle, signed_area};
 use crate::scene::{
     Area, Body, Goal, Group, Number, Place, PolygonPlace, Rectangle, Region, Scene, Walkable, WalkablePlace,
 };
@@ -31,7 +31,7 @@ pub(super) fn scene(name: &str, mut parts: Parts, ask: &Ask) -> Result<Imported,
             .hint("name the layer of the ground `walkable`, or one of places to start from `start`"));
     }
     let groups = if parts.starts.is_empty() {
-        let size = ground(&parts.walkable);
+        let size = parts.walkable.iter().map(Area::size).sum();
         let count = ask.people.unwrap_or_else(|| chosen(&mut parts, size));
         let place = Place::Walkable(WalkablePlace { gap: GAP });
         vec![Group { name: "people".into(), count: Some(count), place, goal: Some(goal), ..Group::default() }]
@@ -53,7 +53,7 @@ pub(super) fn scene(name: &str, mut parts: Parts, ask: &Ask) -> Result<Imported,
 /// The nearest of the exits: the one that is asked for, else the plan's.
 fn goal(name: &str, parts: &mut Parts, ask: &Ask) -> Result<Goal, Error> {
     let radius = f64::from(throng::Agent::default().radius);
-    let walkable: Vec<_> = parts.walkable.iter().map(walkable).collect();
+    let walkable: Vec<_> = parts.walkable.iter().map(Area::walkable).collect();
     let solid = solid(parts, radius);
     if let Some([x, y, width, height]) = ask.exit {
         let exit = Rectangle::between([x, y], [x + width, y + height]);
@@ -128,7 +128,7 @@ fn shares(people: u64, sizes: &[f64]) -> Vec<u64> {
 /// What bodies up to a radius keep off.
 fn solid(parts: &Parts, radius: f64) -> Solid {
     let obstacles: Vec<_> = parts.obstacles.iter().map(|obstacle| solid_shape(&obstacle.shape)).collect();
-    Solid::new(&parts.walkable.iter().map(walkable).collect::<Vec<_>>(), &obstacles, radius)
+    Solid::new(&parts.walkable.iter().map(Area::walkable).collect::<Vec<_>>(), &obstacles, radius)
 }
 
 /// Where the people of a place to start from stand: drawn by chance; where there are too many for that, in rows, every row between
@@ -156,16 +156,6 @@ fn standing(start: &Start, count: u64, parts: &Parts) -> Place {
     }
     let chosen = (0..count as usize).map(|k| free[k * free.len() / count as usize].to_array());
     Place::Points(chosen.collect())
-}
-
-fn walkable(area: &Area) -> throng::Walkable {
-    throng::Walkable { outer: points(&area.outer), holes: area.holes.iter().map(|hole| points(hole)).collect() }
-}
-
-/// The size of the ground, m²; where areas overlap, more.
-fn ground(areas: &[Area]) -> f64 {
-    let size = |ring: &Vec<_>| signed_area(&points(ring)).abs();
-    areas.iter().map(|area| size(&area.outer) - area.holes.iter().map(size).sum::<f64>()).sum()
 }
 
 /// That a body of the usual size fits somewhere in an exit.

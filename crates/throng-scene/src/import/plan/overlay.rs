@@ -1,12 +1,20 @@
 //! Polygons with holes put together and taken apart.
 
-use crate::geometry::{DVec2, bounds, signed_area};
+use crate::geometry::{DVec2, bounds, points, signed_area};
 use crate::scene::{Area, Point};
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::single::SingleFloatOverlay;
+#[cfg(feature = "svg")]
+use i_overlay::mesh::float::{stroke::offset::StrokeOffset, style::StrokeStyle};
 
 type Ring = Vec<Point>;
+
+/// Coordinates beyond this are not worked with here.
+pub(super) const FARTHEST: f64 = 1e9;
+
+/// Half the width of walls that have none, metres.
+pub(super) const THIN: f64 = 0.01;
 
 /// What lies in any of the outlines, whichever way round they go.
 pub(in super::super) fn union(outlines: &[Vec<DVec2>]) -> Vec<Area> {
@@ -14,18 +22,30 @@ pub(in super::super) fn union(outlines: &[Vec<DVec2>]) -> Vec<Area> {
     areas(rings.overlay(&Vec::<Ring>::new(), OverlayRule::Subject, FillRule::NonZero))
 }
 
-/// What lies in any of some outlines and in none of others.
-pub(super) fn difference(outlines: &[Vec<DVec2>], less: &[Vec<DVec2>]) -> Vec<Area> {
-    let rings = |outlines: &[Vec<DVec2>]| outlines.iter().map(|outline| turned(outline)).collect::<Vec<Ring>>();
-    areas(rings(outlines).overlay(&rings(less), OverlayRule::Difference, FillRule::NonZero))
+/// What lies in any of some areas and in none of some outlines.
+pub(super) fn difference(ground: &[Area], less: &[Vec<DVec2>]) -> Vec<Area> {
+    let mut rings: Vec<Ring> = vec![];
+    for Area { outer, holes } in ground {
+        rings.push(turned(&points(outer)));
+        // the other way round: what is ground in another area stays it
+        rings.extend(holes.iter().map(|hole| turned(&points(hole)).into_iter().rev().collect()));
+    }
+    let less: Vec<Ring> = less.iter().map(|outline| turned(outline)).collect();
+    areas(rings.overlay(&less, OverlayRule::Difference, FillRule::NonZero))
 }
 
 /// What rings enclose: by the rule of even and odd, or all that they go round more often one way than the other.
-#[cfg(feature = "svg")]
 pub(super) fn enclosed(rings: &[Vec<DVec2>], even_odd: bool) -> Vec<Area> {
     let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
     let rings: Vec<Ring> = rings.iter().map(|ring| ring.iter().map(DVec2::to_array).collect()).collect();
     areas(rings.overlay(&Vec::<Ring>::new(), OverlayRule::Subject, rule))
+}
+
+/// What a pen that follows a line paints.
+#[cfg(feature = "svg")]
+pub(super) fn stroked(line: &[DVec2], closed: bool, style: StrokeStyle<Point>) -> Vec<Area> {
+    let line: Ring = line.iter().map(DVec2::to_array).collect();
+    areas(line.stroke(style, closed))
 }
 
 /// The same ground in parts without holes: every hole is cut through.
@@ -45,6 +65,13 @@ pub(super) fn parts(area: Area) -> Vec<Ring> {
         }
     }
     done
+}
+
+/// The outline of a wall: what has no width gets [`THIN`] to each side.
+pub(super) fn wall(from: DVec2, to: DVec2) -> Vec<DVec2> {
+    let along = (to - from).normalize_or_zero() * THIN;
+    let left = along.perp();
+    vec![from - along - left, to + along - left, to + along + left, from - along + left]
 }
 
 /// Counter-clockwise.
@@ -67,7 +94,6 @@ fn areas(shapes: Vec<Vec<Ring>>) -> Vec<Area> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::points;
 
     fn square(low: f64, high: f64) -> Vec<DVec2> {
         [(low, low), (low, high), (high, high), (high, low)].map(DVec2::from).to_vec()
@@ -82,9 +108,15 @@ mod tests {
         let both = union(&[square(0.0, 2.0), square(1.0, 3.0)]);
         assert_eq!((both.len(), both[0].holes.len()), (1, 0));
         assert!((size(&both[0].outer) - 7.0).abs() < 1e-6);
-        let framed = difference(&[square(0.0, 4.0)], &[square(1.0, 3.0)]);
+        let ground = |low, high| Area { outer: turned(&square(low, high)), holes: vec![] };
+        let framed = difference(&[ground(0.0, 4.0)], &[square(1.0, 3.0)]);
         assert_eq!((framed.len(), framed[0].holes.len()), (1, 1));
         assert!((size(&framed[0].holes[0]) - 4.0).abs() < 1e-6);
+        // a hole in one area is none where another has ground
+        let filled = [framed[0].clone(), ground(1.0, 2.0)];
+        let filled = difference(&filled, &[square(2.0, 2.5)]);
+        let whole: f64 = filled.iter().map(Area::size).sum();
+        assert!((whole - 13.0).abs() < 1e-6, "{whole}");
         let rings = [square(0.0, 4.0), square(1.0, 3.0)];
         assert_eq!(enclosed(&rings, true)[0].holes.len(), 1);
         assert_eq!(enclosed(&rings, false)[0].holes.len(), 0);
@@ -94,7 +126,8 @@ mod tests {
     fn parts_have_no_holes_and_the_same_size() {
         let holes: Vec<Vec<DVec2>> =
             (0..5).map(|i| square(f64::from(i) * 2.0 + 0.5, f64::from(i) * 2.0 + 1.5)).collect();
-        let area = difference(&[square(0.0, 10.0)], &holes).remove(0);
+        let ground = Area { outer: turned(&square(0.0, 10.0)), holes: vec![] };
+        let area = difference(&[ground], &holes).remove(0);
         assert_eq!(area.holes.len(), 5);
         let parts = parts(area);
         assert!((parts.iter().map(|ring| size(ring)).sum::<f64>() - 95.0).abs() < 1e-5);

@@ -1,36 +1,32 @@
 //! What of a triangle mesh can be walked on, as areas: one level of it.
 //!
-//! Faces no steeper than 45° that share edges, or are joined by steps no higher than 0.4 m, are a level; the largest is taken. Where
-//! something else is between 0.4 m and 2 m above it, nobody passes.
+//! Faces no steeper than 45° that share edges, or are joined by steps no higher than 0.4 m, are a level; one is taken, the largest
+//! where nobody says which. Where something else is between 0.4 m and 2 m above it, nobody passes.
 
 use super::super::obj::{Triangles, Up, triangles};
-use super::drawing::{Drawing, FARTHEST, Form, Place};
-use super::overlay::{difference, union};
+use super::drawing::{Drawing, FARTHEST, Form, Place, UNIT};
+use super::levels::Levels;
+use super::overlay::{difference, union, wall};
 use crate::error::{Error, Kind};
 use crate::geometry::{DVec2, DVec3, points, signed_area};
 use crate::scene::Area;
-use std::collections::BTreeMap;
 
 /// The cosine of the steepest slope.
 const STEEPEST: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// The highest step, metres.
-const STEP: f64 = 0.4;
+pub(super) const STEP: f64 = 0.4;
 /// How much room people need above them, metres.
 const HEADROOM: f64 = 2.0;
-/// Corners that are nearer than this are one, metres.
-const WELD: f64 = 1e-3;
-/// What stands upright has no width in a plan: it gets this to each side, metres.
-const THIN: f64 = 0.01;
 /// The most triangles.
 const MOST: usize = 200_000;
 
-type Face = [DVec3; 3];
+pub(super) type Face = [DVec3; 3];
 
 /// Reads what can be walked on. Which axis is up is found: the one along which more of the mesh can be.
 ///
 /// # Errors
-/// Those of OBJ; there are too many triangles; nothing can be walked on.
-pub(super) fn read(text: &str, unit: f64) -> Result<Drawing, Error> {
+/// Those of OBJ; there are too many triangles; nothing can be walked on; there is no such level.
+pub(super) fn read(text: &str, unit: f64, asked: Option<u64>) -> Result<Drawing, Error> {
     let Triangles { points: corners, triangles } = triangles(text, Up::Z)?;
     if triangles.len() > MOST {
         let message = format!("this mesh has {} triangles, more than {MOST}", triangles.len());
@@ -39,7 +35,7 @@ pub(super) fn read(text: &str, unit: f64) -> Result<Drawing, Error> {
     let face = |triangle: &[u32; 3]| triangle.map(|i| corners[i as usize].as_dvec3() * unit);
     if let Some(far) = corners.iter().find(|p| f64::from(p.abs().max_element()) * unit > FARTHEST) {
         let message = format!("the point {far} is farther than {FARTHEST} m away");
-        return Err(Error::new(Kind::OutOfRange, message).hint("say --plan-unit METRES if its unit is another"));
+        return Err(Error::new(Kind::OutOfRange, message).hint(UNIT));
     }
     let as_is: Vec<Face> = triangles.iter().map(face).collect();
     let turned: Vec<Face> = as_is.iter().map(|face| face.map(|p| DVec3::new(p.x, -p.z, p.y))).collect();
@@ -54,24 +50,24 @@ pub(super) fn read(text: &str, unit: f64) -> Result<Drawing, Error> {
     drawing
         .notes
         .whole(format!("{} is up: along it more of the mesh can be walked on", if y >= z { "y" } else { "z" }));
-    let (level, others) = level(&faces);
+    let Levels { level, others, note } = Levels::of(&faces, asked)?;
+    if let Some(note) = note {
+        drawing.notes.whole(note);
+    }
     let plan = |face: &Face| face.map(|p| p.truncate()).to_vec();
-    let ground: Vec<Vec<DVec2>> = level.iter().filter(|face| is_walkable(face)).map(plan).collect();
-    let stacked = ground.iter().map(|outline| signed_area(outline).abs()).sum::<f64>();
-    let flat: f64 = union(&ground).iter().map(area).sum();
+    let outlines: Vec<Vec<DVec2>> = level.iter().filter(|face| is_walkable(face)).map(plan).collect();
+    let stacked = outlines.iter().map(|outline| signed_area(outline).abs()).sum::<f64>();
+    let ground = union(&outlines);
+    let flat: f64 = ground.iter().map(Area::size).sum();
     if stacked > flat * 1.01 {
         let lies = stacked - flat;
         drawing
             .notes
             .whole(format!("{lies:.1} m² of the level lie above others of it: people walk there as if on one floor"));
     }
-    let left = y.max(z) - stacked;
-    if left > 0.01 * stacked {
-        drawing.notes.whole(format!("one level of {stacked:.1} m²: {left:.1} m² on others are left out"));
-    }
     let mut areas = difference(&ground, &blocked(&level, &others)?);
-    areas.sort_by(|a, b| area(b).total_cmp(&area(a)));
-    let cut: f64 = areas.iter().skip(1).map(area).sum();
+    areas.sort_by(|a, b| b.size().total_cmp(&a.size()));
+    let cut: f64 = areas.iter().skip(1).map(Area::size).sum();
     if cut > 0.01 {
         drawing.notes.whole(format!(
             "{cut:.1} m² that are cut off from the rest, such as the tops of what stands there, are left out"
@@ -85,50 +81,6 @@ pub(super) fn read(text: &str, unit: f64) -> Result<Drawing, Error> {
         );
     }
     Ok(drawing)
-}
-
-/// The faces of the largest level, steps between them included, and the others.
-fn level(faces: &[Face]) -> (Vec<Face>, Vec<Face>) {
-    let tall = |face: &Face| {
-        let [a, b, c] = face.map(|p| p.z);
-        a.max(b).max(c) - a.min(b).min(c)
-    };
-    let belongs: Vec<bool> = faces.iter().map(|face| is_walkable(face) || tall(face) <= STEP).collect();
-    let key = |p: DVec3| (p / WELD).round().to_array().map(|x| x as i64);
-    let mut edges: BTreeMap<[[i64; 3]; 2], Vec<usize>> = BTreeMap::new();
-    for (i, face) in faces.iter().enumerate().filter(|(i, _)| belongs[*i]) {
-        for k in 0..3 {
-            let mut ends = [key(face[k]), key(face[(k + 1) % 3])];
-            ends.sort_unstable();
-            edges.entry(ends).or_default().push(i);
-        }
-    }
-    let mut parent: Vec<usize> = (0..faces.len()).collect();
-    for sharing in edges.values() {
-        for pair in sharing.windows(2) {
-            let (a, b) = (root(&mut parent, pair[0]), root(&mut parent, pair[1]));
-            parent[a.max(b)] = a.min(b);
-        }
-    }
-    let roots: Vec<usize> = (0..faces.len()).map(|i| root(&mut parent, i)).collect();
-    let mut sizes = vec![0.0; faces.len()];
-    for (i, face) in faces.iter().enumerate().filter(|(_, face)| is_walkable(face)) {
-        sizes[roots[i]] += size(face);
-    }
-    let largest = (0..faces.len()).fold(0, |best, i| if sizes[i] > sizes[best] { i } else { best });
-    let (inside, outside): (Vec<usize>, Vec<usize>) =
-        (0..faces.len()).partition(|i| belongs[*i] && roots[*i] == largest);
-    let of = |places: Vec<usize>| places.into_iter().map(|i| faces[i]).collect();
-    (of(inside), of(outside))
-}
-
-/// The first of those that are joined with one.
-fn root(parent: &mut [usize], mut i: usize) -> usize {
-    while parent[i] != i {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    i
 }
 
 /// Where other faces are as high above the level as bodies are.
@@ -174,9 +126,7 @@ fn shadow(face: &Face, floor: &Face) -> Option<Vec<DVec2>> {
     }
     let from = plan.iter().copied().fold(plan[0], |a, b| if b.distance(plan[0]) > a.distance(plan[0]) { b } else { a });
     let to = plan.iter().copied().fold(from, |a, b| if b.distance(from) > a.distance(from) { b } else { a });
-    let along = (to - from).normalize_or_zero() * THIN;
-    let left = along.perp();
-    (along != DVec2::ZERO).then(|| vec![from - along - left, to + along - left, to + along + left, from - along + left])
+    (from != to).then(|| wall(from, to))
 }
 
 /// What of a convex outline is where a linear function is at least 0.
@@ -194,20 +144,14 @@ fn clipped(outline: &[DVec3], side: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     out
 }
 
-fn is_walkable(face: &Face) -> bool {
+pub(super) fn is_walkable(face: &Face) -> bool {
     let normal = (face[1] - face[0]).cross(face[2] - face[0]);
     normal.z > STEEPEST * normal.length()
 }
 
 /// Of a face in the plan, m².
-fn size(face: &Face) -> f64 {
+pub(super) fn size(face: &Face) -> f64 {
     signed_area(&face.map(|p| p.truncate())).abs()
-}
-
-/// Of an area, m².
-fn area(area: &Area) -> f64 {
-    let size = |ring: &Vec<_>| signed_area(&points(ring)).abs();
-    size(&area.outer) - area.holes.iter().map(size).sum::<f64>()
 }
 
 #[cfg(test)]
@@ -225,7 +169,7 @@ mod tests {
     }
 
     fn ground(text: &str) -> (f64, usize) {
-        let drawing = read(text, 1.0).unwrap();
+        let drawing = read(text, 1.0, None).unwrap();
         let Form::Area(outer, holes) = &drawing.items[0].form else { panic!("{drawing:?}") };
         (signed_area(outer).abs() - holes.iter().map(|hole| signed_area(hole).abs()).sum::<f64>(), holes.len())
     }

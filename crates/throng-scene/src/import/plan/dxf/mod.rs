@@ -1,10 +1,12 @@
-//! DXF, the drawings of CAD programs: lines, polylines, arcs, circles, ellipses, solids and blocks of them, by their layers. Own
+//! DXF, the drawings of CAD programs: lines, polylines, arcs, circles, ellipses, splines, solids, hatches and blocks of them, by their layers. Own
 //! reader: a plan needs a dozen of the format's hundred kinds, all of pairs of a number and a value, and errors that name the line.
 
+mod hatch;
 mod pairs;
 mod shapes;
+mod spline;
 
-use super::drawing::Drawing;
+use super::drawing::{Drawing, UNIT};
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
 use pairs::{Entity, Pairs};
@@ -24,10 +26,10 @@ pub(super) fn read(text: &str, unit: Option<f64>) -> Result<Drawing, Error> {
         (Some(unit), _) => unit,
         (None, Some(code)) if code != 0 => length(code).ok_or_else(|| {
             let message = format!("its unit has the code {code} ($INSUNITS), which is no length that is known");
-            Error::new(Kind::OutOfRange, message).hint("say --plan-unit METRES")
+            Error::new(Kind::OutOfRange, message).hint(UNIT)
         })?,
         _ => {
-            drawing.notes.whole("the drawing does not say its unit: taken for metres; --plan-unit METRES changes it");
+            drawing.notes.whole("the drawing does not say its unit: taken for metres; --plan-unit METRES, in a scene `unit`, changes it");
             1.0
         }
     };

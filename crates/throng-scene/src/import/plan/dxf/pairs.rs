@@ -1,6 +1,7 @@
 //! A DXF text as pairs of a group code and a value, in sections and entities.
 
 use crate::error::{Error, Kind};
+use crate::geometry::DVec2;
 use crate::import::short;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -107,6 +108,55 @@ impl<'t> Entity<'_, 't> {
     /// It is no finite number.
     pub fn number(&self, code: i32, otherwise: f64) -> Result<f64, Error> {
         self.pairs.iter().find(|pair| pair.code == code).map_or(Ok(otherwise), Pair::number)
+    }
+
+    /// The point whose x has this code: y has ten more.
+    ///
+    /// # Errors
+    /// A coordinate is no finite number.
+    pub fn point(&self, code: i32) -> Result<DVec2, Error> {
+        Ok(DVec2::new(self.number(code, 0.0)?, self.number(code + 10, 0.0)?))
+    }
+
+    /// All numbers with a code.
+    ///
+    /// # Errors
+    /// One is no finite number.
+    pub fn numbers(&self, code: i32) -> Result<Vec<f64>, Error> {
+        self.pairs.iter().filter(|pair| pair.code == code).map(Pair::number).collect()
+    }
+
+    /// All points whose x has this code.
+    ///
+    /// # Errors
+    /// A coordinate is no finite number.
+    pub fn points(&self, code: i32) -> Result<Vec<DVec2>, Error> {
+        let mut points: Vec<DVec2> = vec![];
+        for pair in self.pairs {
+            match points.last_mut() {
+                _ if pair.code == code => points.push(DVec2::new(pair.number()?, 0.0)),
+                Some(at) if pair.code == code + 10 => at.y = pair.number()?,
+                _ => {}
+            }
+        }
+        Ok(points)
+    }
+
+    /// The corners of a light polyline, with how much the line after each bulges.
+    ///
+    /// # Errors
+    /// One is no finite number.
+    pub fn corners(&self) -> Result<Vec<(DVec2, f64)>, Error> {
+        let mut corners: Vec<(DVec2, f64)> = vec![];
+        for pair in self.pairs {
+            match (pair.code, corners.last_mut()) {
+                (10, _) => corners.push((DVec2::new(pair.number()?, 0.0), 0.0)),
+                (20, Some((at, _))) => at.y = pair.number()?,
+                (42, Some((_, bulge))) => *bulge = pair.number()?,
+                _ => {}
+            }
+        }
+        Ok(corners)
     }
 
     /// Where bits are set.

@@ -1,8 +1,8 @@
 //! The entities of a drawing as shapes.
 
-use super::super::curve::{TOLERANCE, arc, bulge};
+use super::super::curve::{TOLERANCE, arc, bulged};
 use super::super::drawing::{Drawing, Form, Place};
-use super::{Entity, Pairs};
+use super::{Entity, Pairs, hatch, spline};
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
 use crate::import::short;
@@ -14,6 +14,9 @@ use std::f64::consts::TAU;
 const DEEPEST: usize = 16;
 /// The most entities that inserted blocks may come to.
 const MOST: usize = 500_000;
+
+/// Kinds whose coordinates are the drawing's, from wherever they are seen.
+const IN_SPACE: [&str; 6] = ["LINE", "POINT", "3DFACE", "ELLIPSE", "SPLINE", "MTEXT"];
 
 /// What reads the entities of a drawing.
 pub(super) struct Shapes<'p, 't> {
@@ -46,7 +49,7 @@ impl<'p, 't> Shapes<'p, 't> {
         for entity in pairs.entities("BLOCKS") {
             match (entity.kind, &mut open) {
                 ("BLOCK", _) => {
-                    let base = point(&entity, 10).unwrap_or_default();
+                    let base = entity.point(10).unwrap_or_default();
                     open = entity.text(2).map(|name| (name, Block { base, entities: vec![] }));
                 }
                 ("ENDBLK", _) => blocks.extend(open.take()),
@@ -94,35 +97,40 @@ impl<'p, 't> Shapes<'p, 't> {
         let layer = entity.text(8).unwrap_or("0");
         let layer = if layer == "0" { frame.layer.unwrap_or(layer) } else { layer };
         // coordinates of what is drawn from below are mirrored
-        let below = entity.number(230, 1.0)? < 0.0;
+        let below = !IN_SPACE.contains(&entity.kind) && entity.number(230, 1.0)? < 0.0;
         let to = if below { frame.to * DAffine2::from_scale(DVec2::new(-1.0, 1.0)) } else { frame.to };
         let here = Frame { to, layer: Some(layer), ..frame };
         let tolerance = self.tolerance / to.matrix2.x_axis.length().max(to.matrix2.y_axis.length()).max(1e-9);
-        let mut form = match entity.kind {
-            "LINE" => Form::Line(vec![point(entity, 10)?, point(entity, 11)?]),
-            "LWPOLYLINE" => polyline(corners(entity.pairs)?, entity.flags(70) & 1 == 1, tolerance),
+        let mut forms = match entity.kind {
+            "LINE" => vec![Form::Line(vec![entity.point(10)?, entity.point(11)?])],
+            "LWPOLYLINE" => vec![polyline(&entity.corners()?, entity.flags(70) & 1 == 1, tolerance)],
             // meshes are no outlines
             "POLYLINE" if entity.flags(70) & (16 | 64) == 0 => {
                 let mut corners = vec![];
                 for vertex in vertices {
-                    corners.push((point(vertex, 10)?, vertex.number(42, 0.0)?));
+                    corners.push((vertex.point(10)?, vertex.number(42, 0.0)?));
                 }
-                polyline(corners, entity.flags(70) & 1 == 1, tolerance)
+                vec![polyline(&corners, entity.flags(70) & 1 == 1, tolerance)]
             }
-            "CIRCLE" if conformal(to) => Form::Disc(point(entity, 10)?, entity.number(40, 0.0)?.max(0.0)),
-            "CIRCLE" | "ARC" | "ELLIPSE" => curve(entity, tolerance)?,
+            "CIRCLE" if conformal(to) => vec![Form::Disc(entity.point(10)?, entity.number(40, 0.0)?.max(0.0))],
+            "CIRCLE" | "ARC" | "ELLIPSE" => vec![curve(entity, tolerance)?],
+            "SPLINE" => {
+                let points = spline::lines(entity, 71, 41, tolerance)?;
+                vec![Form::of_line(points, entity.flags(70) & 1 == 1)]
+            }
+            "HATCH" => hatch::forms(entity, tolerance)?,
             "SOLID" | "TRACE" | "3DFACE" => {
-                let mut corners = vec![point(entity, 10)?, point(entity, 11)?, point(entity, 13)?, point(entity, 12)?];
+                let mut corners = vec![entity.point(10)?, entity.point(11)?, entity.point(13)?, entity.point(12)?];
                 if entity.kind == "3DFACE" {
                     corners.swap(2, 3);
                 }
-                Form::Area(corners, vec![])
+                vec![Form::Area(corners, vec![])]
             }
-            "POINT" => Form::Point(point(entity, 10)?),
+            "POINT" => vec![Form::Point(entity.point(10)?)],
             "INSERT" => return self.insert(entity, here, drawing),
             "TEXT" | "MTEXT" => {
                 let said = entity.pairs.iter().filter(|pair| matches!(pair.code, 1 | 3)).map(|pair| pair.value);
-                drawing.labels.push((to.transform_point2(point(entity, 10)?), said.collect()));
+                drawing.labels.push((to.transform_point2(entity.point(10)?), said.collect()));
                 return Ok(());
             }
             "SEQEND" | "VERTEX" | "VIEWPORT" | "ATTDEF" | "ATTRIB" | "DIMENSION" | "LEADER" | "IMAGE" => return Ok(()),
@@ -132,8 +140,10 @@ impl<'p, 't> Shapes<'p, 't> {
                 return Ok(());
             }
         };
-        form.each(|p| to.transform_point2(p));
-        drawing.add(layer, form, Place::Line(entity.line));
+        for form in &mut forms {
+            form.each(|p| to.transform_point2(p));
+        }
+        forms.into_iter().for_each(|form| drawing.add(layer, form, Place::Line(entity.line)));
         Ok(())
     }
 
@@ -156,7 +166,7 @@ impl<'p, 't> Shapes<'p, 't> {
         let apart = DVec2::new(entity.number(44, 0.0)?, entity.number(45, 0.0)?);
         let count = |code: i32| entity.number(code, 1.0).map(|count| count.clamp(1.0, 1e6) as usize);
         let (columns, rows) = (count(70)?, count(71)?);
-        let at = point(entity, 10)?;
+        let at = entity.point(10)?;
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
             self.inserted += entities.len() + 1;
             if self.inserted > MOST {
@@ -174,10 +184,12 @@ impl<'p, 't> Shapes<'p, 't> {
 
 /// A circle, or a part of one, or of an ellipse.
 fn curve(entity: &Entity, tolerance: f64) -> Result<Form, Error> {
-    let center = point(entity, 10)?;
+    let center = entity.point(10)?;
     let (axes, from, to) = if entity.kind == "ELLIPSE" {
-        let a = point(entity, 11)?;
-        ([a, a.perp() * entity.number(40, 1.0)?], entity.number(41, 0.0)?, entity.number(42, TAU)?)
+        let a = entity.point(11)?;
+        // seen from below it goes the other way round
+        let below = if entity.number(230, 1.0)? < 0.0 { -1.0 } else { 1.0 };
+        ([a, a.perp() * below * entity.number(40, 1.0)?], entity.number(41, 0.0)?, entity.number(42, TAU)?)
     } else {
         let radius = entity.number(40, 0.0)?.max(0.0);
         let (from, to) = (entity.number(50, 0.0)?.to_radians(), entity.number(51, 360.0)?.to_radians());
@@ -195,33 +207,6 @@ fn conformal(to: DAffine2) -> bool {
     (x.length() - y.length()).abs() <= 1e-9 * x.length() && x.dot(y).abs() <= 1e-9 * x.length_squared()
 }
 
-/// The point whose x has this code: y has ten more.
-fn point(entity: &Entity, code: i32) -> Result<DVec2, Error> {
-    Ok(DVec2::new(entity.number(code, 0.0)?, entity.number(code + 10, 0.0)?))
-}
-
-/// The corners of a light polyline, with how much the line after each bulges.
-fn corners(pairs: &[super::pairs::Pair]) -> Result<Vec<(DVec2, f64)>, Error> {
-    let mut corners: Vec<(DVec2, f64)> = vec![];
-    for pair in pairs {
-        match (pair.code, corners.last_mut()) {
-            (10, _) => corners.push((DVec2::new(pair.number()?, 0.0), 0.0)),
-            (20, Some((at, _))) => at.y = pair.number()?,
-            (42, Some((_, bulge))) => *bulge = pair.number()?,
-            _ => {}
-        }
-    }
-    Ok(corners)
-}
-
-fn polyline(corners: Vec<(DVec2, f64)>, closed: bool, tolerance: f64) -> Form {
-    let mut points: Vec<DVec2> = corners.first().map(|(at, _)| *at).into_iter().collect();
-    let next = corners.iter().skip(1).chain(corners.first().filter(|_| closed));
-    for ((from, bent), (to, _)) in corners.iter().zip(next) {
-        points.extend(bulge(*from, *to, *bent, tolerance));
-    }
-    if closed && points.len() > 1 {
-        points.pop();
-    }
-    Form::of_line(points, closed)
+fn polyline(corners: &[(DVec2, f64)], closed: bool, tolerance: f64) -> Form {
+    Form::of_line(bulged(corners, closed, tolerance), closed)
 }

@@ -2,7 +2,11 @@
 
 use super::super::curve::TOLERANCE;
 use super::super::drawing::Drawing;
-use super::super::layer::role;
+use super::super::layer::{Role, role};
+use super::super::overlay::{FARTHEST, THIN};
+use super::stroke::painted;
+use super::style::{Look, Styles};
+use super::viewport::fitted;
 use super::{Place, outline};
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
@@ -11,6 +15,7 @@ use glam::{DAffine2, DMat2};
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
 use std::str::FromStr;
+use svgtypes::{AspectRatio, ViewBox};
 
 /// The name space of Inkscape's labels.
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
@@ -26,6 +31,7 @@ const MOST: usize = 500_000;
 /// What reads the elements of a document.
 pub(super) struct Elements<'t> {
     text: &'t str,
+    styles: Styles<'t>,
     root: Node<'t, 't>,
     ids: BTreeMap<&'t str, Node<'t, 't>>,
     /// Metres.
@@ -33,37 +39,63 @@ pub(super) struct Elements<'t> {
 }
 
 /// An element still to read.
-struct Todo<'t> {
-    node: Node<'t, 't>,
+pub(super) struct Todo<'t> {
+    pub node: Node<'t, 't>,
+    /// How it is drawn; before it is read, what it is in.
+    pub look: Look<'t>,
+    /// The size of the picture it is in.
+    pub view: DVec2,
     to: DAffine2,
     /// The names of what it is in, the outermost first.
     layers: Vec<&'t str>,
     /// How many copies it stands in.
     copies: usize,
+    /// The copy that it is of, which may say how large it is.
+    copy: Option<Node<'t, 't>>,
 }
 
 impl<'t> Elements<'t> {
     pub fn new(text: &'t str, document: &'t Document<'t>, unit: f64) -> Self {
         let root = document.root_element();
         let ids = root.descendants().filter_map(|node| Some((node.attribute("id")?, node))).collect();
-        Self { text, root, ids, unit }
+        Self { text, styles: Styles::of(document), root, ids, unit }
     }
 
-    /// The y of the lower edge of the picture, 0 where it does not say.
-    pub fn bottom(&self) -> f64 {
-        let view = self.root.attribute("viewBox").and_then(|view| svgtypes::ViewBox::from_str(view).ok());
-        let height = || self.root.attribute("height").and_then(|height| svgtypes::Length::from_str(height).ok());
-        view.map_or_else(|| height().map_or(0.0, |height| height.number), |view| view.y + view.h)
+    /// The upper left corner and the size of the picture, 0 where it does not say.
+    pub fn view(&self) -> Result<[DVec2; 2], Error> {
+        if let Some(view) = self.view_box(self.root)? {
+            return Ok([DVec2::new(view.x, view.y), DVec2::new(view.w, view.h)]);
+        }
+        // all of what is round the picture, as a page has it, is not known
+        let side = |name: &str| match self.root.attribute(name) {
+            Some(said) if said.trim().ends_with('%') => Ok(0.0),
+            _ => self.length(self.root, name, DVec2::ZERO).map(Option::unwrap_or_default),
+        };
+        Ok([DVec2::ZERO, DVec2::new(side("width")?, side("height")?)])
+    }
+
+    fn view_box(&self, node: Node) -> Result<Option<ViewBox>, Error> {
+        let Some(said) = node.attribute("viewBox") else { return Ok(None) };
+        let view =
+            ViewBox::from_str(said).map_err(|error| self.wrong(node, format!("its viewBox is wrong: {error}")))?;
+        Ok(Some(view).filter(|view| [view.x, view.y, view.w, view.h].iter().all(|x| x.is_finite())))
     }
 
     /// Adds the shapes of the document, as they lie in the picture.
     pub fn read(&self, drawing: &mut Drawing) -> Result<(), Error> {
-        let mut todo = vec![Todo { node: self.root, to: DAffine2::IDENTITY, layers: vec![], copies: 0 }];
+        let [_, view] = self.view()?;
+        let look = self.styles.look(self.root, None);
+        let to = DAffine2::IDENTITY;
+        let mut todo = vec![Todo { node: self.root, look, view, to, layers: vec![], copies: 0, copy: None }];
         let mut copied = 0;
         while let Some(mut item) = todo.pop() {
             let node = item.node;
             let symbol = node.tag_name().name() == "symbol" && item.copies > 0;
-            if !node.is_element() || (hidden(node) && !symbol) {
+            if !node.is_element() || (is_for_reference(node) && !symbol) {
+                continue;
+            }
+            item.look = self.styles.look(node, Some(item.look));
+            if item.look.is("display", "none") {
                 continue;
             }
             item.layers.extend(names(node));
@@ -73,9 +105,12 @@ impl<'t> Elements<'t> {
             if copied > MOST {
                 return Err(self.wrong(node, format!("copies (<use>) come to more than {MOST} elements")));
             }
+            if symbol || (node.tag_name().name() == "svg" && node != self.root) {
+                self.enter(&mut item)?;
+            }
             match node.tag_name().name() {
                 "svg" | "g" | "a" | "switch" | "symbol" => {
-                    let child = |node| Todo { node, layers: item.layers.clone(), ..item };
+                    let child = |node| Todo { node, layers: item.layers.clone(), copy: None, ..item };
                     let from = todo.len();
                     todo.extend(node.children().map(child));
                     todo[from..].reverse();
@@ -88,9 +123,9 @@ impl<'t> Elements<'t> {
                             self.wrong(node, format!("copies (<use>) stand in copies more than {DEEPEST} deep"))
                         );
                     }
-                    let shift = DVec2::new(self.length(node, "x")?, self.length(node, "y")?);
-                    let to = item.to * DAffine2::from_translation(shift);
-                    todo.push(Todo { node: *of, to, layers: item.layers, copies: item.copies + 1 });
+                    let length = |name: &str| self.length(node, name, item.view).map(Option::unwrap_or_default);
+                    let to = item.to * DAffine2::from_translation(DVec2::new(length("x")?, length("y")?));
+                    todo.push(Todo { node: *of, to, copies: item.copies + 1, copy: Some(node), ..item });
                 }
                 _ => self.shape(&item, drawing)?,
             }
@@ -98,10 +133,38 @@ impl<'t> Elements<'t> {
         Ok(())
     }
 
+    /// Into a picture in the picture.
+    fn enter(&self, item: &mut Todo) -> Result<(), Error> {
+        let node = item.node;
+        let length = |of: Node, name: &str| self.length(of, name, item.view);
+        let side = |name: &str, whole: f64| -> Result<f64, Error> {
+            let copied = item.copy.map_or(Ok(None), |copy| length(copy, name))?;
+            Ok(copied.map_or_else(|| length(node, name), |side| Ok(Some(side)))?.unwrap_or(whole))
+        };
+        let room = DVec2::new(side("width", item.view.x)?, side("height", item.view.y)?);
+        let at = DVec2::new(length(node, "x")?.unwrap_or_default(), length(node, "y")?.unwrap_or_default());
+        item.to *= DAffine2::from_translation(at);
+        match self.view_box(node)? {
+            Some(view) if room.min_element() > 0.0 => {
+                let ratio = node.attribute("preserveAspectRatio").unwrap_or("xMidYMid");
+                let ratio = AspectRatio::from_str(ratio)
+                    .map_err(|error| self.wrong(node, format!("its preserveAspectRatio is wrong: {error}")))?;
+                item.to *= fitted(&view, room, ratio);
+                item.view = DVec2::new(view.w, view.h);
+            }
+            _ => item.view = room,
+        }
+        Ok(())
+    }
+
     fn shape(&self, item: &Todo, drawing: &mut Drawing) -> Result<(), Error> {
-        let (to, node) = (item.to, item.node);
+        let (to, node, look) = (item.to, item.node, &item.look);
+        if look.is("visibility", "hidden") || look.is("visibility", "collapse") {
+            return Ok(());
+        }
         let wide = to.matrix2.x_axis.length().max(to.matrix2.y_axis.length()).max(1e-9);
-        let Some(forms) = outline::of(self, node, TOLERANCE / self.unit / wide)? else {
+        let tolerance = TOLERANCE / self.unit / wide;
+        let Some(mut forms) = outline::of(self, item, tolerance)? else {
             if matches!(node.tag_name().name(), "image" | "text" | "foreignObject") {
                 drawing.notes.about(&format!("<{}>", node.tag_name().name()), "left out");
             }
@@ -109,10 +172,26 @@ impl<'t> Elements<'t> {
         };
         // the innermost name that says what it is, else the innermost
         let layer = item.layers.iter().rev().find(|name| role(name).is_some()).or(item.layers.last());
+        let layer = layer.copied().unwrap_or_default();
+        if look.is("fill", "none") && look.is("stroke", "none") {
+            drawing.notes.about(&format!("layer `{layer}`"), "what has neither fill nor stroke is not seen: left out");
+            return Ok(());
+        }
+        let pen =
+            look.of("stroke").filter(|stroke| *stroke != "none").and(Some(look.of("stroke-width").unwrap_or("1")));
+        if let Some(pen) = pen.filter(|_| role(layer) == Some(Role::Obstacle)) {
+            let width = self.pixels(node, "stroke-width", pen, item.view)?;
+            if width > FARTHEST {
+                return Err(self.wrong(node, format!("its stroke is more than {FARTHEST} units wide")));
+            }
+            if width * wide * self.unit > 2.0 * THIN {
+                forms = painted(forms, look, width, tolerance);
+            }
+        }
         let line = self.text[..node.range().start].matches('\n').count() + 1;
         for mut form in forms {
             form.each(|p| to.transform_point2(p));
-            drawing.add(layer.copied().unwrap_or_default(), form, Place::Line(line));
+            drawing.add(layer, form, Place::Line(line));
         }
         Ok(())
     }
@@ -127,13 +206,21 @@ impl<'t> Elements<'t> {
         ))
     }
 
-    /// A length in pixels; 0 where it is not said.
-    pub fn length(&self, node: Node, name: &str) -> Result<f64, Error> {
+    /// A length in pixels, where it is said, in a picture of a size.
+    pub fn length(&self, node: Node, name: &str, view: DVec2) -> Result<Option<f64>, Error> {
+        node.attribute(name).map(|said| self.pixels(node, name, said, view)).transpose()
+    }
+
+    fn pixels(&self, node: Node, name: &str, said: &str, view: DVec2) -> Result<f64, Error> {
         use svgtypes::LengthUnit as Unit;
-        let Some(said) = node.attribute(name) else { return Ok(0.0) };
         let length = svgtypes::Length::from_str(said).ok().filter(|length| length.number.is_finite());
         let length =
             length.ok_or_else(|| self.wrong(node, format!("`{name}` is `{}`, which is no length", short(said))))?;
+        let whole = match name {
+            "x" | "x1" | "x2" | "cx" | "rx" | "width" => view.x,
+            "y" | "y1" | "y2" | "cy" | "ry" | "height" => view.y,
+            _ => view.length() * std::f64::consts::FRAC_1_SQRT_2,
+        };
         let pixels = match length.unit {
             Unit::None | Unit::Px => 1.0,
             Unit::In => 96.0,
@@ -141,9 +228,14 @@ impl<'t> Elements<'t> {
             Unit::Mm => 96.0 / 25.4,
             Unit::Pt => 96.0 / 72.0,
             Unit::Pc => 16.0,
-            Unit::Em | Unit::Ex | Unit::Percent => {
+            Unit::Percent if whole > 0.0 => whole / 100.0,
+            Unit::Percent => {
+                let message = format!("`{name}` is `{}` of a picture whose size nobody says", short(said));
+                return Err(self.wrong(node, message).hint("give the picture a viewBox"));
+            }
+            Unit::Em | Unit::Ex => {
                 let message =
-                    format!("`{name}` is `{}`: only lengths in px, mm, cm, in, pt and pc are read", short(said));
+                    format!("`{name}` is `{}`: only lengths in px, %, mm, cm, in, pt and pc are read", short(said));
                 return Err(self.wrong(node, message));
             }
         };
@@ -165,27 +257,21 @@ fn names<'t>(node: Node<'t, 't>) -> impl Iterator<Item = &'t str> {
     [node.attribute("class"), node.attribute("id"), label].into_iter().flatten()
 }
 
-/// Whether an element is not shown: it says so, or is there to be referred to.
-fn hidden(node: Node) -> bool {
-    let style = |key: &str, value: &str| {
-        let said = node.attribute("style").unwrap_or_default().split(';').filter_map(|part| part.split_once(':'));
-        node.attribute(key).is_some_and(|said| said.trim() == value)
-            || said.into_iter().any(|(k, v)| k.trim() == key && v.trim() == value)
-    };
-    style("display", "none")
-        || style("visibility", "hidden")
-        || matches!(
-            node.tag_name().name(),
-            "defs"
-                | "symbol"
-                | "clipPath"
-                | "mask"
-                | "pattern"
-                | "marker"
-                | "metadata"
-                | "title"
-                | "desc"
-                | "style"
-                | "script"
-        )
+/// Whether an element is not shown where it stands.
+fn is_for_reference(node: Node) -> bool {
+    let name = node.tag_name().name();
+    matches!(
+        name,
+        "defs"
+            | "symbol"
+            | "clipPath"
+            | "mask"
+            | "pattern"
+            | "marker"
+            | "metadata"
+            | "title"
+            | "desc"
+            | "style"
+            | "script"
+    )
 }

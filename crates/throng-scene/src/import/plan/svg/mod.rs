@@ -2,6 +2,9 @@
 
 mod elements;
 mod outline;
+mod stroke;
+mod style;
+mod viewport;
 
 use super::drawing::{Drawing, Place};
 use crate::error::{Error, Kind};
@@ -31,13 +34,14 @@ pub(super) fn read(text: &str, unit: Option<f64>) -> Result<Drawing, Error> {
     let mut drawing = Drawing::default();
     let unit = unit.unwrap_or_else(|| {
         drawing.notes.whole(format!(
-            "a pixel, or unit of the view box, is taken to be {PIXEL} m: --plan-unit METRES changes it"
+            "a pixel, or unit of the view box, is taken to be {PIXEL} m: --plan-unit METRES, in a scene `unit`, changes it"
         ));
         PIXEL
     });
     let elements = Elements::new(text, &document, unit);
     elements.read(&mut drawing)?;
-    let bottom = elements.bottom();
+    let [corner, size] = elements.view()?;
+    let bottom = corner.y + size.y;
     drawing.map(|p| DVec2::new(p.x, bottom - p.y) * unit);
     Ok(drawing)
 }

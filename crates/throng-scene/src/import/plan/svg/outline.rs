@@ -2,26 +2,26 @@
 
 use super::super::curve::{arc, cubic};
 use super::super::drawing::Form;
-use super::super::overlay::enclosed;
-use super::elements::Elements;
+use super::super::overlay::{FARTHEST, enclosed};
+use super::elements::{Elements, Todo};
 use crate::error::Error;
 use crate::geometry::{DVec2, points, signed_area};
 use crate::import::short;
-use roxmltree::Node;
 use std::f64::consts::TAU;
-use svgtypes::{PointsParser, SimplePathSegment as Segment, SimplifyingPathParser};
-
-/// Coordinates beyond this are not worked with.
-const FARTHEST: f64 = 1e9;
+use svgtypes::{PathParser, PathSegment, PointsParser, SimplePathSegment as Segment, SimplifyingPathParser};
 
 /// The shapes of an element, in its own units; `None` if it draws none.
-pub(super) fn of(elements: &Elements, node: Node, tolerance: f64) -> Result<Option<Vec<Form>>, Error> {
-    let length = |name: &str| elements.length(node, name);
+pub(super) fn of(elements: &Elements, item: &Todo, tolerance: f64) -> Result<Option<Vec<Form>>, Error> {
+    let node = item.node;
+    let length = |name: &str| elements.length(node, name, item.view).map(Option::unwrap_or_default);
     Ok(Some(match node.tag_name().name() {
         "rect" => {
             let (low, size) = (DVec2::new(length("x")?, length("y")?), DVec2::new(length("width")?, length("height")?));
-            let high = low + size;
-            vec![Form::Area(vec![low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)], vec![])]
+            // one of the radii stands for the other
+            let round = |name: &str| elements.length(node, name, item.view);
+            let (rx, ry) = (round("rx")?, round("ry")?);
+            let radii = DVec2::new(rx.or(ry).unwrap_or_default(), ry.or(rx).unwrap_or_default());
+            vec![Form::Area(rounded(low, size, radii, tolerance), vec![])]
         }
         "circle" => vec![ellipse(DVec2::new(length("cx")?, length("cy")?), DVec2::splat(length("r")?), tolerance)],
         "ellipse" => {
@@ -35,9 +35,23 @@ pub(super) fn of(elements: &Elements, node: Node, tolerance: f64) -> Result<Opti
             let points = PointsParser::from(said).map(DVec2::from).collect();
             vec![Form::of_line(points, node.tag_name().name() == "polygon")]
         }
-        "path" => path(elements, node, tolerance)?,
+        "path" => path(elements, item, tolerance)?,
         _ => return Ok(None),
     }))
+}
+
+/// A rectangle whose corners are quarters of ellipses.
+fn rounded(low: DVec2, size: DVec2, radii: DVec2, tolerance: f64) -> Vec<DVec2> {
+    let high = low + size;
+    let radii = radii.min(size * 0.5);
+    if radii.min_element() <= 0.0 {
+        return vec![low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
+    }
+    let (near, far) = (low + radii, high - radii);
+    let middles = [far, DVec2::new(near.x, far.y), near, DVec2::new(far.x, near.y)];
+    let axes = [DVec2::X * radii.x, DVec2::Y * radii.y];
+    let quarter = |(k, middle): (usize, DVec2)| arc(middle, axes, [k, k + 1].map(|k| k as f64 * TAU / 4.0), tolerance);
+    middles.into_iter().enumerate().flat_map(quarter).collect()
 }
 
 fn ellipse(center: DVec2, radii: DVec2, tolerance: f64) -> Form {
@@ -51,10 +65,16 @@ fn ellipse(center: DVec2, radii: DVec2, tolerance: f64) -> Form {
 }
 
 /// A path: what is not closed is a line; what is, with the holes in it, an area.
-fn path(elements: &Elements, node: Node, tolerance: f64) -> Result<Vec<Form>, Error> {
+fn path(elements: &Elements, item: &Todo, tolerance: f64) -> Result<Vec<Form>, Error> {
+    let node = item.node;
     let said = node.attribute("d").unwrap_or_default();
     let (mut lines, mut rings) = (vec![], vec![]);
     let mut run: Vec<DVec2> = vec![];
+    // an arc so large would become more curves than there is memory for
+    if PathParser::from(said).flatten().any(|segment| reach(&segment) > FARTHEST) {
+        let message = format!("its path goes farther than {FARTHEST} units, in `{}`", short(said));
+        return Err(elements.wrong(node, message));
+    }
     for segment in SimplifyingPathParser::from(said) {
         let segment = segment
             .map_err(|error| elements.wrong(node, format!("its path is wrong: {error}, in `{}`", short(said))))?;
@@ -89,7 +109,7 @@ fn path(elements: &Elements, node: Node, tolerance: f64) -> Result<Vec<Form>, Er
         [] => {}
         [one] if signed_area(one) != 0.0 => forms.push(Form::Area(one.clone(), vec![])),
         several if several.iter().flatten().all(|p| p.abs().max_element() < FARTHEST) => {
-            let areas = enclosed(several, node.attribute("fill-rule") == Some("evenodd"));
+            let areas = enclosed(several, item.look.is("fill-rule", "evenodd"));
             let holes = |area: &crate::scene::Area| area.holes.iter().map(|hole| points(hole)).collect();
             forms.extend(areas.iter().map(|area| Form::Area(points(&area.outer), holes(area))));
         }
@@ -97,4 +117,21 @@ fn path(elements: &Elements, node: Node, tolerance: f64) -> Result<Vec<Form>, Er
         [first, ..] => forms.push(Form::Area(first.clone(), vec![])),
     }
     Ok(forms)
+}
+
+/// The largest of the numbers that say where a part of a path leads to, or how large an arc is.
+fn reach(segment: &PathSegment) -> f64 {
+    let numbers = match *segment {
+        PathSegment::EllipticalArc { rx, ry, x, y, .. } => [rx, ry, x, y],
+        PathSegment::MoveTo { x, y, .. }
+        | PathSegment::LineTo { x, y, .. }
+        | PathSegment::CurveTo { x, y, .. }
+        | PathSegment::SmoothCurveTo { x, y, .. }
+        | PathSegment::Quadratic { x, y, .. }
+        | PathSegment::SmoothQuadratic { x, y, .. } => [x, y, 0.0, 0.0],
+        PathSegment::HorizontalLineTo { x, .. } => [x, 0.0, 0.0, 0.0],
+        PathSegment::VerticalLineTo { y, .. } => [y, 0.0, 0.0, 0.0],
+        PathSegment::ClosePath { .. } => [0.0; 4],
+    };
+    numbers.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
