@@ -1,12 +1,15 @@
 //! Ground and obstacles: from what a scene says to what the world takes.
 
 use super::check::{check_points, check_rectangle};
+#[cfg(feature = "plans")]
 use super::limits::{Limit, check_some};
 use crate::error::{Error, Kind};
 use crate::file::{Path, Problem};
 use crate::geometry::{DVec2, Solid, bounds, contains, crossing, points, rectangle, signed_area};
-use crate::import::plan::{self, Ask};
-use crate::scene::{Area, As, Obstacle, Point, Scene, Shape, Walkable};
+#[cfg(feature = "plans")]
+use crate::import::plan;
+use crate::import::plan::Ground;
+use crate::scene::{Area, As, Obstacle, PlanFile, Point, Scene, Shape, Walkable};
 
 /// What went wrong: a value of the scene, or a file it names.
 pub(super) enum Wrong {
@@ -47,20 +50,31 @@ pub(super) fn areas(scene: &Scene, notes: &mut Vec<String>) -> Result<Vec<throng
             Ok(areas?)
         }
         Some(Walkable::File(plan)) => {
-            let path = path.key("file");
-            check_some(&path.key("unit"), plan.unit, Limit::Positive)?;
-            let ask = Ask { unit: plan.unit, level: plan.level, ..Ask::default() };
-            let ground = plan::ground(scene.origin.folder.join(&plan.name), &ask);
-            let ground = ground.map_err(|error| match error.kind {
-                Kind::File | Kind::NotAScene => {
-                    Problem { hint: error.hint, ..Problem::new(&path, error.kind, error.message) }.into()
-                }
-                _ => Wrong::Error(Box::new(error)),
-            })?;
+            let ground = in_file(scene, plan, &path.key("file"))?;
             notes.extend(ground.notes);
             Ok(ground.areas)
         }
     }
+}
+
+/// The ground of a floor plan.
+#[cfg(feature = "plans")]
+fn in_file(scene: &Scene, said: &PlanFile, path: &Path) -> Result<Ground, Wrong> {
+    check_some(&path.key("unit"), said.unit, Limit::Positive)?;
+    let ask = plan::Ask { unit: said.unit, level: said.level, ..plan::Ask::default() };
+    plan::ground(scene.origin.folder.join(&said.name), &ask).map_err(|error| match error.kind {
+        Kind::File | Kind::NotAScene => {
+            Problem { hint: error.hint, ..Problem::new(path, error.kind, error.message) }.into()
+        }
+        _ => Wrong::Error(Box::new(error)),
+    })
+}
+
+/// Not without the feature `plans`.
+#[cfg(not(feature = "plans"))]
+fn in_file(_: &Scene, said: &PlanFile, path: &Path) -> Result<Ground, Wrong> {
+    let message = format!("{}: no files of floor plans are read here, such as in a web page", said.name);
+    Err(Problem::new(path, Kind::File, message).hint("write the corners in the scene: walkable.polygons").into())
 }
 
 /// A polygon has three corners and an area, and does not cross itself.
