@@ -16,6 +16,7 @@ mod info;
 mod interrupt;
 mod list;
 mod look;
+mod map;
 mod measure;
 mod options;
 mod out;

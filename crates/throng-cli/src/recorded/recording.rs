@@ -3,7 +3,7 @@
 use super::args::RecordedArgs;
 use crate::failure::Failure;
 use crate::files::is;
-use crate::replay::map::Map;
+use crate::map::Map;
 use crate::source::Changes;
 use glam::DVec2;
 use std::path::PathBuf;
@@ -39,15 +39,14 @@ impl Recording {
         if tracks.setting.title.is_empty() {
             tracks.setting.title.clone_from(&name);
         }
-        let (scene, moments) = match &args.map {
-            Some(map) if is(map, "xml") => {
-                let mut map = Map::of(map.clone())?;
-                map.shift(args.map_offset.unwrap_or_default());
-                tracks.setting.obstacles = map.obstacles;
+        let (scene, moments) = match &args.map.map {
+            // scenes have names and goals too
+            Some(map) if !is(map, "xml") => in_place(tracks, place(map, args.map.map_offset.unwrap_or_default())?),
+            _ => {
+                let map = Map::read(&args.map, &path, &tracks.setting, None)?;
+                (tracks.setting.walkable, tracks.setting.obstacles) = (map.walkable, map.obstacles);
                 (Scene::default(), Moments::of(tracks))
             }
-            Some(map) => in_place(tracks, place(map, args.map_offset.unwrap_or_default())?),
-            None => (Scene::default(), Moments::of(tracks)),
         };
         Ok(Self { path, name, moments, scene })
     }

@@ -1,11 +1,11 @@
 //! What `throng replay` is told, and its help.
 
 use crate::look::{parse_not_negative, parse_positive};
+use crate::map::MapArgs;
 use crate::measure::args::parse_line;
 use crate::options::{FilmArgs, ThreadArgs};
 use crate::tracks::TrackArgs;
 use clap::Args;
-use glam::DVec2;
 use std::path::PathBuf;
 use throng_record::pedestrian::Line;
 use throng_record::pedestrian::replay::Pace;
@@ -121,18 +121,13 @@ pub struct ReplayArgs {
 #[derive(Args, Debug)]
 #[command(next_help_heading = "People")]
 pub struct StageArgs {
-    /// The walls: OpenTraj's map.xml, a floor plan (.wkt), or a scene of which only ground and obstacles count [default: what the
-    /// file says, else a map.xml beside it]
-    #[arg(long, value_name = "FILE")]
-    pub map: Option<PathBuf>,
+    /// Where they walk.
+    #[command(flatten)]
+    pub map: MapArgs,
 
     /// Walks on open ground, whatever the file or a map.xml says
     #[arg(long, conflicts_with_all = ["map", "map_offset"])]
     pub no_map: bool,
-
-    /// Where the origin of the map is in the recording, metres
-    #[arg(long, value_name = "X,Y", value_parser = parse_place, allow_hyphen_values = true)]
-    pub map_offset: Option<DVec2>,
 
     /// Who belongs together: a line a group, the numbers of its members [default: a groups.txt beside the file]
     #[arg(long, value_name = "FILE")]
@@ -206,10 +201,4 @@ fn parse_pace(text: &str) -> Result<Pace, String> {
         }
         None => Ok(Pace::Constant(parse_positive(text).ok().filter(|&speed| speed <= 1000.0).ok_or_else(wrong)?)),
     }
-}
-
-pub fn parse_place(text: &str) -> Result<DVec2, String> {
-    let number = |text: &str| text.trim().parse().ok().filter(|x: &f64| x.is_finite());
-    let place = text.split_once(',').and_then(|(x, y)| Some(DVec2::new(number(x)?, number(y)?)));
-    place.ok_or_else(|| "write x,y in metres, such as 0,15".into())
 }

@@ -3,7 +3,6 @@
 pub mod args;
 mod json;
 mod kinds;
-pub mod map;
 mod outputs;
 mod report;
 mod stage;
@@ -13,12 +12,12 @@ mod text;
 use crate::failure::Failure;
 use crate::files::is;
 use crate::interrupt;
+use crate::map::{Map, beside};
 use crate::out::{Out, complain};
 use crate::progress::Progress;
 use crate::threads::{self, Workers};
 use args::ReplayArgs;
-use kinds::Kinds;
-use map::{Map, together};
+use kinds::{Kinds, together};
 use outputs::Outputs;
 use report::{Predicted, Report};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -44,7 +43,10 @@ pub fn replay(args: &ReplayArgs, out: &mut Out) -> Result<(), Failure> {
     let scene = stage::scene(args)?;
     let tracks = args.tracks.read(&args.data)?;
     let cast = cast(args, &tracks)?;
-    let map = Map::read(&args.stage, &args.data, &tracks.setting)?;
+    let map = match args.stage.no_map {
+        true => Map::default(),
+        false => Map::read(&args.stage.map, &args.data, &tracks.setting, beside(&args.data, "map.xml"))?,
+    };
     let stage = stage::stage(args, &scene, &cast, &map)?;
     let groups = together(&args.stage, &args.data)?;
     let kinds = Kinds::of(&tracks, &cast, groups.as_deref());

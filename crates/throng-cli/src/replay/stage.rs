@@ -1,8 +1,8 @@
 //! As whom recorded people walk, and how they are drawn.
 
 use super::args::ReplayArgs;
-use super::map::Map;
 use crate::failure::Failure;
+use crate::map::Map;
 use glam::DVec2;
 use throng_draw::{Style, WorldBox};
 use throng_record::pedestrian::replay::{Cast, Stage};

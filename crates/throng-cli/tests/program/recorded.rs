@@ -119,6 +119,7 @@ fn mistakes_are_named() {
         ("render walk.csv -o a.xyz", "cannot tell what to write"),
         ("render missing.rec", "cannot read missing.rec"),
         ("render walk.csv --map nowhere -o a.png", "nowhere"),
+        ("render walk.csv --map-offset 1,0 -o a.png", "say which map: --map FILE"),
         ("run doorway -o a.csv --groups up", "there is no group `up`"),
     ] {
         let told = stderr(&call(folder.path(), arguments).code(2));
