@@ -18,6 +18,7 @@ mod list;
 mod look;
 mod map;
 mod measure;
+mod models;
 mod options;
 mod out;
 mod page;

@@ -10,12 +10,15 @@ use std::path::PathBuf;
 use throng_record::pedestrian::Line;
 use throng_record::pedestrian::replay::Pace;
 
+/// Points of a plot of what is ahead.
+const AHEAD: u32 = 16;
+
 /// After `throng replay -h`.
 pub const SHORT: &str = "\
 Examples:
   throng replay zara01/obsmat.txt --map-offset 0.5,16.2 -o zara01.mp4
   throng replay corridor.txt --map corridor.wkt --line 0,0,0,5
-  throng replay corridor.txt --model rvo:time_horizon=4 --speed 90% --table people.csv
+  throng replay corridor.txt --model orca --model rvo:time_horizon=4 --table people.csv -o corridor.html
 
 `throng replay --help` describes the outputs and the keys of --json; docs/replay.md, what the figures mean.";
 
@@ -29,27 +32,32 @@ Walls come from --map, else from what the file says, else from a map.xml beside 
 groups.txt beside it. The model knows nothing of groups: figures are told for those in groups and those alone.
 
 Outputs, by the ending of the name:
+  .html             one page without network: the tables, a player of the recorded and of every model on one clock, plots
   .mp4 .gif .avi    video, recorded and replayed people side by side; also .webm and other kinds that ffmpeg writes
   .png, .svg        one picture of the same: the last moment, or that of --frame
   NAME/             a folder of PNG files, one a picture
-  .csv .parquet .rec .sqlite .usda   trajectories of the replayed, at the times of the recording
+  .csv .parquet .rec .glb ..   trajectories of the replayed, every step, as `throng run` writes them; of several models a file each,
+                    with the model in its name: again.csv becomes again-orca.csv, again-hrvo.csv
 
 Files get their names when they are complete. Ctrl-C ends the replay and completes the files.
 
 Keys of --json (one object on standard output; metres, seconds):
-  data, model, step      what was replayed, by which model, in steps of so many seconds
+  data, step             what was replayed, in steps of so many seconds
   from, until            the first moment and the last
   map                    { areas, obstacles: how many; through: how many of the recorded walk through what is solid }
-  people                 recorded, entered, overlapping (somebody who was there), moved (out of something solid), refused, seen_once,
-                         goals_moved, arrived, stranded (cannot reach their goals), walking (on their way at the end), delay: seconds by
-                         which they arrive later than the recorded left, the median
-  from_entry             [{ horizon, people, average: { replay, constant_velocity, straight }, final: the same }], each { mean,
-                         median }; the last, with horizon null, is when they were recorded last
+  recorded               entered: how many; seen_once; speed, nearest: { mean, median }; crossings: null, or the same of the times
+                         at which --line is crossed; people: as `throng measure --json` says them
+  models                 [{ model, .. }], each with
+    entered, overlapping (somebody who was there), moved (out of something solid), refused, goals_moved, arrived,
+    stranded (cannot reach their goals), walking (on their way at the end)
+    delay                seconds by which they arrive later than the recorded left, the median
+    speed, nearest       { mean, median, distance: of Kolmogorov and Smirnov from the recorded }
+    crossings            null, or the same
+    people               as `throng measure --json` says them
+    summary              of the world: least_separation, overlaps, guard_share
+  from_entry             [{ horizon, people, average: { MODEL, .., constant_velocity, straight }, final: the same }], by the names
+                         of the models, each { mean, median }; the last, with horizon null, is when they were recorded last
   predicted              null, or { every, moments, horizons: the same list, alone, in_groups: the same of the longest horizon, or null }
-  speed, nearest         { recorded: { mean, median }, replay: the same, distance: of Kolmogorov and Smirnov }
-  crossings              null, or the same of the times at which --line is crossed
-  recorded, replay       { people: as `throng measure --json` says them }
-  summary                of the world: least_separation, overlaps, guard_share
   wall_seconds, interrupted, files
 What is not known is null.
 
@@ -62,6 +70,8 @@ Examples:
       side by side, the replayed people's trajectories, and a line a person
   throng replay corridor.txt --map corridor.wkt --line 0,0,0,5 --from 20 --until 60 --json
       a part of it, on a floor plan, counted at a line
+  throng replay obsmat.txt --model orca,hrvo,rvo -o models.html --table people.csv
+      several models in one table, on one page, and side by side
   throng replay obsmat.txt --model hrvo --set keep_right=0 --speed 90% --every 0
       another model, without its bias to the right, faster people, no predictions";
 
@@ -133,9 +143,10 @@ pub struct StageArgs {
     #[arg(long, value_name = "FILE")]
     pub groups: Option<PathBuf>,
 
-    /// The local model, as `throng compare` takes it: its name, and values of its keys after colons
-    #[arg(short, long, value_name = "MODEL", default_value = "orca")]
-    pub model: String,
+    /// The local model, as `throng compare` takes it: its name, and values of its keys after colons; can be given several times,
+    /// or several with commas between them
+    #[arg(short, long, value_name = "MODEL,..", value_delimiter = ',', default_value = "orca")]
+    pub model: Vec<String>,
 
     /// Changes a value of the scene with one group that they are; can be given several times
     ///
@@ -187,6 +198,14 @@ pub struct FigureArgs {
     /// The line at which people are counted, from one end to the other, metres
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = parse_line, allow_hyphen_values = true)]
     pub line: Option<Line>,
+}
+
+impl FigureArgs {
+    /// How far ahead a plot looks, seconds: evenly, as far as horizons go.
+    pub fn ahead(&self) -> impl Iterator<Item = f64> {
+        let longest = self.horizons.iter().copied().fold(0.0, f64::max);
+        (1..=AHEAD).map(move |k| longest * f64::from(k) / f64::from(AHEAD))
+    }
 }
 
 fn parse_pace(text: &str) -> Result<Pace, String> {

@@ -19,7 +19,14 @@ pub struct Moment {
 }
 
 /// A file being written. Dropped before it is finished, it leaves nothing, or what can be read ([`Format::output`]).
-pub enum Recorder {
+pub struct Recorder {
+    kind: Written,
+    /// Which of the runs of a moment it takes; none: all of them.
+    run: Option<usize>,
+}
+
+/// What is written.
+enum Written {
     /// A picture or a video.
     Film(Box<Behind<Film, Moment, Error>>),
     /// Trajectories.
@@ -62,22 +69,29 @@ impl Recorder {
 
     /// Lets a film be written.
     pub fn film(film: Film) -> Self {
-        Self::Film(Box::new(Behind::start("throng-film", film, |film, moment| {
+        let film = Behind::start("throng-film", film, |film: &mut Film, moment: Moment| {
             let frames: Vec<&Frame> = moment.frames.iter().map(Arc::as_ref).collect();
             (0..moment.pictures).try_for_each(|_| film.push_all(&frames))
-        })))
+        });
+        Self { kind: Written::Film(Box::new(film)), run: None }
     }
 
     /// Lets a table be written.
     pub fn table(table: Box<dyn Writer>) -> Self {
-        Self::Table(Behind::start("throng-table", table, |table, moment| {
+        let table = Behind::start("throng-table", table, |table: &mut Box<dyn Writer>, moment: Moment| {
             moment.frames.iter().try_for_each(|frame| table.push(frame))
-        }))
+        });
+        Self { kind: Written::Table(table), run: None }
+    }
+
+    /// The same, of one of several runs that go on together, by its place among them.
+    pub fn of_run(self, run: usize) -> Self {
+        Self { run: Some(run), ..self }
     }
 
     /// Whether it takes every moment, not only those of pictures.
     pub fn is_table(&self) -> bool {
-        matches!(self, Self::Table(_))
+        matches!(self.kind, Written::Table(_))
     }
 
     /// Hands over a moment to all of `recorders`.
@@ -92,9 +106,13 @@ impl Recorder {
     }
 
     fn push(&mut self, moment: &Moment) -> bool {
-        match self {
-            Self::Film(film) => moment.pictures == 0 || film.push(moment.clone()),
-            Self::Table(table) => !moment.rows || table.push(moment.clone()),
+        let own = || match self.run.and_then(|run| moment.frames.get(run)) {
+            Some(frame) => Moment { frames: vec![frame.clone()], ..*moment },
+            None => moment.clone(),
+        };
+        match &mut self.kind {
+            Written::Film(film) => moment.pictures == 0 || film.push(own()),
+            Written::Table(table) => !moment.rows || table.push(own()),
         }
     }
 
@@ -103,9 +121,9 @@ impl Recorder {
     /// # Errors
     /// It cannot be written or completed.
     pub fn finish(self) -> Result<(), Error> {
-        match self {
-            Self::Film(film) => film.finish()?.finish()?,
-            Self::Table(table) => table.finish()?.finish()?,
+        match self.kind {
+            Written::Film(film) => film.finish()?.finish()?,
+            Written::Table(table) => table.finish()?.finish()?,
         }
         Ok(())
     }

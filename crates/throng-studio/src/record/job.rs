@@ -32,7 +32,7 @@ impl Job {
             from: take.from,
             choice: &Choice::default(),
         };
-        let files = Files::new(vec![begin(&take.path, &plan)?], &plan);
+        let files = Files::new(vec![begin(&take.path, &plan)?], plan.pace(), plan.choice);
         let to = take.to.unwrap_or(f64::INFINITY);
         let mut job = Self { source, files: Some(files), from: take.from, to };
         job.take()?;
