@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use throng_scene::gallery;
 use throng_studio::document::Document;
-use throng_studio::keep::{Answer, Leaving};
+use throng_studio::keep::{Answer, Leaving, Unfinished};
 use throng_studio::panels::{self, Asked, Beside, Gallery, Naming, Record, Recorded, Tuned, Tuning};
 use throng_studio::play::{Command, Engine, Shown, Speed, Trouble};
 use throng_studio::settings::Settings;
@@ -277,16 +277,20 @@ fn a_name_is_asked_for_until_it_is_good() {
 }
 
 #[test]
-fn what_is_not_saved_is_asked_about() {
+fn what_is_not_done_is_asked_about() {
     let cases = [
-        (Leaving::New, "Discard", Answer::Discard),
-        (Leaving::Close, "Save", Answer::Save),
-        (Leaving::Reload(String::new()), "Take the file's", Answer::Discard),
-        (Leaving::Open("box".into()), "Keep editing", Answer::Keep),
+        (Unfinished::Text, Leaving::New, "Discard", Answer::Discard),
+        (Unfinished::Text, Leaving::Close, "Save", Answer::Save),
+        (Unfinished::Text, Leaving::Reload(String::new()), "Take the file's", Answer::Discard),
+        (Unfinished::Text, Leaving::Open("box".into()), "Keep editing", Answer::Keep),
+        (Unfinished::Recording, Leaving::Close, "Finish and keep", Answer::Save),
+        (Unfinished::Recording, Leaving::Close, "Go on recording", Answer::Keep),
+        (Unfinished::Recording, Leaving::Open("box".into()), "Finish and keep", Answer::Save),
+        (Unfinished::Recording, Leaving::New, "Go on recording", Answer::Beside),
     ];
-    for (to, label, answer) in cases {
+    for (of, to, label, answer) in cases {
         let mut answers = Vec::new();
-        let mut harness = Harness::new_ui(|ui| answers.extend(panels::leaving(ui.ctx(), "circle", &to)));
+        let mut harness = Harness::new_ui(|ui| answers.extend(panels::leaving(ui.ctx(), "circle", &to, of)));
         harness.run();
         assert!(harness.query_by_label_contains("circle").is_some(), "{to:?} says what of");
         harness.get_by_label(label).click();
@@ -295,7 +299,8 @@ fn what_is_not_saved_is_asked_about() {
         assert_eq!(answers, [answer]);
     }
     let mut answers = Vec::new();
-    let mut harness = Harness::new_ui(|ui| answers.extend(panels::leaving(ui.ctx(), "circle", &Leaving::New)));
+    let ask = |ctx: &eframe::egui::Context| panels::leaving(ctx, "circle", &Leaving::New, Unfinished::Text);
+    let mut harness = Harness::new_ui(|ui| answers.extend(ask(ui.ctx())));
     harness.key_press(eframe::egui::Key::Escape);
     harness.run();
     drop(harness);

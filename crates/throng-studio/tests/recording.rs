@@ -139,6 +139,26 @@ fn what_is_cancelled_leaves_nothing() {
 }
 
 #[test]
+fn what_is_finished_early_is_the_first_part() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, whole) = (folder.path().join("part.csv"), folder.path().join("whole.csv"));
+    let mut job = Job::new(&subject("circle"), &take(&path), begin).unwrap();
+    while job.share() < 0.02 {
+        assert!(!job.work(Duration::from_millis(1)).unwrap());
+    }
+    job.finish().unwrap();
+    assert!(job.work(Duration::from_millis(1)).unwrap());
+    record(&subject("circle"), &take(&whole)).unwrap();
+    let [part, whole] = [path, whole].map(|path| std::fs::read_to_string(path).unwrap());
+    assert!(part.lines().count() > 36 && part.len() < whole.len() && whole.starts_with(&part));
+    let late = take(&folder.path().join("late.csv"));
+    let mut job = Job::new(&subject("circle"), &Take { from: 1e3, ..late }, begin).unwrap();
+    assert!(job.finish().is_err());
+    drop(job);
+    assert_eq!(names(folder.path()), ["part.csv", "whole.csv"]);
+}
+
+#[test]
 fn a_thread_records_and_says_what_is_wrong() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.csv");

@@ -20,6 +20,7 @@ impl App {
             Beside { shown, size, corner: self.place.right_top(), camera: &camera, share, unused: &outside::unused };
         match self.record.ui(ctx, &beside) {
             Some(Recorded::Begin) => self.begin_recording(ctx, shown, size),
+            Some(Recorded::Finish) => self.finish_recording(),
             Some(Recorded::Cancel) => {
                 self.recording = None;
                 self.record.said = Some(Ok("cancelled: nothing was written".into()));
@@ -39,10 +40,24 @@ impl App {
             Err(says) => Err(format!("nothing was recorded: {says}")),
         };
         self.recording = None;
+        match self.after_recording.take() {
+            // what went wrong is to be seen
+            Some(to) if said.is_ok() => self.go(to),
+            _ => {}
+        }
         if !self.record.open {
             self.notice = Some(said.clone().unwrap_or_else(|says| says));
         }
         self.record.said = Some(said);
+    }
+
+    /// Completes the recording with what there is of it.
+    pub(super) fn finish_recording(&mut self) {
+        let Some((recording, _)) = &mut self.recording else { return };
+        if let Err(says) = recording.finish() {
+            self.recording = None;
+            self.record.said = Some(Err(format!("nothing was recorded: {says}")));
+        }
     }
 
     fn begin_recording(&mut self, ctx: &Context, shown: &Shown, size: [u32; 2]) {

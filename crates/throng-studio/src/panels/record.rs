@@ -62,6 +62,8 @@ impl Default for Wish {
 pub enum Recorded {
     /// Records what is wished for.
     Begin,
+    /// Completes the recording with what there is of it.
+    Finish,
     /// Stops the recording; nothing is left of it.
     Cancel,
 }
@@ -147,7 +149,12 @@ impl Record {
     fn below(&mut self, ui: &mut Ui, beside: &Beside<'_>) -> Option<Recorded> {
         if let Some(share) = beside.share {
             ui.add(ProgressBar::new(share).desired_width(262.0).show_percentage());
-            return ui.button("Cancel").clicked().then_some(Recorded::Cancel);
+            let buttons = ui.horizontal(|ui| {
+                let finish = ui.button("Finish now").on_hover_text("completes the file with what there is of it");
+                let finish = finish.clicked().then_some(Recorded::Finish);
+                finish.or(ui.button("Cancel").clicked().then_some(Recorded::Cancel))
+            });
+            return buttons.inner;
         }
         ui.set_max_width(262.0);
         match &self.said {

@@ -75,7 +75,11 @@ impl Job {
         pushed.map_err(|error| error.to_string())
     }
 
-    fn finish(&mut self) -> Result<(), String> {
+    /// Completes the file with what there is of it.
+    ///
+    /// # Errors
+    /// What is to be recorded has not begun yet, or the file cannot be written; why. Then nothing is left of it.
+    pub fn finish(&mut self) -> Result<(), String> {
         if !self.reached(self.from) {
             let (end, from) = (self.source.time(), self.from);
             return Err(format!("it ends at {end:.2} s, before what is to be recorded begins, at {from:.2} s"));
