@@ -4,6 +4,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use std::sync::Arc;
 use std::time::Duration;
+use throng_record::{Choice, Column};
 use throng_scene::gallery;
 use throng_studio::document::Document;
 use throng_studio::keep::{Answer, Leaving, Unfinished};
@@ -197,6 +198,82 @@ fn a_recording_is_asked_for_and_cancelled() {
     }
     assert_eq!(asked, [Recorded::Begin, Recorded::Cancel]);
     assert_eq!((record.wish.file.as_str(), record.wish.from), ("circle.mp4", shown.frame.time));
+}
+
+#[test]
+fn what_trajectories_have_is_chosen() {
+    use eframe::egui::Role;
+    let mut engine = Engine::default();
+    let scene = gallery::scene("crossing").unwrap();
+    engine.command(Command::Load { name: "crossing".into(), scene: Arc::new(scene.clone()), run: false });
+    engine.command(Command::Beside("rvo".parse().ok()));
+    while engine.idle().is_some() {
+        engine.work(Duration::from_millis(20));
+    }
+    let shown = engine.shown().unwrap();
+    assert!(shown.setting.groups.len() > 1 && shown.beside.is_some());
+    let unused = |name: &str, ending: &str| std::path::PathBuf::from(format!("{name}{ending}"));
+    let mut record = Record::default();
+    record.toggle();
+    let mut sizes = Vec::new();
+    {
+        let beside = Beside {
+            shown: &shown,
+            size: [640, 480],
+            corner: [1100.0, 40.0].into(),
+            camera: "plan",
+            share: None,
+            unused: &unused,
+        };
+        let mut harness = Harness::builder().with_size([1200.0, 900.0]).build_ui(|ui| {
+            record.ui(ui.ctx(), &beside);
+            sizes.push(record.wish.size_beside(&shown, [640, 480]));
+        });
+        harness.run();
+        let mut pick = |combo: &str, entry: &str| {
+            harness.get_by_role_and_label(Role::ComboBox, combo).click();
+            harness.run();
+            harness.get_by_label(entry).click();
+            harness.run();
+        };
+        pick("format", "trajectories (.csv, .rec, ..)");
+        pick("models", "rvo");
+        harness.get_by_label("fewer").click();
+        harness.run();
+        harness.get_by_label("agents").focus();
+        harness.run();
+        harness.get_by_label("agents").type_text("1, 5-9");
+        harness.run();
+        let group = shown.setting.groups[0].clone();
+        for (menu, entries) in [("groups", vec![group.as_str()]), ("columns", vec!["time", "y"])] {
+            harness.get_by_role_and_label(Role::Button, menu).click();
+            harness.run();
+            for entry in entries {
+                harness.get_by_role_and_label(Role::CheckBox, entry).click();
+                harness.run();
+            }
+            harness.key_press(eframe::egui::Key::Escape);
+            harness.run();
+        }
+    }
+    assert_eq!((sizes[0], sizes[sizes.len() - 1]), ([1280, 480], [640, 480]), "two views, and one");
+    let (wish, group) = (&record.wish, shown.setting.groups[0].clone());
+    assert_eq!(wish.which, throng_studio::record::Which::Other);
+    let choice = wish.chosen.choice([1.0, 2.0], std::path::Path::new("a.csv")).unwrap();
+    let expected = Choice {
+        from: 1.0,
+        to: 2.0,
+        rate: Some(10.0),
+        agents: vec![1..=1, 5..=9],
+        groups: vec![group],
+        columns: vec![Column::Time, Column::Y],
+    };
+    assert_eq!(choice, expected);
+    let others = wish.chosen.choice([1.0, 2.0], std::path::Path::new("a.rec")).unwrap();
+    assert_eq!(others, Choice { columns: Vec::new(), ..expected }, "it has no columns to choose");
+    record.wish.chosen.agents = "me".into();
+    let says = record.wish.chosen.choice([0.0, 1.0], std::path::Path::new("a.csv")).unwrap_err();
+    assert!(says.contains("such as 1,5,10-20"), "{says}");
 }
 
 #[test]

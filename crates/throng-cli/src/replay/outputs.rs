@@ -66,7 +66,8 @@ impl<'a> Outputs<'a> {
         let name = title(&args.data);
         let (rate, still, speed_up) = (args.film.rate(scene), args.film.still(), args.film.speed_up);
         let (alone, choice, [start, _]) = (setup.setting(&name), Choice::default(), setup.span());
-        let plan = Plan { setting: &alone, style: &panel, rate, speed_up, still, from: start, choice: &choice };
+        let plan =
+            Plan { setting: &alone, sheet: None, style: &panel, rate, speed_up, still, from: start, choice: &choice };
         let (mut files, mut pages) = (Vec::new(), Vec::new());
         for path in &args.output {
             if is_table(path) {

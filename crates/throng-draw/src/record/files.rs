@@ -1,7 +1,7 @@
 //! The files of a run, on one clock.
 
 use super::{Moment, Pace, Recorder};
-use crate::{Error, Still, Style};
+use crate::{Error, Sheet, Still, Style};
 use std::sync::Arc;
 use throng_record::{Choice, Frame, Pool, Setting};
 
@@ -10,6 +10,8 @@ use throng_record::{Choice, Frame, Pool, Setting};
 pub struct Plan<'a> {
     /// The place and the names.
     pub setting: &'a Setting,
+    /// What pictures show, where that is several runs side by side; trajectories are of the first.
+    pub sheet: Option<&'a Sheet>,
     /// The look of pictures.
     pub style: &'a Style,
     /// Pictures a second of video.
@@ -25,6 +27,11 @@ pub struct Plan<'a> {
 }
 
 impl Plan<'_> {
+    /// What pictures show.
+    pub(super) fn shown(&self) -> Sheet {
+        self.sheet.cloned().unwrap_or_else(|| self.setting.into())
+    }
+
     /// When pictures are due.
     pub fn pace(&self) -> Pace {
         Pace::new(self.from, self.speed_up / self.rate)
@@ -41,7 +48,7 @@ impl Plan<'_> {
 /// use throng_record::{Choice, Setting};
 /// let (setting, style, choice) = (Setting::default(), Style::default(), Choice::default());
 /// let (rate, speed_up, still) = (25.0, 1.0, Still::Last);
-/// let plan = Plan { setting: &setting, style: &style, rate, speed_up, still, from: 0.0, choice: &choice };
+/// let plan = Plan { setting: &setting, sheet: None, style: &style, rate, speed_up, still, from: 0.0, choice: &choice };
 /// let mut files = Files::new(vec![Recorder::create(&path, &plan)?], plan.pace(), &choice);
 /// for k in 0..3 {
 ///     files.push(f64::from(k) * 0.1, 0.1, |frame| frame.time = f64::from(k) * 0.1)?;

@@ -34,7 +34,7 @@ enum Written {
 }
 
 impl Recorder {
-    /// Begins the file `path` of a run: trajectories where its name says so ([`Format`]), else what a [`Film`] makes of the name.
+    /// Begins the file `path` of a run, or of several: trajectories of the first where its name says so ([`Format`]), else what a [`Film`] makes of the name.
     ///
     /// # Errors
     /// Those of [`Film::create`].
@@ -42,9 +42,10 @@ impl Recorder {
         let path = path.as_ref();
         if let Some(format) = table(path) {
             let writer = plan.choice.create(format, format.output(path)?, plan.setting);
-            return Ok(Self::table(writer.ok_or_else(|| Error::Extension { path: path.into() })??));
+            let writer = writer.ok_or_else(|| Error::Extension { path: path.into() })??;
+            return Ok(Self::table(writer).of_run(0));
         }
-        Ok(Self::film(Film::create(path, plan.setting, plan.style, plan.rate)?.still(plan.still)))
+        Ok(Self::film(Film::create(path, plan.shown(), plan.style, plan.rate)?.still(plan.still)))
     }
 
     /// Begins a file of a run that goes somewhere else than to a folder ([`Output::handed`]): trajectories or a GIF.
@@ -54,14 +55,13 @@ impl Recorder {
     pub fn to(output: Output, plan: &Plan) -> Result<Self, Error> {
         let path = output.path().to_path_buf();
         if let Some(format) = table(&path) {
-            return Ok(Self::table(
-                plan.choice.create(format, output, plan.setting).ok_or(Error::Extension { path })??,
-            ));
+            let writer = plan.choice.create(format, output, plan.setting).ok_or(Error::Extension { path })??;
+            return Ok(Self::table(writer).of_run(0));
         }
         match Kind::of(&path)? {
             Kind::Gif => {
                 let sink = Box::new(GifSink::new(output, plan.rate)?);
-                Ok(Self::film(Film::new(&path, sink, plan.setting, plan.style)?))
+                Ok(Self::film(Film::new(&path, sink, plan.shown(), plan.style)?))
             }
             _ => Err(Error::Extension { path }),
         }

@@ -1,6 +1,7 @@
 //! What stands round the view: each panel shows a part of what is known, and tells what people ask for.
 
 mod bar;
+mod chosen;
 mod gallery;
 mod help;
 mod icon;
@@ -20,6 +21,7 @@ mod tuning;
 mod why;
 
 pub use bar::bar;
+pub use chosen::Chosen;
 pub use gallery::{Gallery, beside};
 pub use help::help;
 pub use key::key;

@@ -1,8 +1,9 @@
 //! What is to be recorded, and how far that is: a small window beside which people go on.
 
+use super::Chosen;
 use super::bar::named;
-use crate::play::Shown;
-use crate::record::Format;
+use crate::play::{Shown, models_of};
+use crate::record::{Format, Which};
 use eframe::egui::{
     Align2, Button, ComboBox, Context, DragValue, Grid, Pos2, ProgressBar, RichText, Role, TextEdit, Ui, Window, vec2,
 };
@@ -40,6 +41,10 @@ pub struct Wish {
     pub size: Option<[u32; 2]>,
     /// Whether title, time, counts and the key of the colours are drawn.
     pub legend: bool,
+    /// Which, where two models are side by side.
+    pub which: Which,
+    /// What trajectories have.
+    pub chosen: Chosen,
 }
 
 impl Default for Wish {
@@ -53,9 +58,22 @@ impl Default for Wish {
             speed_up: 1.0,
             size: None,
             legend: true,
+            which: Which::default(),
+            chosen: Chosen::default(),
         }
     }
 }
+
+impl Wish {
+    /// Width and height of pictures, pixels, where a view has so many: those that are wished for, else of all views together.
+    pub fn size_beside(&self, shown: &Shown, [width, height]: [u32; 2]) -> [u32; 2] {
+        let views = if shown.beside.is_some() && self.which == Which::Both { 2 } else { 1 };
+        self.size.unwrap_or([(views * width).min(WIDEST), height])
+    }
+}
+
+/// The widest picture, pixels.
+const WIDEST: u32 = 3840;
 
 /// What people ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,7 +113,12 @@ impl Record {
     pub fn ui(&mut self, ctx: &Context, beside: &Beside<'_>) -> Option<Recorded> {
         if *self.of != *beside.shown.name || (self.open && self.wish.file.is_empty()) {
             let rate = beside.shown.scene.view.fps.unwrap_or(self.wish.rate);
-            self.wish = Wish { from: 0.0, to: None, rate, ..self.wish.clone() };
+            let chosen = match *self.of == *beside.shown.name {
+                true => self.wish.chosen.clone(),
+                // others have other groups
+                false => Chosen::default(),
+            };
+            self.wish = Wish { from: 0.0, to: None, rate, chosen, ..self.wish.clone() };
             self.of = beside.shown.name.to_string();
             self.name(beside);
         }
@@ -134,8 +157,12 @@ impl Record {
             ui.add(TextEdit::singleline(&mut wish.file).desired_width(206.0)).labelled_by(label.id);
             ui.end_row();
             span(ui, wish, beside);
-            if wish.format != Format::Trajectories {
-                pictures(ui, wish, beside);
+            models(ui, wish, beside);
+            match wish.format {
+                Format::Trajectories => {
+                    wish.chosen.fields(ui, &beside.shown.setting, Path::new(wish.file.trim()));
+                }
+                _ => pictures(ui, wish, beside),
             }
         });
         if self.wish.format != before {
@@ -210,6 +237,28 @@ fn span(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
     ui.end_row();
 }
 
+/// Which of two models.
+fn models(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
+    let Some(other) = &beside.shown.beside else { return };
+    let [own, other] = [&beside.shown.scene, &other.scene].map(|scene| models_of(scene));
+    let mut all = vec![(Which::Own, own), (Which::Other, other)];
+    if wish.format == Format::Trajectories {
+        // a file of trajectories is of one run
+        wish.which = if wish.which == Which::Both { Which::Own } else { wish.which };
+    } else {
+        all.insert(0, (Which::Both, "both, side by side".into()));
+    }
+    ui.label("models");
+    let shown = all.iter().find(|(which, _)| *which == wish.which).map_or("", |(_, name)| name).to_owned();
+    let combo = ComboBox::from_id_salt("models").width(206.0).selected_text(shown).show_ui(ui, |ui| {
+        for (which, name) in all {
+            ui.selectable_value(&mut wish.which, which, name);
+        }
+    });
+    named(&combo.response, Role::ComboBox, "models");
+    ui.end_row();
+}
+
 /// How many pictures, how large, and what they look like.
 fn pictures(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
     let label = ui.label("pictures a second");
@@ -222,10 +271,10 @@ fn pictures(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
     ui.end_row();
     ui.label("size");
     ui.horizontal(|ui| {
-        let mut size = wish.size.unwrap_or(beside.size);
+        let mut size = wish.size_beside(beside.shown, beside.size);
         let [width, height] = &mut size;
         let field = |ui: &mut Ui, side, name| {
-            let field = ui.add(DragValue::new(side).range(16..=3840));
+            let field = ui.add(DragValue::new(side).range(16..=WIDEST));
             named(&field, Role::SpinButton, name);
             field.changed()
         };
