@@ -8,7 +8,7 @@ use throng_record::{Choice, Column};
 use throng_scene::gallery;
 use throng_studio::document::Document;
 use throng_studio::keep::{Answer, Leaving, Unfinished};
-use throng_studio::panels::{self, Asked, Beside, Gallery, Naming, Record, Recorded, Tuned, Tuning};
+use throng_studio::panels::{self, Asked, Beside, Gallery, Naming, Record, Recorded, Tuned, Tuning, Wish};
 use throng_studio::play::{Command, Engine, Shown, Speed, Trouble};
 use throng_studio::settings::Settings;
 use throng_studio::view::{Coloring, Heat, Mode, View};
@@ -230,14 +230,12 @@ fn what_trajectories_have_is_chosen() {
             sizes.push(record.wish.size_beside(&shown, [640, 480]));
         });
         harness.run();
-        let mut pick = |combo: &str, entry: &str| {
+        for (combo, entry) in [("format", "trajectories (.csv, .rec, ..)"), ("models", "rvo")] {
             harness.get_by_role_and_label(Role::ComboBox, combo).click();
             harness.run();
             harness.get_by_label(entry).click();
             harness.run();
-        };
-        pick("format", "trajectories (.csv, .rec, ..)");
-        pick("models", "rvo");
+        }
         harness.get_by_label("fewer").click();
         harness.run();
         harness.get_by_label("agents").focus();
@@ -258,7 +256,10 @@ fn what_trajectories_have_is_chosen() {
     }
     assert_eq!((sizes[0], sizes[sizes.len() - 1]), ([1280, 480], [640, 480]), "two views, and one");
     let (wish, group) = (&record.wish, shown.setting.groups[0].clone());
-    assert_eq!(wish.which, throng_studio::record::Which::Other);
+    use throng_studio::record::{Format, Which};
+    assert_eq!(wish.which(), Which::Other);
+    let both = Wish { which: Which::Both, ..wish.clone() };
+    assert_eq!((both.which(), Wish { format: Format::Gif, ..both }.which()), (Which::Own, Which::Both));
     let choice = wish.chosen.choice([1.0, 2.0], std::path::Path::new("a.csv")).unwrap();
     let expected = Choice {
         from: 1.0,

@@ -43,7 +43,7 @@ fn names(folder: &Path) -> Vec<String> {
 }
 
 /// Every moment of a scene, by the engine alone.
-fn moments(name: &str, mut see: impl FnMut(&throng_record::Setting, &Frame)) {
+fn moments(name: &str, mut see: impl FnMut(&Setting, &Frame)) {
     let scene = gallery::scene(name).unwrap();
     let (mut world, built) = scene.build().unwrap();
     let setting = moment::setting(&world, &built, &scene.title);
@@ -153,7 +153,7 @@ fn trajectories_have_what_is_chosen() {
         record(&subject("circle"), &Take { choice, ..take(&path) }).unwrap();
         let [part, expected] = [&path, &expected].map(|path| std::fs::read_to_string(path).unwrap());
         assert!(part.lines().count() > 20 && part == expected, "{part}");
-        [path].map(|path| std::fs::remove_file(path).unwrap());
+        std::fs::remove_file(path).unwrap();
     }
     let missing = Choice { groups: vec!["up".into()], ..Choice::default() };
     let says = record(&subject("doorway"), &Take { choice: missing, ..take(&folder.path().join("b.csv")) });

@@ -76,7 +76,7 @@ impl App {
                 _ => Choice { from: span[0], to: span[1], ..Choice::default() },
             };
             let take = Take { path: path.clone(), choice, rate: wish.rate, speed_up: wish.speed_up, style };
-            outside::record(Subject::of(shown, wish.which), take, ctx)
+            outside::record(Subject::of(shown, wish.which()), take, ctx)
         });
         match begun {
             Ok(recording) => self.recording = Some((recording, path)),

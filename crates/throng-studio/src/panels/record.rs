@@ -2,6 +2,7 @@
 
 use super::Chosen;
 use super::bar::named;
+use super::wish::{WIDEST, Wish};
 use crate::play::{Shown, models_of};
 use crate::record::{Format, Which};
 use eframe::egui::{
@@ -21,59 +22,6 @@ pub struct Record {
     /// Why the last recording is not there, or where it is.
     pub said: Option<Result<String, String>>,
 }
-
-/// What people want to have recorded.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Wish {
-    /// What it becomes.
-    pub format: Format,
-    /// The name of the file.
-    pub file: String,
-    /// From when on, seconds of the scene.
-    pub from: f64,
-    /// Until when; `None`: to the end.
-    pub to: Option<f64>,
-    /// Pictures a second.
-    pub rate: f64,
-    /// Seconds of the scene in a second of video.
-    pub speed_up: f64,
-    /// Width and height, pixels; `None`: as large as the view.
-    pub size: Option<[u32; 2]>,
-    /// Whether title, time, counts and the key of the colours are drawn.
-    pub legend: bool,
-    /// Which, where two models are side by side.
-    pub which: Which,
-    /// What trajectories have.
-    pub chosen: Chosen,
-}
-
-impl Default for Wish {
-    fn default() -> Self {
-        Self {
-            format: Format::default(),
-            file: String::new(),
-            from: 0.0,
-            to: None,
-            rate: 25.0,
-            speed_up: 1.0,
-            size: None,
-            legend: true,
-            which: Which::default(),
-            chosen: Chosen::default(),
-        }
-    }
-}
-
-impl Wish {
-    /// Width and height of pictures, pixels, where a view has so many: those that are wished for, else of all views together.
-    pub fn size_beside(&self, shown: &Shown, [width, height]: [u32; 2]) -> [u32; 2] {
-        let views = if shown.beside.is_some() && self.which == Which::Both { 2 } else { 1 };
-        self.size.unwrap_or([(views * width).min(WIDEST), height])
-    }
-}
-
-/// The widest picture, pixels.
-const WIDEST: u32 = 3840;
 
 /// What people ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -242,17 +190,17 @@ fn models(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
     let Some(other) = &beside.shown.beside else { return };
     let [own, other] = [&beside.shown.scene, &other.scene].map(|scene| models_of(scene));
     let mut all = vec![(Which::Own, own), (Which::Other, other)];
-    if wish.format == Format::Trajectories {
-        // a file of trajectories is of one run
-        wish.which = if wish.which == Which::Both { Which::Own } else { wish.which };
-    } else {
+    if wish.format != Format::Trajectories {
         all.insert(0, (Which::Both, "both, side by side".into()));
     }
     ui.label("models");
-    let shown = all.iter().find(|(which, _)| *which == wish.which).map_or("", |(_, name)| name).to_owned();
+    let now = wish.which();
+    let shown = all.iter().find(|(which, _)| *which == now).map_or("", |(_, name)| name).to_owned();
     let combo = ComboBox::from_id_salt("models").width(206.0).selected_text(shown).show_ui(ui, |ui| {
         for (which, name) in all {
-            ui.selectable_value(&mut wish.which, which, name);
+            if ui.selectable_label(which == now, name).clicked() {
+                wish.which = which;
+            }
         }
     });
     named(&combo.response, Role::ComboBox, "models");

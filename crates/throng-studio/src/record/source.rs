@@ -63,12 +63,12 @@ impl Subject {
     /// What pictures of several sources show, under the title of the scene if they have one at all.
     pub fn sheet(&self, sources: &[Box<dyn Source>], titled: bool) -> Option<Sheet> {
         let Self::Beside(_, both) = self else { return None };
-        let panel = |((models, _), source): (&(String, Arc<Scene>), &Box<dyn Source>)| Setting {
-            title: models.clone(),
-            ..source.setting().clone()
-        };
+        let panels = both
+            .iter()
+            .zip(sources)
+            .map(|((models, _), source)| Setting { title: models.clone(), ..source.setting().clone() });
         let title = if titled { sources[0].setting().title.clone() } else { String::new() };
-        Some(Sheet { title, panels: both.iter().zip(sources).map(panel).collect(), columns: both.len() })
+        Some(Sheet { title, panels: panels.collect(), columns: both.len() })
     }
 }
 
