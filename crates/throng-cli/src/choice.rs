@@ -22,7 +22,7 @@ pub struct ChoiceArgs {
     pub rate: Option<f64>,
 
     /// Only the agents with these numbers, in files of trajectories
-    #[arg(long, value_name = "N,N-M,...", value_delimiter = ',', value_parser = parse_numbers)]
+    #[arg(long, value_name = "N,N-M,...", value_delimiter = ',', value_parser = Choice::numbers)]
     pub agents: Vec<RangeInclusive<u32>>,
 
     /// Only these groups, in files of trajectories
@@ -46,11 +46,4 @@ impl ChoiceArgs {
             columns: self.columns.clone(),
         }
     }
-}
-
-/// Reads a number, or the first and the last of a range.
-fn parse_numbers(text: &str) -> Result<RangeInclusive<u32>, String> {
-    let (first, last) = text.split_once('-').unwrap_or((text, text));
-    let range = first.trim().parse().ok().zip(last.trim().parse().ok()).map(|(first, last)| first..=last);
-    range.filter(|range| !range.is_empty()).ok_or_else(|| "write numbers and ranges, such as 1,5,10-20".into())
 }

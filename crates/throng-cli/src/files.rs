@@ -22,7 +22,7 @@ pub fn create(paths: &[PathBuf], plan: &Plan) -> Result<Files, Failure> {
         }
         Ok::<_, Failure>(Recorder::create(path, plan)?)
     };
-    Ok(Files::new(paths.iter().map(begin).collect::<Result<_, _>>()?, plan))
+    Ok(Files::new(paths.iter().map(begin).collect::<Result<_, _>>()?, plan.pace(), plan.choice))
 }
 
 /// How the names of trajectories end that are written.
@@ -48,6 +48,11 @@ pub fn distinct(paths: &[PathBuf]) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+/// What a file is called in titles: its name, without the folders it is in.
+pub fn title(path: &Path) -> String {
+    path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
 }
 
 /// Whether a name has this ending, which files have and folders do not.

@@ -11,6 +11,8 @@ use throng_scene::Scene;
 /// A sheet nobody gave a size is at most this wide and high, pixels, and about twice as wide as high.
 const LARGEST: [f64; 2] = [1920.0, 1440.0];
 const ASPECT: f64 = 2.0;
+/// More panels than this are too small to see anything.
+const MOST: usize = 9;
 
 /// How pictures look.
 #[derive(Args, Debug)]
@@ -112,8 +114,21 @@ impl LookArgs {
     }
 
     /// The look of a sheet of `count` panels of this style, and how many of them stand side by side: what is said is the size of all
-    /// together. `bounds` are the corners of the scene.
-    pub fn side_by_side(&self, mut style: Style, count: usize, bounds: [DVec2; 2]) -> (Style, usize) {
+    /// together. `bounds` are the corners of the scene, `what` is what the panels show.
+    ///
+    /// # Errors
+    /// There are more panels than fit.
+    pub fn side_by_side(
+        &self,
+        mut style: Style,
+        count: usize,
+        what: &str,
+        bounds: [DVec2; 2],
+    ) -> Result<(Style, usize), Failure> {
+        if count > MOST {
+            let text = format!("{count} {what} are too many for one picture: there is room for {MOST}");
+            return Err(Failure::hint(text, "leave some out, or write a page (.html)"));
+        }
         let (width, height) = (f64::from(style.width), f64::from(style.height));
         let columns = match self.size {
             Some(_) => {
@@ -130,7 +145,7 @@ impl LookArgs {
                 columns
             }
         };
-        (style, columns)
+        Ok((style, columns))
     }
 }
 

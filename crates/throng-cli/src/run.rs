@@ -70,6 +70,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let choice = args.choice.choice();
     let plan = Plan {
         setting: &moment::setting(&world, &built, loaded.title()),
+        sheet: None,
         style: &style,
         rate: args.film.rate(scene),
         speed_up: args.film.speed_up,

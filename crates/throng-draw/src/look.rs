@@ -2,7 +2,7 @@
 
 use crate::cells::Cells;
 use crate::color::{PALETTE, palette, ramp, wheel};
-use crate::{Color, ColorBy, Form, Style};
+use crate::{Color, ColorBy, Form, Shape, Style};
 use glam::DVec2;
 use throng::{Goal, Status};
 use throng_record::{Body, Frame, Setting};
@@ -100,6 +100,19 @@ impl Look {
     /// Whether there are some that look so.
     pub(crate) fn has(&self, form: Form) -> bool {
         self.forms.contains(&form)
+    }
+
+    /// The shape of somebody, where it has one.
+    pub(crate) fn shape(&self, body: &Body) -> Option<Shape> {
+        match self.form(body) {
+            Form::Shaped(shape) => Some(shape),
+            _ => None,
+        }
+    }
+
+    /// Whether there are some that have shapes.
+    pub(crate) fn has_shapes(&self) -> bool {
+        self.forms.iter().any(|form| matches!(form, Form::Shaped(_)))
     }
 
     /// The colour of a group.

@@ -6,6 +6,7 @@ use crate::legend::{Layout, Scale};
 use crate::look::Look;
 use crate::mark::Mark;
 use crate::projector::Projector;
+use crate::shape::Strides;
 use crate::space::Stage;
 use crate::text::Type;
 use crate::trail::{Brush, Track, Trail, Trails};
@@ -53,6 +54,8 @@ pub struct Painter {
     trails: Trails,
     /// Where insects have been while the shutter was open.
     blur: Trails,
+    /// How far those have walked that have shapes.
+    pub(crate) strides: Strides,
     /// Where those who are annotated have been.
     pub(crate) ways: Trails,
     /// The annotations that there was something of.
@@ -116,6 +119,7 @@ impl Painter {
             typeface,
             trails: Trails::default(),
             blur: Trails::default(),
+            strides: Strides::default(),
             ways: Trails::default(),
             seen: BTreeSet::new(),
             origin: setting.origin,
@@ -160,10 +164,13 @@ impl Painter {
         self.look.see(frame);
         let (look, wanted) = (&self.look, &self.style.annotations);
         let color = |body: &Body| look.color(body);
-        let is = |form: Form| move |body: &Body| (look.form(body) == form).then(|| color(body));
-        self.trails.follow(frame, f64::from(self.style.trails), spacing, is(Form::Body));
+        let insect = |is: bool| move |body: &Body| ((look.form(body) == Form::Insect) == is).then(|| color(body));
+        self.trails.follow(frame, f64::from(self.style.trails), spacing, insect(false));
         if look.has(Form::Insect) {
-            self.blur.follow(frame, f64::from(self.style.shutter), 0.4 * spacing, is(Form::Insect));
+            self.blur.follow(frame, f64::from(self.style.shutter), 0.4 * spacing, insect(true));
+        }
+        if look.has_shapes() {
+            self.strides.follow(frame);
         }
         if wanted.kinds.contains(&Annotation::Trails) {
             self.ways.follow(frame, WAYS, spacing, |body| wanted.concern(body).then(|| color(body)));

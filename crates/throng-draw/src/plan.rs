@@ -3,7 +3,7 @@
 use crate::insect::{Crowd, Insect};
 use crate::mark::Mark;
 use crate::rounded::{NOTCH_LEAST_RADIUS, Rounded};
-use crate::{Camera, Color, Form, Painter};
+use crate::{Camera, Color, Form, Painter, shape};
 use glam::{DVec3, Vec2};
 use throng_record::{Body, Frame};
 
@@ -19,7 +19,7 @@ impl Painter {
         let bodies = stacked(frame);
         let crowd = self.crowd(frame);
         let shadows = bodies.iter().filter_map(|body| self.shade(body, camera, crowd)).collect();
-        let agents = bodies.into_iter().filter_map(|body| self.mark(body, camera, crowd, frame.time)).collect();
+        let agents = bodies.into_iter().flat_map(|body| self.mark(body, camera, crowd, frame.time)).collect();
         let mut trails = vec![Mark::Trails(self.trails(frame.time))];
         if self.look.has(Form::Insect) {
             trails.push(Mark::Streaks(self.streaks(frame, crowd)));
@@ -28,12 +28,18 @@ impl Painter {
     }
 
     /// An agent as what it looks like.
-    fn mark(&self, body: &Body, camera: &Camera, crowd: Crowd, time: f64) -> Option<Mark> {
-        if self.look.form(body) == Form::Body {
-            return Some(Mark::Agent(self.rounded(body, camera)));
+    fn mark(&self, body: &Body, camera: &Camera, crowd: Crowd, time: f64) -> Vec<Mark> {
+        match self.look.form(body) {
+            Form::Body => vec![Mark::Agent(self.rounded(body, camera))],
+            Form::Shaped(shape) => {
+                shape::marks(shape, body, (&self.strides, time), self.look.coat(body), &self.projector())
+            }
+            Form::Insect => {
+                let growth = (crowd.least / camera.length(f64::from(body.radius))).max(1.0);
+                let insect = Insect::of(body, growth, self.look.coat(body), &self.projector(), time);
+                insect.map(Mark::Insect).into_iter().collect()
+            }
         }
-        let growth = (crowd.least / camera.length(f64::from(body.radius))).max(1.0);
-        Insect::of(body, growth, self.look.coat(body), &self.projector(), time).map(Mark::Insect)
     }
 
     /// The shadow of who is in the air.

@@ -1,6 +1,6 @@
 //! How a picture should look.
 
-use crate::{Annotations, Color, FlowStyle, Typeface, Viewpoint, WorldBox};
+use crate::{Annotations, Color, FlowStyle, Shape, Typeface, Viewpoint, WorldBox};
 use glam::DVec2;
 
 /// How a picture should look. The default is a calm light picture of 640 by 480 pixels.
@@ -81,6 +81,8 @@ pub enum Form {
     /// An insect: a thin body with two wings that beat. It leaves a [streak](Style::shutter) in place of a
     /// [trail](Style::trails).
     Insect,
+    /// A shape of flat faces, such as a figure that walks, whatever its body is like.
+    Shaped(Shape),
 }
 
 /// How the world is seen.

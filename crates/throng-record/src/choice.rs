@@ -86,6 +86,22 @@ impl Choice {
         fixed.map_or(Ok(()), |kind| Err(ChoiceError::Columns { ending: kind.ending }))
     }
 
+    /// The numbers of agents as people write them: one, or the first and the last of a range.
+    ///
+    /// ```
+    /// use throng_record::Choice;
+    /// assert_eq!((Choice::numbers("7"), Choice::numbers("10-20")), (Ok(7..=7), Ok(10..=20)));
+    /// assert!(Choice::numbers("20-10").is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// It is neither; what to write.
+    pub fn numbers(text: &str) -> Result<RangeInclusive<u32>, String> {
+        let (first, last) = text.split_once('-').unwrap_or((text, text));
+        let range = first.trim().parse().ok().zip(last.trim().parse().ok()).map(|(first, last)| first..=last);
+        range.filter(|range| !range.is_empty()).ok_or_else(|| "write numbers and ranges, such as 1,5,10-20".into())
+    }
+
     /// Begins a file of a kind that is [written](Format::is_written), in which only what is chosen comes; `None` if it is not.
     ///
     /// # Errors

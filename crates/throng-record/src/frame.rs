@@ -145,13 +145,16 @@ impl Body {
         self.position.extend(f64::from(self.altitude))
     }
 
-    /// A share of the way from here to where it is at a later moment, straight on, turned the short way; all else is as it is here.
+    /// A share of the way from here to where it is at a later moment, straight on, turned the short way, with a share of
+    /// the change of velocity; all else is as it is here.
     pub fn between(&self, later: &Self, share: f64) -> Self {
         let turn = (later.heading - self.heading + PI).rem_euclid(TAU) - PI;
         Self {
             position: self.position.lerp(later.position, share),
             altitude: self.altitude + (later.altitude - self.altitude) * share as f32,
             heading: self.heading + turn * share as f32,
+            velocity: self.velocity.lerp(later.velocity, share as f32),
+            climb: self.climb + (later.climb - self.climb) * share as f32,
             ..*self
         }
     }

@@ -1,7 +1,7 @@
 //! Moments at an even rate, whatever the rate of those that come.
 
 use crate::formats::Writer;
-use crate::{Body, Frame, OutputError};
+use crate::{Frame, OutputError};
 
 /// How much later or earlier than due a moment may be to be taken as it is, seconds.
 pub(crate) const SLACK: f64 = 1e-6;
@@ -85,13 +85,14 @@ fn between(before: &Frame, after: &Frame, time: f64, to: &mut Frame) {
         let next = rest.iter().position(|other| other.number >= body.number).unwrap_or(rest.len());
         rest = &rest[next..];
         let other = rest.first().filter(|other| other.number == body.number)?;
-        Some(Body { velocity: body.velocity.lerp(other.velocity, share as f32), ..body.between(other, share) })
+        Some(body.between(other, share))
     }));
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Body;
     use glam::{DVec2, Vec2};
     use proptest::prelude::*;
     use std::sync::{Arc, Mutex};

@@ -96,6 +96,26 @@ fn who_walked_alone_by_the_same_model_walks_so_again() {
     assert!(ahead.iter().flatten().all(|sample| sample.last[0] < 2e-3), "{ahead:?}");
 }
 
+/// Rows are far apart here: who has left between two of them is where they left, whatever else is asked.
+#[test]
+fn who_has_left_is_where_they_left() {
+    let one = |k: u32| walk(k, every(0.4, 25), move |time| DVec2::new(time, 100.0 * f64::from(k)));
+    let cast = Cast::new(&People::new(vec![one(0), one(1)]), Pace::Constant(1.37), 0.4);
+    let stage = stage();
+    let again = replayed(&stage, &cast);
+    for (sample, left) in from_entry(&cast, &again, None).iter().zip(&again.left) {
+        let (time, place) = left.unwrap();
+        assert!(time < 9.0 && (sample.last[0] - place.distance(cast.walkers[sample.walk].goal)).abs() < 1e-9);
+        assert!(sample.last[0] < stage.near, "{sample:?}");
+    }
+    let ahead = |horizons: &[f64]| predict(&stage, &cast, stage.world().unwrap(), 2.0, horizons).unwrap();
+    let many: Vec<f64> = (1..=64).map(|k| f64::from(k) * 0.125).collect();
+    let all = ahead(&many);
+    for (horizon, samples) in many.iter().zip(&all) {
+        assert_eq!(&ahead(&[*horizon])[0], samples, "{horizon}");
+    }
+}
+
 /// Two who speed up evenly along lines far apart, a row each 0.1 s, for 10 s: 0.5 m/s at first, 0.1 and 0.2 m/s² more.
 fn speeding_up() -> (Cast, impl Fn(usize, f64) -> f64) {
     let gone = |walk: usize, time: f64| 0.5 * time + 0.05 * (walk + 1) as f64 * time * time;
@@ -182,10 +202,16 @@ fn displacements_are_those_of_all_rows() {
         let samples = from_entry(&cast, &again, horizon);
         assert_eq!(samples.len(), 14);
         for sample in samples {
-            let (real, ours) = (&cast.people.walks[sample.walk], &again.walks[sample.walk]);
+            let (real, mut ours) = (&cast.people.walks[sample.walk], again.walks[sample.walk].clone());
+            if let Some((time, place)) =
+                again.left[sample.walk].filter(|left| left.0 > ours.times[ours.times.len() - 1])
+            {
+                ours.times.push(time);
+                ours.places.push(place);
+            }
             let from = real.times[0];
             let end = horizon.map_or(real.times[real.times.len() - 1], |horizon| from + horizon);
-            let off = |time: f64| at(real, time).distance(at(ours, time));
+            let off = |time: f64| at(real, time).distance(at(&ours, time));
             let rows: Vec<f64> =
                 real.times.iter().copied().filter(|&time| time > from && time <= end + 1e-9).map(off).collect();
             let mean = rows.iter().sum::<f64>() / rows.len() as f64;

@@ -10,7 +10,7 @@ mod telling;
 use crate::Options;
 use crate::direct::{Director, Tool};
 use crate::document::Document;
-use crate::keep::{Draft, Leaving, remember, remembered};
+use crate::keep::{Draft, Leaving, Unfinished, remember, remembered};
 use crate::keys::{self, Action};
 use crate::outside::Files;
 use crate::panels::{self, Asked, Gallery, Meters, Tuned, Tuning, Why};
@@ -53,8 +53,10 @@ pub struct App {
     look: Option<(bool, bool)>,
     /// What people should know, until they have seen it.
     notice: Option<String>,
-    /// What waits for an answer: it would lose changes of the text.
-    leaving: Option<Leaving>,
+    /// What waits for an answer: it would lose changes of the text, or a recording.
+    leaving: Option<(Leaving, Unfinished)>,
+    /// What waits for the recording to be complete.
+    after_recording: Option<Leaving>,
     /// What work that goes on beside has to say.
     news: (Sender<String>, Receiver<String>),
     /// Where the view is.
@@ -104,7 +106,8 @@ impl App {
             actions: Vec::new(),
             look: None,
             notice,
-            leaving,
+            leaving: leaving.map(|to| (to, Unfinished::Text)),
+            after_recording: None,
             news: channel(),
             place: Rect::NOTHING,
             ctx: ctx.clone(),

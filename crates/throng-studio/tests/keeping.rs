@@ -126,3 +126,88 @@ fn what_is_dropped_is_opened_once_it_was_asked() {
     let named = harness.query_all_by_label_contains(&path.display().to_string()).count();
     assert!(named > 0, "the text panel has its name");
 }
+
+/// A studio in which a scene that goes on for long is being recorded to this file, and the window that it speaks to.
+fn recording(path: &std::path::Path) -> (Harness<'static, App>, eframe::egui::Context) {
+    use eframe::egui::{Key, Modifiers, Role};
+    let options = Options { scene: Some("flocking".into()), ..Options::default() };
+    let window = eframe::egui::Context::default();
+    let app = App::new(&window, None, options).unwrap();
+    let mut frame = eframe::Frame::_new_kittest();
+    let mut harness = Harness::builder()
+        .with_size([1600.0, 900.0])
+        .with_max_steps(400)
+        .build_ui_state(move |ui, app: &mut App| app.ui(ui, &mut frame), app);
+    for _ in 0..400 {
+        std::thread::sleep(std::time::Duration::from_millis(10));
+        harness.run_steps(2);
+        if harness.query_by_label("restart (R)").is_some() {
+            break;
+        }
+    }
+    click(&mut harness, "Record");
+    harness.get_by_label("file").focus();
+    harness.run_steps(2);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.run_steps(2);
+    harness.get_by_label("file").type_text(&path.display().to_string());
+    harness.run_steps(2);
+    let buttons: Vec<_> = harness.get_all_by_role_and_label(Role::Button, "Record").collect();
+    buttons.last().unwrap().click();
+    harness.run_steps(4);
+    assert!(harness.query_by_label("Finish now").is_some(), "it is being recorded");
+    (harness, window)
+}
+
+#[test]
+fn a_recording_is_finished_or_goes_on_when_something_else_is_opened() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("flock.mp4");
+    let (mut harness, _) = recording(&path);
+    click(&mut harness, "box");
+    assert!(harness.query_by_label_contains("flock.mp4 is still being recorded.").is_some());
+    click(&mut harness, "Go on recording");
+    assert!(harness.query_by_label("Finish now").is_some() && !path.exists());
+    click(&mut harness, "circle");
+    click(&mut harness, "Finish and keep");
+    for _ in 0..400 {
+        if path.exists() {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+        harness.run_steps(2);
+    }
+    panic!("what there was of it is kept");
+}
+
+#[test]
+fn the_window_does_not_close_before_a_recording_is_complete() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("flock.mp4");
+    let (mut harness, window) = recording(&path);
+    let close = |harness: &mut Harness<'static, App>| {
+        let viewport = harness.input_mut().viewports.entry(eframe::egui::ViewportId::ROOT).or_default();
+        viewport.events.push(eframe::egui::ViewportEvent::Close);
+        harness.run_steps(1);
+        harness.input_mut().viewports.entry(eframe::egui::ViewportId::ROOT).or_default().events.clear();
+        harness.run_steps(3);
+    };
+    close(&mut harness);
+    assert!(harness.query_by_label_contains("Close the studio?").is_some());
+    click(&mut harness, "Go on recording");
+    assert!(harness.query_by_label_contains("Close the studio?").is_none() && !path.exists());
+    close(&mut harness);
+    click(&mut harness, "Finish and keep");
+    for _ in 0..400 {
+        std::thread::sleep(std::time::Duration::from_millis(10));
+        harness.run_steps(1);
+        let mut output = window.run_ui(eframe::egui::RawInput::default(), |_| {});
+        output.textures_delta.clear();
+        let mut commands = output.viewport_output.values().flat_map(|viewport| &viewport.commands);
+        if commands.any(|command| matches!(command, eframe::egui::ViewportCommand::Close)) {
+            assert!(path.exists(), "the file is complete first");
+            return;
+        }
+    }
+    panic!("it closes");
+}

@@ -4,10 +4,11 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use std::sync::Arc;
 use std::time::Duration;
+use throng_record::{Choice, Column};
 use throng_scene::gallery;
 use throng_studio::document::Document;
-use throng_studio::keep::{Answer, Leaving};
-use throng_studio::panels::{self, Asked, Beside, Gallery, Naming, Record, Recorded, Tuned, Tuning};
+use throng_studio::keep::{Answer, Leaving, Unfinished};
+use throng_studio::panels::{self, Asked, Beside, Gallery, Naming, Record, Recorded, Tuned, Tuning, Wish};
 use throng_studio::play::{Command, Engine, Shown, Speed, Trouble};
 use throng_studio::settings::Settings;
 use throng_studio::view::{Coloring, Heat, Mode, View};
@@ -200,6 +201,83 @@ fn a_recording_is_asked_for_and_cancelled() {
 }
 
 #[test]
+fn what_trajectories_have_is_chosen() {
+    use eframe::egui::Role;
+    let mut engine = Engine::default();
+    let scene = gallery::scene("crossing").unwrap();
+    engine.command(Command::Load { name: "crossing".into(), scene: Arc::new(scene.clone()), run: false });
+    engine.command(Command::Beside("rvo".parse().ok()));
+    while engine.idle().is_some() {
+        engine.work(Duration::from_millis(20));
+    }
+    let shown = engine.shown().unwrap();
+    assert!(shown.setting.groups.len() > 1 && shown.beside.is_some());
+    let unused = |name: &str, ending: &str| std::path::PathBuf::from(format!("{name}{ending}"));
+    let mut record = Record::default();
+    record.toggle();
+    let mut sizes = Vec::new();
+    {
+        let beside = Beside {
+            shown: &shown,
+            size: [640, 480],
+            corner: [1100.0, 40.0].into(),
+            camera: "plan",
+            share: None,
+            unused: &unused,
+        };
+        let mut harness = Harness::builder().with_size([1200.0, 900.0]).build_ui(|ui| {
+            record.ui(ui.ctx(), &beside);
+            sizes.push(record.wish.size_beside(&shown, [640, 480]));
+        });
+        harness.run();
+        for (combo, entry) in [("format", "trajectories (.csv, .rec, ..)"), ("models", "rvo")] {
+            harness.get_by_role_and_label(Role::ComboBox, combo).click();
+            harness.run();
+            harness.get_by_label(entry).click();
+            harness.run();
+        }
+        harness.get_by_label("fewer").click();
+        harness.run();
+        harness.get_by_label("agents").focus();
+        harness.run();
+        harness.get_by_label("agents").type_text("1, 5-9");
+        harness.run();
+        let group = shown.setting.groups[0].clone();
+        for (menu, entries) in [("groups", vec![group.as_str()]), ("columns", vec!["time", "y"])] {
+            harness.get_by_role_and_label(Role::Button, menu).click();
+            harness.run();
+            for entry in entries {
+                harness.get_by_role_and_label(Role::CheckBox, entry).click();
+                harness.run();
+            }
+            harness.key_press(eframe::egui::Key::Escape);
+            harness.run();
+        }
+    }
+    assert_eq!((sizes[0], sizes[sizes.len() - 1]), ([1280, 480], [640, 480]), "two views, and one");
+    let (wish, group) = (&record.wish, shown.setting.groups[0].clone());
+    use throng_studio::record::{Format, Which};
+    assert_eq!(wish.which(), Which::Other);
+    let both = Wish { which: Which::Both, ..wish.clone() };
+    assert_eq!((both.which(), Wish { format: Format::Gif, ..both }.which()), (Which::Own, Which::Both));
+    let choice = wish.chosen.choice([1.0, 2.0], std::path::Path::new("a.csv")).unwrap();
+    let expected = Choice {
+        from: 1.0,
+        to: 2.0,
+        rate: Some(10.0),
+        agents: vec![1..=1, 5..=9],
+        groups: vec![group],
+        columns: vec![Column::Time, Column::Y],
+    };
+    assert_eq!(choice, expected);
+    let others = wish.chosen.choice([1.0, 2.0], std::path::Path::new("a.rec")).unwrap();
+    assert_eq!(others, Choice { columns: Vec::new(), ..expected }, "it has no columns to choose");
+    record.wish.chosen.agents = "me".into();
+    let says = record.wish.chosen.choice([0.0, 1.0], std::path::Path::new("a.csv")).unwrap_err();
+    assert!(says.contains("such as 1,5,10-20"), "{says}");
+}
+
+#[test]
 fn who_writes_goes_on_writing_when_something_is_wrong() {
     let mut document = Document::gallery("circle").unwrap();
     let before = document.text().to_owned();
@@ -277,16 +355,20 @@ fn a_name_is_asked_for_until_it_is_good() {
 }
 
 #[test]
-fn what_is_not_saved_is_asked_about() {
+fn what_is_not_done_is_asked_about() {
     let cases = [
-        (Leaving::New, "Discard", Answer::Discard),
-        (Leaving::Close, "Save", Answer::Save),
-        (Leaving::Reload(String::new()), "Take the file's", Answer::Discard),
-        (Leaving::Open("box".into()), "Keep editing", Answer::Keep),
+        (Unfinished::Text, Leaving::New, "Discard", Answer::Discard),
+        (Unfinished::Text, Leaving::Close, "Save", Answer::Save),
+        (Unfinished::Text, Leaving::Reload(String::new()), "Take the file's", Answer::Discard),
+        (Unfinished::Text, Leaving::Open("box".into()), "Keep editing", Answer::Keep),
+        (Unfinished::Recording, Leaving::Close, "Finish and keep", Answer::Save),
+        (Unfinished::Recording, Leaving::Close, "Go on recording", Answer::Keep),
+        (Unfinished::Recording, Leaving::Open("box".into()), "Finish and keep", Answer::Save),
+        (Unfinished::Recording, Leaving::New, "Go on recording", Answer::Beside),
     ];
-    for (to, label, answer) in cases {
+    for (of, to, label, answer) in cases {
         let mut answers = Vec::new();
-        let mut harness = Harness::new_ui(|ui| answers.extend(panels::leaving(ui.ctx(), "circle", &to)));
+        let mut harness = Harness::new_ui(|ui| answers.extend(panels::leaving(ui.ctx(), "circle", &to, of)));
         harness.run();
         assert!(harness.query_by_label_contains("circle").is_some(), "{to:?} says what of");
         harness.get_by_label(label).click();
@@ -295,7 +377,8 @@ fn what_is_not_saved_is_asked_about() {
         assert_eq!(answers, [answer]);
     }
     let mut answers = Vec::new();
-    let mut harness = Harness::new_ui(|ui| answers.extend(panels::leaving(ui.ctx(), "circle", &Leaving::New)));
+    let ask = |ctx: &eframe::egui::Context| panels::leaving(ctx, "circle", &Leaving::New, Unfinished::Text);
+    let mut harness = Harness::new_ui(|ui| answers.extend(ask(ui.ctx())));
     harness.key_press(eframe::egui::Key::Escape);
     harness.run();
     drop(harness);

@@ -4,9 +4,9 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 use throng_draw::record::{Plan, Recorder};
-use throng_draw::{Film, Style};
+use throng_draw::{Film, Sheet, Style};
 use throng_record::csv::CsvWriter;
-use throng_record::{Frame, Output, Writer, moment};
+use throng_record::{Choice, Column, Frame, Output, Setting, Writer, moment};
 use throng_scene::gallery;
 use throng_studio::record::{Format, Job, Subject, Take, Threaded};
 
@@ -26,7 +26,7 @@ fn subject(name: &str) -> Subject {
 
 fn take(path: &Path) -> Take {
     let style = Style { width: 64, height: 48, ..Style::default() };
-    Take { path: path.into(), from: 0.0, to: None, rate: 10.0, speed_up: 1.0, style }
+    Take { path: path.into(), choice: Choice::default(), rate: 10.0, speed_up: 1.0, style }
 }
 
 fn record(subject: &Subject, take: &Take) -> Result<(), String> {
@@ -43,7 +43,7 @@ fn names(folder: &Path) -> Vec<String> {
 }
 
 /// Every moment of a scene, by the engine alone.
-fn moments(name: &str, mut see: impl FnMut(&throng_record::Setting, &Frame)) {
+fn moments(name: &str, mut see: impl FnMut(&Setting, &Frame)) {
     let scene = gallery::scene(name).unwrap();
     let (mut world, built) = scene.build().unwrap();
     let setting = moment::setting(&world, &built, &scene.title);
@@ -78,7 +78,7 @@ fn a_film_is_that_of_its_moments() {
     let folder = tempfile::tempdir().unwrap();
     let (path, expected) = (folder.path().join("a.gif"), folder.path().join("b.gif"));
     let mut take = take(&path);
-    (take.rate, take.to) = (12.5, Some(1.0));
+    (take.rate, take.choice.to) = (12.5, 1.0);
     record(&subject("circle"), &take).unwrap();
     let mut film = None;
     // a picture every second step of 0.04 s
@@ -104,7 +104,7 @@ fn a_film_is_that_of_its_moments() {
 fn a_part_of_a_scene_is_what_was_asked_for() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("part.csv");
-    let part = Take { from: 2.0, to: Some(3.0), ..take(&path) };
+    let part = Take { choice: Choice { from: 2.0, to: 3.0, ..Choice::default() }, ..take(&path) };
     record(&subject("circle"), &part).unwrap();
     let text = std::fs::read_to_string(&path).unwrap();
     let times: Vec<f64> = text.lines().skip(1).map(|line| line.split(',').nth(2).unwrap().parse().unwrap()).collect();
@@ -117,10 +117,79 @@ fn a_part_of_a_scene_is_what_was_asked_for() {
     // at 2.0, 2.1 .. 3.0 s
     assert_eq!(names(&pictures).len(), 11);
 
-    let after = Take { path: folder.path().join("after.csv"), from: 1e4, ..take(&path) };
+    let late = Choice { from: 1e4, ..Choice::default() };
+    let after = Take { path: folder.path().join("after.csv"), choice: late, ..take(&path) };
     let says = record(&subject("circle"), &after).unwrap_err();
     assert!(says.contains("before what is to be recorded begins"), "{says}");
     assert_eq!(names(folder.path()), ["part.csv", "pictures"]);
+}
+
+/// What is chosen is written as if the engine's moments were handed to it one by one.
+#[test]
+fn trajectories_have_what_is_chosen() {
+    let folder = tempfile::tempdir().unwrap();
+    let expected = folder.path().join("expected.csv");
+    let some = Choice {
+        from: 0.53,
+        to: 2.2,
+        rate: Some(3.0),
+        agents: vec![2..=5, 9..=9],
+        columns: vec![Column::Time, Column::Number, Column::X],
+        ..Choice::default()
+    };
+    let format = throng_record::Format::of("a.csv").unwrap();
+    for choice in [some, Choice { from: 1.0, ..Choice::default() }] {
+        let mut writer = None;
+        moments("circle", |setting, frame| {
+            if choice.rate.is_some() || frame.time > choice.from - 1e-6 {
+                let writer = writer.get_or_insert_with(|| {
+                    choice.create(format, Output::create(&expected).unwrap(), setting).unwrap().unwrap()
+                });
+                writer.push(frame).unwrap();
+            }
+        });
+        writer.unwrap().finish().unwrap();
+        let path = folder.path().join("part.csv");
+        record(&subject("circle"), &Take { choice, ..take(&path) }).unwrap();
+        let [part, expected] = [&path, &expected].map(|path| std::fs::read_to_string(path).unwrap());
+        assert!(part.lines().count() > 20 && part == expected, "{part}");
+        std::fs::remove_file(path).unwrap();
+    }
+    let missing = Choice { groups: vec!["up".into()], ..Choice::default() };
+    let says = record(&subject("doorway"), &Take { choice: missing, ..take(&folder.path().join("b.csv")) });
+    assert!(says.unwrap_err().contains("there is no group `up`"));
+}
+
+#[test]
+fn two_models_are_recorded_side_by_side() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, expected) = (folder.path().join("a.gif"), folder.path().join("b.gif"));
+    let scene = gallery::scene("circle").unwrap();
+    let other = scene.with_model(&"rvo".parse().unwrap()).unwrap();
+    let both = [("orca".to_owned(), Arc::new(scene.clone())), ("rvo".to_owned(), Arc::new(other.clone()))];
+    let subject = Subject::Beside("circle".into(), both);
+    let take = Take { choice: Choice { to: 0.6, ..Choice::default() }, rate: 25.0, ..take(&path) };
+    record(&subject, &take).unwrap();
+    let mut runs: Vec<_> = [&scene, &other].map(|scene| scene.build().unwrap()).into_iter().collect();
+    let settings = runs.iter().map(|(world, built)| moment::setting(world, built, &scene.title));
+    let panels = settings.zip(["orca", "rvo"]).map(|(setting, name)| Setting { title: name.into(), ..setting });
+    let sheet = Sheet { title: scene.title.clone(), panels: panels.collect(), columns: 2 };
+    let mut film = Film::create(&expected, sheet, &take.style, take.rate).unwrap();
+    // a picture every step of 0.04 s
+    for step in 0..=15 {
+        let mut frames = vec![Frame::default(); 2];
+        runs.iter().zip(&mut frames).for_each(|((world, _), frame)| moment::capture(world, frame));
+        film.push_all(&frames.iter().collect::<Vec<_>>()).unwrap();
+        assert!(step == 0 || frames[0] != frames[1]);
+        runs.iter_mut().for_each(|(world, _)| world.step());
+    }
+    film.finish().unwrap();
+    assert!(std::fs::read(&path).unwrap() == std::fs::read(&expected).unwrap());
+    // a file of trajectories is of the first
+    let [table, alone] = ["a.csv", "b.csv"].map(|name| folder.path().join(name));
+    record(&subject, &Take { path: table.clone(), ..take.clone() }).unwrap();
+    record(&Subject::Scene("circle".into(), Arc::new(scene)), &Take { path: alone.clone(), ..take }).unwrap();
+    assert!(std::fs::read(table).unwrap() == std::fs::read(alone).unwrap());
 }
 
 #[test]
@@ -136,6 +205,28 @@ fn what_is_cancelled_leaves_nothing() {
     let thread = Threaded::start(subject("boids"), take(&folder.path().join("b.csv")), begin, || {}).unwrap();
     drop(thread);
     assert_eq!(names(folder.path()), Vec::<String>::new());
+}
+
+#[test]
+fn what_is_finished_early_is_the_first_part() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, whole) = (folder.path().join("part.csv"), folder.path().join("whole.csv"));
+    let mut job = Job::new(&subject("circle"), &take(&path), begin).unwrap();
+    while job.share() < 0.02 {
+        assert!(!job.work(Duration::from_millis(1)).unwrap());
+    }
+    job.finish().unwrap();
+    assert!(job.work(Duration::from_millis(1)).unwrap());
+    record(&subject("circle"), &take(&whole)).unwrap();
+    let [part, whole] = [path, whole].map(|path| std::fs::read_to_string(path).unwrap());
+    assert!(part.lines().count() > 36 && part.len() < whole.len() && whole.starts_with(&part));
+    let late = take(&folder.path().join("late.csv"));
+    let mut job =
+        Job::new(&subject("circle"), &Take { choice: Choice { from: 1e3, ..Choice::default() }, ..late }, begin)
+            .unwrap();
+    assert!(job.finish().is_err());
+    drop(job);
+    assert_eq!(names(folder.path()), ["part.csv", "whole.csv"]);
 }
 
 #[test]

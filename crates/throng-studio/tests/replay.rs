@@ -6,10 +6,10 @@ use std::time::Duration;
 use throng_draw::Style;
 use throng_draw::record::Recorder;
 use throng_record::csv::CsvWriter;
-use throng_record::{Frame, Writer, moment};
+use throng_record::{Choice, Frame, Writer, moment};
 use throng_scene::gallery;
 use throng_studio::play::{Command, Engine, Film, Quantity, Shown, Speed, Threaded, Trouble};
-use throng_studio::record::{Job, Subject, Take};
+use throng_studio::record::{Job, Subject, Take, Which};
 
 /// Writes the trajectories of a scene; its moments.
 fn written(name: &str, path: &Path) -> Vec<Frame> {
@@ -167,8 +167,9 @@ fn a_recording_of_a_replay_is_the_file_itself() {
             None => std::thread::sleep(Duration::from_millis(2)),
         }
     };
-    let take = Take { path: again.clone(), from: 0.0, to: None, rate: 25.0, speed_up: 1.0, style: Style::default() };
-    let mut job = Job::new(&Subject::of(&shown), &take, |path, plan| {
+    let take =
+        Take { path: again.clone(), choice: Choice::default(), rate: 25.0, speed_up: 1.0, style: Style::default() };
+    let mut job = Job::new(&Subject::of(&shown, Which::Both), &take, |path, plan| {
         Recorder::create(path, plan).map_err(|error| error.to_string())
     })
     .unwrap();

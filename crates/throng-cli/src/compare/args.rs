@@ -1,6 +1,7 @@
 //! The command line of `throng compare`.
 
 use crate::failure::Failure;
+use crate::models::models;
 use crate::options::{EndArgs, FilmArgs, ThreadArgs};
 use crate::source::SceneArgs;
 use clap::Args;
@@ -109,18 +110,7 @@ impl CompareArgs {
     /// # Errors
     /// There is no such model, it has no such key, or it comes twice.
     pub fn models(&self) -> Result<Vec<Model>, Failure> {
-        let mut models: Vec<Model> = Vec::new();
-        for text in &self.models {
-            let model: Model = text.parse().map_err(|mut error: throng_scene::Error| {
-                error.file = Some(format!("--models {}", text.trim()).into());
-                error
-            })?;
-            if models.iter().any(|other| other.label() == model.label()) {
-                return Err(Failure::hint(format!("--models: {model} is given twice"), "leave one of the two out"));
-            }
-            models.push(model);
-        }
-        Ok(models)
+        models("--models", &self.models)
     }
 
     /// The seeds, in order; `default` where none are given.

@@ -7,8 +7,9 @@ use super::{CompareArgs, sheet, table};
 use crate::failure::Failure;
 use crate::files::{self, distinct, is};
 use std::path::PathBuf;
-use throng_draw::record::{Moment, Pace, Recorder};
-use throng_record::Output;
+use std::sync::Arc;
+use throng_draw::record::{Files, Pace, Recorder};
+use throng_record::{Choice, Frame, Output};
 
 /// A way to write the table.
 type Written = fn(&Plan, &Results, bool) -> String;
@@ -16,13 +17,11 @@ type Written = fn(&Plan, &Results, bool) -> String;
 /// All files. They get their names when they are complete; dropped before that, they leave nothing.
 pub struct Outputs {
     paths: Vec<PathBuf>,
-    films: Vec<Recorder>,
+    /// Pictures and video; `None` once they are complete.
+    films: Option<Files>,
     pages: Vec<(Output, Page)>,
     /// Files that hold the table, and how it is written.
     tables: Vec<(Output, Written)>,
-    pace: Pace,
-    /// Time of the last picture.
-    last: Option<f64>,
 }
 
 impl Outputs {
@@ -49,12 +48,13 @@ impl Outputs {
                 films.push(Recorder::film(film.still(args.film.still())));
             }
         }
-        Ok(Self { paths, films, pages, tables, pace: Pace::new(0.0, args.film.speed_up / rate), last: None })
+        let films = Files::new(films, Pace::new(0.0, args.film.speed_up / rate), &Choice::default());
+        Ok(Self { paths, films: Some(films), pages, tables })
     }
 
     /// Whether the runs' moments are wanted, or only what comes of them.
     pub fn watch(&self) -> bool {
-        !(self.films.is_empty() && self.pages.is_empty())
+        self.films.as_ref().is_some_and(|films| !films.is_empty()) || !self.pages.is_empty()
     }
 
     /// Takes in the runs as they are after a step (and before the first).
@@ -62,35 +62,23 @@ impl Outputs {
     /// # Errors
     /// A file cannot be written.
     pub fn push(&mut self, runs: &[Run]) -> Result<(), Failure> {
-        let (time, step) = (now(runs), runs[0].world.settings().step);
-        let due = self.pace.due(time, step);
-        if due > 0 {
-            self.show(runs, time, due)?;
+        if let Some(films) = &mut self.films {
+            films.push_all(now(runs), runs[0].world.settings().step, || frames(runs))?;
         }
         self.pages.iter_mut().for_each(|(_, page)| page.push(runs));
         Ok(())
     }
 
-    /// Shows the end, if no picture did yet.
+    /// Shows the end, if no picture did yet, and completes pictures and video.
     ///
     /// # Errors
     /// A file cannot be written.
     pub fn end(&mut self, runs: &[Run]) -> Result<(), Failure> {
-        let time = now(runs);
-        if self.last != Some(time) {
-            self.show(runs, time, 1)?;
-        }
         self.pages.iter_mut().for_each(|(_, page)| page.end(runs));
-        Ok(())
+        Ok(self.films.take().map_or(Ok(()), |films| films.finish_all(now(runs), || frames(runs)))?)
     }
 
-    fn show(&mut self, runs: &[Run], time: f64, pictures: u64) -> Result<(), Failure> {
-        let frames = runs.iter().map(|run| run.frame.clone()).collect();
-        self.last = Some(time);
-        Ok(Recorder::push_all(&mut self.films, &Moment { frames, pictures, rows: false })?)
-    }
-
-    /// Completes all files; their names.
+    /// Completes all other files; the names of all.
     ///
     /// # Errors
     /// A file cannot be completed.
@@ -101,9 +89,12 @@ impl Outputs {
             output.put(text.as_bytes())?;
             output.finish()?;
         }
-        self.films.into_iter().try_for_each(Recorder::finish)?;
         Ok(self.paths)
     }
+}
+
+fn frames(runs: &[Run]) -> Vec<Arc<Frame>> {
+    runs.iter().map(|run| run.frame.clone()).collect()
 }
 
 /// The time of the run that is farthest.

@@ -6,19 +6,11 @@ use crate::options::FilmArgs;
 use throng_draw::{Sheet, Style};
 use throng_record::moment;
 
-/// More panels than this are too small to see anything.
-const MOST: usize = 9;
-
 /// The panels, a model each, and the look of the sheet.
 ///
 /// # Errors
 /// There are more models than fit, or the camera sees nothing.
 pub fn sheet(args: &FilmArgs, plan: &Plan, runs: &[Run]) -> Result<(Sheet, Style), Failure> {
-    let count = runs.len();
-    if count > MOST {
-        let text = format!("{count} models are too many for one picture: there is room for {MOST}");
-        return Err(Failure::hint(text, "leave some out, or write a page (.html) or a table (.csv, .md)"));
-    }
     let panel = |run: &Run| moment::setting(&run.world, &run.built, plan.models[run.model].label());
     let panels = runs.iter().map(panel).collect();
     let title = match plan.seeds.len() {
@@ -27,6 +19,6 @@ pub fn sheet(args: &FilmArgs, plan: &Plan, runs: &[Run]) -> Result<(Sheet, Style
     };
     let bounds = runs[0].built.bounds;
     let style = args.look.style(&plan.loaded.scene, bounds)?;
-    let (style, columns) = args.look.side_by_side(style, count, bounds);
+    let (style, columns) = args.look.side_by_side(style, runs.len(), "models", bounds)?;
     Ok((Sheet { title, panels, columns }, style))
 }

@@ -3,6 +3,7 @@
 use super::args::MeasureArgs;
 use super::{Measured, Subject, people};
 use crate::failure::Failure;
+use crate::files::title;
 use crate::out::note;
 use crate::progress::{Progress, share};
 use crate::source::Loaded;
@@ -29,7 +30,7 @@ pub fn gather(args: &MeasureArgs) -> Result<Subject, Failure> {
             note(&loaded.notes);
         }
         let groups = threads::with(args.threads.count(), || simulated(args, &loaded))?;
-        Subject { name: loaded.name, groups, people: None }
+        Subject { title: loaded.name.clone(), name: loaded.name, groups, people: None }
     };
     subject.groups.retain(|group| group.swarm.moments().iter().any(|moment| moment.count > 0));
     Ok(subject)
@@ -80,7 +81,8 @@ fn recorded(args: &MeasureArgs) -> Result<Subject, Failure> {
     };
     let counts = |spot: &Spot| within.contains(&spot.time) && chosen.contains(&(spot.group as usize));
     let groups = chosen.iter().map(measured).collect();
-    Ok(Subject { name: args.of.display().to_string(), groups, people: people::of(args, &tracks, counts)? })
+    let people = people::of(args, &tracks, counts)?;
+    Ok(Subject { name: args.of.display().to_string(), title: title(&args.of), groups, people })
 }
 
 fn begin(args: &MeasureArgs, name: &str) -> Measured {

@@ -33,6 +33,8 @@ pub struct Measured {
 pub struct Subject {
     /// Name of the scene or the file.
     pub name: String,
+    /// What it is called on pages and pictures.
+    pub title: String,
     /// Its groups, as swarms.
     pub groups: Vec<Measured>,
     /// Those of a file who walk, as people.

@@ -3,7 +3,7 @@
 use super::json::BIN;
 use super::people::People;
 use super::{Measured, Subject, people, text};
-use crate::page::{Height, Plot, STYLE, TIME, escape, figure as sheet, fill, swatch};
+use crate::page::{Height, Plot, TIME, document, escape, figure as sheet, fill, swatch};
 use std::f64::consts::{PI, TAU};
 use throng_draw::{Error, Figure};
 use throng_record::swarm::{Distribution, Moment, Swarm};
@@ -26,25 +26,24 @@ const KEY: [(usize, &str); 4] =
 /// There are too many for a picture.
 pub fn figure(subject: &Subject) -> Result<Figure, Error> {
     match &subject.people {
-        Some(people) => sheet(&subject.name, &people::KEY, &people.plots()),
-        None => sheet(&subject.name, &KEY, &plots(&subject.groups[0].swarm)),
+        Some(people) => sheet(&subject.title, &people::KEY, &people.plots()),
+        None => sheet(&subject.title, &KEY, &plots(&subject.groups[0].swarm)),
     }
 }
 
 /// The page about what was measured.
 pub fn text(subject: &Subject) -> String {
-    let name = &subject.name;
+    let name = &subject.title;
     let people = subject.people.as_ref().map_or_else(String::new, |people| people.section(name));
     let sections: String = subject.groups.iter().map(|group| section(name, group)).collect();
     let parts = [
         ("title", escape(name)),
         ("people", people),
-        ("style", STYLE.to_owned()),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("groups", sections),
-        ("script", subject.people.as_ref().map_or_else(String::new, People::script)),
     ];
-    fill(PAGE, &parts)
+    let script = subject.people.as_ref().map_or_else(String::new, People::script);
+    document(&format!("{}: measured", escape(name)), &fill(PAGE, &parts), &script)
 }
 
 fn section(scene: &str, group: &Measured) -> String {

@@ -8,8 +8,26 @@ pub use player::{Player, Scenery};
 pub use plot::{Height, Plot, TIME};
 pub use sheet::figure;
 
-/// How pages look.
-pub const STYLE: &str = include_str!("style.css");
+const DOCUMENT: &str = include_str!("document.html");
+const STYLE: &str = include_str!("style.css");
+
+/// A page: its title, what is on it, and its script, all as HTML.
+pub fn document(title: &str, body: &str, script: &str) -> String {
+    let parts = [("title", title), ("style", STYLE), ("body", body), ("script", script)];
+    fill(DOCUMENT, &parts.map(|(name, part)| (name, part.to_owned())))
+}
+
+/// A table with the names of its rows in its first column.
+pub fn table(head: &[String], rows: &[Vec<String>]) -> String {
+    let heads: String = head.iter().map(|head| format!("<th>{}</th>", escape(head))).collect();
+    let row = |cells: &Vec<String>| {
+        let tag = |k: usize| if k == 0 { "th" } else { "td" };
+        let cell = |(k, cell): (usize, &String)| format!("<{0}>{1}</{0}>", tag(k), escape(cell));
+        format!("<tr>{}</tr>\n", cells.iter().enumerate().map(cell).collect::<String>())
+    };
+    let rows: String = rows.iter().map(row).collect();
+    format!("<table>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>\n")
+}
 
 /// A template with its `{{names}}` replaced; what is put in is not looked at again.
 pub fn fill(template: &str, parts: &[(&str, String)]) -> String {

@@ -1,12 +1,10 @@
 //! What `throng convert` and `throng render` are told, and their help.
 
 use crate::choice::ChoiceArgs;
+use crate::map::MapArgs;
 use crate::options::FilmArgs;
-use crate::replay::args::parse_place;
-use crate::source::PlanArgs;
 use crate::tracks::TrackArgs;
 use clap::Args;
-use glam::DVec2;
 use std::path::PathBuf;
 
 /// After `throng convert --help`.
@@ -45,18 +43,9 @@ pub struct RecordedArgs {
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
 
-    /// Where it was: a scene or a floor plan (see `throng run`), or UCY's map.xml, whose ground and obstacles it takes [default:
-    /// what the file says]
-    #[arg(long, value_name = "SCENE|FILE")]
-    pub map: Option<PathBuf>,
-
-    /// Where the origin of the map is in the recording, metres
-    #[arg(long, value_name = "X,Y", value_parser = parse_place, allow_hyphen_values = true, requires = "map")]
-    pub map_offset: Option<DVec2>,
-
-    /// How a floor plan is read.
+    /// Where it was.
     #[command(flatten)]
-    pub plan: PlanArgs,
+    pub map: MapArgs,
 
     /// What it does not say itself.
     #[command(flatten)]

@@ -35,7 +35,16 @@ pub fn convert(args: &ConvertArgs, out: &mut Out) -> Result<(), Failure> {
     let (choice, style) = (args.choice.choice(), Style::default());
     let setting = &recording.moments.setting;
     let from = recording.start(&choice);
-    let plan = Plan { setting, style: &style, rate: 25.0, speed_up: 1.0, still: Still::Last, from, choice: &choice };
+    let plan = Plan {
+        setting,
+        sheet: None,
+        style: &style,
+        rate: 25.0,
+        speed_up: 1.0,
+        still: Still::Last,
+        from,
+        choice: &choice,
+    };
     write(&recording, &args.output, &plan, args.quiet, out)
 }
 
@@ -55,6 +64,7 @@ pub fn render(args: &RenderArgs, out: &mut Out) -> Result<(), Failure> {
     style.view.get_or_insert(WorldBox { min, max });
     let plan = Plan {
         setting: &recording.moments.setting,
+        sheet: None,
         style: &style,
         rate: args.film.rate(&recording.scene),
         speed_up: args.film.speed_up,

@@ -3,7 +3,7 @@
 use super::args::RecordedArgs;
 use crate::failure::Failure;
 use crate::files::is;
-use crate::replay::map::Map;
+use crate::map::Map;
 use crate::source::Changes;
 use glam::DVec2;
 use std::path::PathBuf;
@@ -43,19 +43,17 @@ impl Recording {
             tracks.setting.title.clone_from(&name);
         }
         let mut notes = Vec::new();
-        let (scene, moments) = match &args.map {
-            Some(map) if is(map, "xml") || is_plan(map) => {
-                let mut map = Map::of(map.clone(), &args.plan)?;
-                map.shift(args.map_offset.unwrap_or_default());
+        let (scene, moments) = match &args.map.map {
+            // scenes have names and goals too
+            Some(map) if !(is(map, "xml") || is_plan(map)) => {
+                in_place(tracks, place(map, args.map.map_offset.unwrap_or_default())?)
+            }
+            _ => {
+                let map = Map::read(&args.map, &path, &tracks.setting, None)?;
+                (tracks.setting.walkable, tracks.setting.obstacles) = (map.walkable, map.obstacles);
                 notes = map.notes;
-                tracks.setting.obstacles = map.obstacles;
-                if !map.walkable.is_empty() {
-                    tracks.setting.walkable = map.walkable;
-                }
                 (Scene::default(), Moments::of(tracks))
             }
-            Some(map) => in_place(tracks, place(map, args.map_offset.unwrap_or_default())?),
-            None => (Scene::default(), Moments::of(tracks)),
         };
         Ok(Self { path, name, moments, scene, notes })
     }

@@ -1,22 +1,24 @@
 //! What `throng replay` is told, and its help.
 
 use crate::look::{parse_not_negative, parse_positive};
+use crate::map::MapArgs;
 use crate::measure::args::parse_line;
 use crate::options::{FilmArgs, ThreadArgs};
-use crate::source::PlanArgs;
 use crate::tracks::TrackArgs;
 use clap::Args;
-use glam::DVec2;
 use std::path::PathBuf;
 use throng_record::pedestrian::Line;
 use throng_record::pedestrian::replay::Pace;
+
+/// Points of a plot of what is ahead.
+const AHEAD: u32 = 16;
 
 /// After `throng replay -h`.
 pub const SHORT: &str = "\
 Examples:
   throng replay zara01/obsmat.txt --map-offset 0.5,16.2 -o zara01.mp4
   throng replay corridor.txt --map corridor.wkt --line 0,0,0,5
-  throng replay corridor.txt --model rvo:time_horizon=4 --speed 90% --table people.csv
+  throng replay corridor.txt --model orca --model rvo:time_horizon=4 --table people.csv -o corridor.html
 
 `throng replay --help` describes the outputs and the keys of --json; docs/replay.md, what the figures mean.";
 
@@ -30,27 +32,32 @@ Walls come from --map, else from what the file says, else from a map.xml beside 
 groups.txt beside it. The model knows nothing of groups: figures are told for those in groups and those alone.
 
 Outputs, by the ending of the name:
+  .html             one page without network: the tables, a player of the recorded and of every model on one clock, plots
   .mp4 .gif .avi    video, recorded and replayed people side by side; also .webm and other kinds that ffmpeg writes
   .png, .svg        one picture of the same: the last moment, or that of --frame
   NAME/             a folder of PNG files, one a picture
-  .csv .parquet .rec .sqlite .usda   trajectories of the replayed, at the times of the recording
+  .csv .parquet .rec .glb ..   trajectories of the replayed, every step, as `throng run` writes them; of several models a file each,
+                    with the model in its name: again.csv becomes again-orca.csv, again-hrvo.csv
 
 Files get their names when they are complete. Ctrl-C ends the replay and completes the files.
 
 Keys of --json (one object on standard output; metres, seconds):
-  data, model, step      what was replayed, by which model, in steps of so many seconds
+  data, step             what was replayed, in steps of so many seconds
   from, until            the first moment and the last
   map                    { areas, obstacles: how many; through: how many of the recorded walk through what is solid }
-  people                 recorded, entered, overlapping (somebody who was there), moved (out of something solid), refused, seen_once,
-                         goals_moved, arrived, stranded (cannot reach their goals), walking (on their way at the end), delay: seconds by
-                         which they arrive later than the recorded left, the median
-  from_entry             [{ horizon, people, average: { replay, constant_velocity, straight }, final: the same }], each { mean,
-                         median }; the last, with horizon null, is when they were recorded last
+  recorded               entered: how many; seen_once; speed, nearest: { mean, median }; crossings: null, or the same of the times
+                         at which --line is crossed; people: as `throng measure --json` says them
+  models                 [{ model, .. }], each with
+    entered, overlapping (somebody who was there), moved (out of something solid), refused, goals_moved, arrived,
+    stranded (cannot reach their goals), walking (on their way at the end)
+    delay                seconds by which they arrive later than the recorded left, the median
+    speed, nearest       { mean, median, distance: of Kolmogorov and Smirnov from the recorded }
+    crossings            null, or the same
+    people               as `throng measure --json` says them
+    summary              of the world: least_separation, overlaps, guard_share
+  from_entry             [{ horizon, people, average: { MODEL, .., constant_velocity, straight }, final: the same }], by the names
+                         of the models, each { mean, median }; the last, with horizon null, is when they were recorded last
   predicted              null, or { every, moments, horizons: the same list, alone, in_groups: the same of the longest horizon, or null }
-  speed, nearest         { recorded: { mean, median }, replay: the same, distance: of Kolmogorov and Smirnov }
-  crossings              null, or the same of the times at which --line is crossed
-  recorded, replay       { people: as `throng measure --json` says them }
-  summary                of the world: least_separation, overlaps, guard_share
   wall_seconds, interrupted, files
 What is not known is null.
 
@@ -63,6 +70,8 @@ Examples:
       side by side, the replayed people's trajectories, and a line a person
   throng replay corridor.txt --map corridor.wkt --line 0,0,0,5 --from 20 --until 60 --json
       a part of it, on a floor plan, counted at a line
+  throng replay obsmat.txt --model orca,hrvo,rvo -o models.html --table people.csv
+      several models in one table, on one page, and side by side
   throng replay obsmat.txt --model hrvo --set keep_right=0 --speed 90% --every 0
       another model, without its bias to the right, faster people, no predictions";
 
@@ -122,30 +131,22 @@ pub struct ReplayArgs {
 #[derive(Args, Debug)]
 #[command(next_help_heading = "People")]
 pub struct StageArgs {
-    /// The walls: OpenTraj's map.xml, a floor plan (see `throng run`), or a scene, of which ground and obstacles count [default: what
-    /// the file says, else a map.xml beside it]
-    #[arg(long, value_name = "FILE")]
-    pub map: Option<PathBuf>,
+    /// Where they walk.
+    #[command(flatten)]
+    pub map: MapArgs,
 
     /// Walks on open ground, whatever the file or a map.xml says
     #[arg(long, conflicts_with_all = ["map", "map_offset"])]
     pub no_map: bool,
 
-    /// Where the origin of the map is in the recording, metres
-    #[arg(long, value_name = "X,Y", value_parser = parse_place, allow_hyphen_values = true)]
-    pub map_offset: Option<DVec2>,
-
-    /// How a floor plan is read.
-    #[command(flatten)]
-    pub plan: PlanArgs,
-
     /// Who belongs together: a line a group, the numbers of its members [default: a groups.txt beside the file]
     #[arg(long, value_name = "FILE")]
     pub groups: Option<PathBuf>,
 
-    /// The local model, as `throng compare` takes it: its name, and values of its keys after colons
-    #[arg(short, long, value_name = "MODEL", default_value = "orca")]
-    pub model: String,
+    /// The local model, as `throng compare` takes it: its name, and values of its keys after colons; can be given several times,
+    /// or several with commas between them
+    #[arg(short, long, value_name = "MODEL,..", value_delimiter = ',', default_value = "orca")]
+    pub model: Vec<String>,
 
     /// Changes a value of the scene with one group that they are; can be given several times
     ///
@@ -199,6 +200,14 @@ pub struct FigureArgs {
     pub line: Option<Line>,
 }
 
+impl FigureArgs {
+    /// How far ahead a plot looks, seconds: evenly, as far as horizons go.
+    pub fn ahead(&self) -> impl Iterator<Item = f64> {
+        let longest = self.horizons.iter().copied().fold(0.0, f64::max);
+        (1..=AHEAD).map(move |k| longest * f64::from(k) / f64::from(AHEAD))
+    }
+}
+
 fn parse_pace(text: &str) -> Result<Pace, String> {
     let wrong = || "write mean, a part such as 50%, or a speed in m/s".to_owned();
     if text == "mean" {
@@ -211,10 +220,4 @@ fn parse_pace(text: &str) -> Result<Pace, String> {
         }
         None => Ok(Pace::Constant(parse_positive(text).ok().filter(|&speed| speed <= 1000.0).ok_or_else(wrong)?)),
     }
-}
-
-pub fn parse_place(text: &str) -> Result<DVec2, String> {
-    let number = |text: &str| text.trim().parse().ok().filter(|x: &f64| x.is_finite());
-    let place = text.split_once(',').and_then(|(x, y)| Some(DVec2::new(number(x)?, number(y)?)));
-    place.ok_or_else(|| "write x,y in metres, such as 0,15".into())
 }

@@ -1,96 +1,112 @@
 //! The figures as JSON; `throng replay --help` describes the keys.
 
-use super::report::{Report, mean_and_median};
+use super::outputs;
+use super::report::{Came, Report, mean_and_median};
 use crate::measure::people_json;
 use crate::report::number;
 use serde_json::{Map, Value, json};
 use std::time::Duration;
 use throng_record::pedestrian::replay::{Pair, Sample};
 
-/// The predictors, as keys.
-const KEYS: [&str; 3] = ["replay", "constant_velocity", "straight"];
-
 /// The figures as one object.
 pub fn of(report: &Report, wall: Duration) -> Value {
-    let Report { args, stage, cast, replayed, .. } = report;
-    let [from, until] = report.span();
-    let horizons = args.figures.horizons.iter().copied().map(Some);
-    let predicted = report.predicted.as_ref().map(|predicted| {
-        let all = horizons.zip(&predicted.samples);
-        let longest = args.figures.horizons.iter().zip(&predicted.samples).max_by(|a, b| a.0.total_cmp(b.0));
-        let split = longest.and_then(|(seconds, samples)| {
-            Some(report.split(samples)?.map(|samples| displacement(Some(*seconds), &samples)))
-        });
-        let [alone, in_groups] = split.unwrap_or_default();
-        json!({
-            "every": predicted.every,
-            "moments": predicted.moments,
-            "horizons": all.map(|(seconds, samples)| displacement(seconds, &refs(samples))).collect::<Vec<_>>(),
-            "alone": alone,
-            "in_groups": in_groups,
-        })
+    let setup = report.setup;
+    let (args, cast, stage) = (setup.args, &setup.cast, &setup.stages[0]);
+    let [from, until] = setup.span();
+    let from_entry = report.from_entry.iter().map(|horizon| {
+        let samples: Vec<&[Sample]> = horizon.samples.iter().map(|samples| &samples[..]).collect();
+        displacement(report, horizon.seconds, &samples)
     });
-    let from_entry = report.from_entry.iter().map(|horizon| displacement(horizon.seconds, &refs(&horizon.samples)));
-    let [recorded, again] = &report.figures;
-    let (arrived, summary) = (report.arrived(), &replayed.summary);
+    let compared = &report.models[0].compared;
+    let recorded = |pair: &Pair| both([pair.means()[0], pair.medians()[0]]);
+    let models = setup.models.iter().zip(&report.models).map(|(name, came)| model(report, name, came));
+    let files = outputs::paths(setup);
     json!({
         "data": args.data.to_string_lossy(),
-        "model": args.stage.model,
         "step": stage.settings.step,
         "from": number(from),
         "until": number(until),
         "map": { "areas": stage.walkable.len(), "obstacles": stage.obstacles.len(), "through": report.through },
-        "people": {
-            "recorded": cast.people.walks.len(),
+        "recorded": {
+            "entered": cast.people.walks.len(),
             "seen_once": cast.seen_once,
-            "entered": replayed.entered,
-            "overlapping": replayed.overlapping,
-            "moved": replayed.moved,
-            "refused": replayed.refused,
-            "goals_moved": replayed.goals_moved,
-            "arrived": arrived,
-            "stranded": replayed.stranded,
-            "walking": replayed.entered.saturating_sub(arrived),
-            "delay": number(report.delay()),
+            "speed": recorded(&compared.speed),
+            "nearest": recorded(&compared.nearest),
+            "crossings": compared.crossings.as_ref().map(recorded),
+            "people": people_json(&report.question, &report.recorded),
         },
+        "models": models.collect::<Vec<_>>(),
         "from_entry": from_entry.collect::<Vec<_>>(),
-        "predicted": predicted,
-        "speed": pair(&report.compared.speed),
-        "nearest": pair(&report.compared.nearest),
-        "crossings": report.compared.crossings.as_ref().map(pair),
-        "recorded": people_json(&report.question, recorded),
-        "replay": people_json(&report.question, again),
+        "predicted": predicted(report),
+        "wall_seconds": wall.as_secs_f64(),
+        "interrupted": report.interrupted,
+        "files": files.iter().chain(&args.table).map(|path| path.to_string_lossy()).collect::<Vec<_>>(),
+    })
+}
+
+/// What came of a model.
+fn model(report: &Report, name: &str, came: &Came) -> Value {
+    let (all, summary) = (&came.replayed, &came.replayed.summary);
+    let pair = |pair: &Pair| {
+        let [mean, median] = [pair.means()[1], pair.medians()[1]].map(number);
+        json!({ "mean": mean, "median": median, "distance": number(pair.distance()) })
+    };
+    json!({
+        "model": name,
+        "entered": all.entered,
+        "overlapping": all.overlapping,
+        "moved": all.moved,
+        "refused": all.refused,
+        "goals_moved": all.goals_moved,
+        "arrived": came.arrived(),
+        "stranded": all.stranded,
+        "walking": came.walking(),
+        "delay": number(report.delay(came)),
+        "speed": pair(&came.compared.speed),
+        "nearest": pair(&came.compared.nearest),
+        "crossings": came.compared.crossings.as_ref().map(pair),
+        "people": people_json(&report.question, &came.figures),
         "summary": {
             "least_separation": number(summary.least_separation),
             "overlaps": summary.overlaps,
             "guard_share": number(summary.guard_share),
         },
-        "wall_seconds": wall.as_secs_f64(),
-        "interrupted": report.interrupted,
-        "files": args.output.iter().chain(&args.table).map(|path| path.to_string_lossy()).collect::<Vec<_>>(),
     })
 }
 
-fn refs(samples: &[Sample]) -> Vec<&Sample> {
-    samples.iter().collect()
+fn predicted(report: &Report) -> Option<Value> {
+    let predicted = report.predicted.as_ref()?;
+    let horizons = report.setup.args.figures.horizons.iter().enumerate().map(|(k, &seconds)| {
+        let samples: Vec<&[Sample]> = predicted.samples.iter().map(|all| &all[k][..]).collect();
+        displacement(report, Some(seconds), &samples)
+    });
+    let split = report.longest().and_then(|(seconds, samples)| {
+        let split = samples.into_iter().map(|samples| report.split(samples)).collect::<Option<Vec<_>>>()?;
+        let part = |who: usize| {
+            let samples: Vec<&[Sample]> = split.iter().map(|split| &split[who][..]).collect();
+            displacement(report, Some(seconds), &samples)
+        };
+        Some([part(0), part(1)])
+    });
+    let [alone, in_groups] = split.unwrap_or_default();
+    Some(json!({
+        "every": predicted.every,
+        "moments": predicted.moments,
+        "horizons": horizons.collect::<Vec<_>>(),
+        "alone": alone,
+        "in_groups": in_groups,
+    }))
 }
 
-fn displacement(seconds: Option<f64>, samples: &[&Sample]) -> Value {
-    let by_predictor = |figure: fn(&Sample) -> &[f64; 3]| {
-        let one = |k: usize| mean_and_median(samples.iter().copied(), |sample| figure(sample)[k]);
-        Map::from_iter(KEYS.iter().enumerate().map(|(k, key)| ((*key).to_owned(), both(one(k)))))
-    };
-    json!({
-        "horizon": seconds,
-        "people": samples.len(),
-        "average": by_predictor(|sample| &sample.average),
-        "final": by_predictor(|sample| &sample.last),
-    })
-}
-
-fn pair(all: &Pair) -> Value {
-    let [recorded, replay] = [0, 1].map(|k| both([all.means()[k], all.medians()[k]]));
-    json!({ "recorded": recorded, "replay": replay, "distance": number(all.distance()) })
+/// How far everybody is off, by predictor; the samples are by model.
+fn displacement(report: &Report, seconds: Option<f64>, samples: &[&[Sample]]) -> Value {
+    let (mut average, mut last) = (Map::new(), Map::new());
+    for predictor in report.predictors() {
+        let own = predictor.samples(samples);
+        average.insert(predictor.key(), both(mean_and_median(own, |sample| predictor.average(sample))));
+        last.insert(predictor.key(), both(mean_and_median(own, |sample| predictor.last(sample))));
+    }
+    json!({ "horizon": seconds, "people": samples[0].len(), "average": average, "final": last })
 }
 
 fn both([mean, median]: [f64; 2]) -> Value {

@@ -1,6 +1,11 @@
 //! How people are told apart in pictures: as the recording has groups, else by whether they belong together.
 
+use super::args::StageArgs;
+use crate::failure::Failure;
+use crate::map::{beside, read};
+use std::path::Path;
 use throng_record::Tracks;
+use throng_record::pedestrian::groups;
 use throng_record::pedestrian::replay::Cast;
 
 /// Kinds of people, a colour each.
@@ -42,4 +47,13 @@ pub fn in_groups(cast: &Cast, groups: &[Vec<u32>]) -> Vec<bool> {
     let members = groups.iter().filter(|group| group.len() > 1).flatten();
     members.filter_map(|&member| cast.walk_of(member)).for_each(|walk| of[walk] = true);
     of
+}
+
+/// Who belongs together: the groups that are asked for, else those of a `groups.txt` beside the recording.
+///
+/// # Errors
+/// The file cannot be read.
+pub fn together(args: &StageArgs, data: &Path) -> Result<Option<Vec<Vec<u32>>>, Failure> {
+    let path = args.groups.clone().or_else(|| beside(data, "groups.txt"));
+    path.map(|path| read(&path, groups)).transpose()
 }

@@ -1,28 +1,57 @@
-//! The files of a replay: pictures of both, tables of the replayed.
+//! The files of a replay: pictures of the recorded and of every model, trajectories of the replayed, pages.
 
-use super::args::ReplayArgs;
-use super::kinds::Kinds;
+use super::page::Page;
+use super::report::Report;
+use super::setup::Setup;
 use super::stage;
 use crate::failure::Failure;
-use crate::files::{self, distinct, written};
+use crate::files::{self, distinct, is, title, written};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use throng_draw::Sheet;
-use throng_draw::record::{Moment, Pace, Plan, Recorder};
-use throng_record::pedestrian::replay::{Cast, Replay, Seen, Stage};
-use throng_record::{Choice, Format, Frame, Pool, Setting};
-use throng_scene::Scene;
+use throng_draw::record::{Files, Plan, Recorder};
+use throng_record::pedestrian::replay::{Replay, Seen};
+use throng_record::{Choice, Format, Frame, Output, Pool};
 
 /// All files. They get their names when they are complete; dropped before that, they leave nothing.
 pub struct Outputs<'a> {
-    films: Vec<Recorder>,
-    tables: Vec<Recorder>,
-    pace: Pace,
+    setup: &'a Setup<'a>,
+    files: Files,
+    pages: Option<Pages>,
     frames: Pool<Frame>,
     seen: Seen<'a>,
-    cast: &'a Cast,
-    kinds: &'a Kinds,
-    /// Time of the last picture.
-    last: Option<f64>,
+}
+
+/// Pages that are begun, and what they play.
+pub struct Pages {
+    outputs: Vec<Output>,
+    page: Page,
+}
+
+/// The names of all that is written.
+pub fn paths(setup: &Setup) -> Vec<PathBuf> {
+    let models = 0..setup.models.len();
+    let of_each = |path: &PathBuf| match is_table(path) {
+        true => models.clone().map(|model| of_model(path, setup, model)).collect(),
+        false => vec![path.clone()],
+    };
+    setup.args.output.iter().flat_map(of_each).collect()
+}
+
+/// The name of the trajectories of one of the models.
+fn of_model(path: &Path, setup: &Setup, model: usize) -> PathBuf {
+    if setup.models.len() == 1 {
+        return path.to_path_buf();
+    }
+    // as it may stand in names of files everywhere
+    let plain = |c: char| if c.is_alphanumeric() || "._=-".contains(c) { c } else { '-' };
+    let name: String = setup.models[model].chars().map(plain).collect();
+    let [stem, ending] = [path.file_stem(), path.extension()].map(|part| part.unwrap_or_default().to_string_lossy());
+    path.with_file_name(format!("{stem}-{name}.{ending}"))
+}
+
+fn is_table(path: &Path) -> bool {
+    !path.is_dir() && Format::of(path).is_some_and(|format| format.is_written())
 }
 
 impl<'a> Outputs<'a> {
@@ -30,88 +59,92 @@ impl<'a> Outputs<'a> {
     ///
     /// # Errors
     /// A name does not say what to write or comes twice, or a file cannot be begun.
-    pub fn create(
-        args: &ReplayArgs,
-        scene: &Scene,
-        stage: &Stage,
-        cast: &'a Cast,
-        kinds: &'a Kinds,
-    ) -> Result<Self, Failure> {
-        distinct(&args.output)?;
+    pub fn create(setup: &'a Setup<'a>) -> Result<Self, Failure> {
+        let Setup { args, models, scene, cast, .. } = setup;
+        distinct(&paths(setup))?;
         let panel = stage::style(args, scene, cast)?;
-        let (style, columns) = args.film.look.side_by_side(panel, 2, stage::bounds(cast));
-        let setting = |title: &str| Setting {
-            title: title.to_owned(),
-            walkable: stage.walkable.clone(),
-            obstacles: stage.obstacles.clone(),
-            groups: kinds.names.clone(),
-            origin: stage.settings.origin,
-            ..Setting::default()
-        };
-        let title = args.data.display().to_string();
-        let (rate, still) = (args.film.rate(scene), args.film.still());
-        let alone = setting(&title);
-        let (speed_up, choice) = (args.film.speed_up, Choice::default());
-        let plan = Plan { setting: &alone, style: &style, rate, speed_up, still, from: args.from, choice: &choice };
-        let (mut films, mut tables) = (Vec::new(), Vec::new());
+        let name = title(&args.data);
+        let (rate, still, speed_up) = (args.film.rate(scene), args.film.still(), args.film.speed_up);
+        let (alone, choice, [start, _]) = (setup.setting(&name), Choice::default(), setup.span());
+        let plan =
+            Plan { setting: &alone, sheet: None, style: &panel, rate, speed_up, still, from: start, choice: &choice };
+        let (mut files, mut pages) = (Vec::new(), Vec::new());
         for path in &args.output {
-            if !path.is_dir() && Format::of(path).is_some_and(|format| format.is_written()) {
-                tables.push(Recorder::create(path, &plan)?);
+            if is_table(path) {
+                for model in 0..models.len() {
+                    files.push(Recorder::create(of_model(path, setup, model), &plan)?.of_run(model + 1));
+                }
+            } else if is(path, "html") || is(path, "htm") {
+                pages.push(Output::create(path)?);
             } else {
-                let panels = vec![setting("recorded"), setting(&args.stage.model)];
-                let sheet = Sheet { title: title.clone(), panels, columns };
-                films.push(Recorder::film(files::film(path, sheet, &style, rate, &written())?.still(still)));
+                let panels = std::iter::once("recorded").chain(models.iter().map(String::as_str));
+                let panels: Vec<_> = panels.map(|title| setup.setting(title)).collect();
+                let (count, bounds) = (panels.len(), stage::bounds(cast));
+                let (style, columns) = args.film.look.side_by_side(panel.clone(), count, "panels", bounds)?;
+                let sheet = Sheet { title: name.clone(), panels, columns };
+                let others: Vec<&str> = ["html"].into_iter().chain(written()).collect();
+                files.push(Recorder::film(files::film(path, sheet, &style, rate, &others)?.still(still)));
             }
         }
-        let pace = Pace::new(cast.people.moments[0].time, args.film.speed_up / rate);
-        let (frames, seen) = (Pool::default(), Seen::new(cast));
-        Ok(Self { films, tables, pace, frames, seen, cast, kinds, last: None })
+        let pages = (!pages.is_empty()).then(|| Pages { outputs: pages, page: Page::new(setup, &panel) });
+        let files = Files::new(files, plan.pace(), &choice);
+        Ok(Self { files, pages, frames: Pool::default(), seen: Seen::new(cast), setup })
     }
 
-    /// Takes in the replay after a step (and before the first).
+    /// Takes in the replays after a step (and before the first).
     ///
     /// # Errors
     /// A file cannot be written.
-    pub fn push(&mut self, replay: &Replay) -> Result<(), Failure> {
-        let (time, step) = (replay.time(), replay.world().settings().step);
-        if !self.tables.is_empty() {
-            let frames = vec![self.make(|_, frame| replay.capture(frame))];
-            Recorder::push_all(&mut self.tables, &Moment { frames, pictures: 0, rows: true })?;
+    pub fn push(&mut self, replays: &[Replay]) -> Result<(), Failure> {
+        if self.files.is_empty() && self.pages.is_none() {
+            return Ok(());
         }
-        match self.pace.due(time, step) {
-            0 => Ok(()),
-            pictures => self.show(replay, pictures),
+        let (time, step) = (replays[0].time(), replays[0].world().settings().step);
+        let frames = self.capture(replays);
+        if let Some(pages) = &mut self.pages {
+            pages.page.push(self.setup, replays[0].world().steps(), &frames);
         }
+        Ok(self.files.push_all(time, step, || frames)?)
     }
 
-    fn show(&mut self, replay: &Replay, pictures: u64) -> Result<(), Failure> {
-        let time = replay.time();
-        self.last = Some(time);
-        if !self.films.is_empty() {
-            let recorded = self.make(|seen, frame| seen.capture(time, frame));
-            let frames = vec![recorded, self.make(|_, frame| replay.capture(frame))];
-            Recorder::push_all(&mut self.films, &Moment { frames, pictures, rows: false })?;
-        }
-        Ok(())
+    /// The recorded, and every model's; everybody has the colour of their kind.
+    fn capture(&mut self, replays: &[Replay]) -> Vec<Arc<Frame>> {
+        let Self { frames, seen, setup, .. } = self;
+        let mut make = |capture: &dyn Fn(&mut Frame)| {
+            frames.make(|frame| {
+                capture(frame);
+                frame.bodies.iter_mut().for_each(|body| body.group = setup.kinds.find(&setup.cast, body.number));
+            })
+        };
+        let recorded = make(&|frame| seen.capture(replays[0].time(), frame));
+        std::iter::once(recorded).chain(replays.iter().map(|replay| make(&|frame| replay.capture(frame)))).collect()
     }
 
-    /// A moment in which everybody has the colour of their kind.
-    fn make(&mut self, capture: impl FnOnce(&Seen, &mut Frame)) -> Arc<Frame> {
-        let Self { frames, seen, cast, kinds, .. } = self;
-        frames.make(|frame| {
-            capture(seen, frame);
-            frame.bodies.iter_mut().for_each(|body| body.group = kinds.find(cast, body.number));
-        })
-    }
-
-    /// Shows the end, if no picture did yet, and completes all files.
+    /// Shows the end, if no picture did yet, and completes all files but the pages.
     ///
     /// # Errors
     /// A file cannot be completed.
-    pub fn finish(mut self, replay: &Replay) -> Result<(), Failure> {
-        if self.last != Some(replay.time()) {
-            self.show(replay, 1)?;
+    pub fn finish(mut self, replays: &[Replay]) -> Result<Option<Pages>, Failure> {
+        let frames = self.capture(replays);
+        if let Some(pages) = &mut self.pages {
+            pages.page.end(self.setup, &frames);
         }
-        Ok(self.films.into_iter().chain(self.tables).try_for_each(Recorder::finish)?)
+        self.files.finish_all(replays[0].time(), || frames)?;
+        Ok(self.pages)
+    }
+}
+
+impl Pages {
+    /// Completes them.
+    ///
+    /// # Errors
+    /// One cannot be written.
+    pub fn write(self, report: &Report) -> Result<(), Failure> {
+        let text = self.page.text(report);
+        for mut output in self.outputs {
+            output.put(text.as_bytes())?;
+            output.finish()?;
+        }
+        Ok(())
     }
 }

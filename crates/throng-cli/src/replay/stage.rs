@@ -1,8 +1,8 @@
 //! As whom recorded people walk, and how they are drawn.
 
 use super::args::ReplayArgs;
-use super::map::Map;
 use crate::failure::Failure;
+use crate::map::Map;
 use glam::DVec2;
 use throng_draw::{Style, WorldBox};
 use throng_record::pedestrian::replay::{Cast, Stage};
@@ -25,20 +25,18 @@ const THEIR_OWN: [&str; 11] = [
 /// How far beyond everybody pictures reach, metres.
 const MARGIN: f64 = 1.0;
 
-/// The scene with one person that they are like, who stands at the origin.
+/// The scene with one person that they are like, by a model, who stands at the origin.
 ///
 /// # Errors
-/// There is no such model or key, or a value is none of its own.
-pub fn scene(args: &ReplayArgs) -> Result<Scene, Failure> {
+/// There is no such key, or a value is none of its own.
+pub fn scene(args: &ReplayArgs, model: &Model) -> Result<Scene, Failure> {
     let asked = &args.stage;
     let person = Group { name: "people".into(), place: Place::Point([0.0; 2]), ..Group::default() };
     let scene = Scene { groups: vec![person], ..Scene::default() };
-    let named = |mut error: throng_scene::Error| {
-        error.file = Some(format!("--model {}", asked.model.trim()).into());
+    let mut scene = scene.with_model(model).map_err(|mut error| {
+        error.file = Some(format!("--model {model}").into());
         error
-    };
-    let model: Model = asked.model.parse().map_err(named)?;
-    let mut scene = scene.with_model(&model).map_err(named)?;
+    })?;
     for (key, value) in &asked.set {
         let own = key.strip_prefix("group.people.").or_else(|| key.strip_prefix("group.0.")).unwrap_or(key);
         let is = |name: &&&str| own.strip_prefix(**name).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));

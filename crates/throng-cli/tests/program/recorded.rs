@@ -120,6 +120,7 @@ fn mistakes_are_named() {
         ("render missing.rec", "cannot read missing.rec"),
         ("render walk.csv --map nowhere -o a.png", "nowhere"),
         ("render walk.csv --map nowhere.svg -o a.png", "there is no file nowhere.svg"),
+        ("render walk.csv --map-offset 1,0 -o a.png", "say which map: --map FILE"),
         ("run doorway -o a.csv --groups up", "there is no group `up`"),
     ] {
         let told = stderr(&call(folder.path(), arguments).code(2));

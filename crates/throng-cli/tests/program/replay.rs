@@ -45,16 +45,17 @@ fn a_run_of_the_same_model_comes_out_the_same() {
     std::fs::write(at.join("alone.toml"), ALONE).unwrap();
     call(at, "run alone.toml -o alone.csv -q").success();
     let all = replayed(at, "alone.csv --step 0.1 --set keep_right=0 --every 3");
-    let people = &all["people"];
-    assert_eq!((&people["recorded"], &people["entered"], &people["overlapping"]), (&3.into(), &3.into(), &0.into()));
+    let (recorded, orca) = (&all["recorded"], &all["models"][0]);
+    assert_eq!((&orca["model"], &recorded["entered"]), (&"orca".into(), &3.into()));
+    assert_eq!((&orca["entered"], &orca["overlapping"]), (&3.into(), &0.into()));
     let horizons = all["from_entry"].as_array().unwrap();
     assert_eq!((horizons.len(), &horizons[3]["horizon"]), (4, &Value::Null));
     // who stood at the start goes on with the velocity after it: a little ahead
-    assert!(number(&horizons[2]["final"]["replay"]["mean"]) < 0.2, "{}", horizons[2]);
+    assert!(number(&horizons[2]["final"]["orca"]["mean"]) < 0.2, "{}", horizons[2]);
     let ahead = &all["predicted"]["horizons"][2];
-    assert!(number(&ahead["final"]["replay"]["mean"]) < 0.1 && number(&ahead["people"]) == 3.0, "{ahead}");
-    assert!(all["predicted"]["alone"].is_null() && number(&all["speed"]["distance"]) < 0.2);
-    assert_eq!(all["summary"]["overlaps"], 0);
+    assert!(number(&ahead["final"]["orca"]["mean"]) < 0.1 && number(&ahead["people"]) == 3.0, "{ahead}");
+    assert!(all["predicted"]["alone"].is_null() && number(&orca["speed"]["distance"]) < 0.2);
+    assert_eq!(orca["summary"]["overlaps"], 0);
 }
 
 #[test]
@@ -68,14 +69,15 @@ fn walls_groups_and_lines_are_told() {
     let all =
         replayed(at, "streams.txt --map corridor.wkt --line 0,-2,0,2 --radius 0.15 --table people.csv -o again.csv");
     assert_eq!((&all["map"]["areas"], &all["map"]["through"]), (&1.into(), &0.into()));
-    assert_eq!((&all["people"]["entered"], &all["people"]["moved"]), (&12.into(), &0.into()));
+    let orca = &all["models"][0];
+    assert_eq!((&orca["entered"], &orca["moved"]), (&12.into(), &0.into()));
     let [alone, together] = ["alone", "in_groups"].map(|who| number(&all["predicted"][who]["people"]));
     assert_eq!(alone + together, number(&all["predicted"]["horizons"][2]["people"]));
-    assert!(alone > 0.0 && together > 0.0 && !all["crossings"].is_null());
-    assert_eq!(all["recorded"]["lines"][0]["crossed"], 12);
+    assert!(alone > 0.0 && together > 0.0 && !orca["crossings"].is_null());
+    assert_eq!(all["recorded"]["people"]["lines"][0]["crossed"], 12);
     let table = std::fs::read_to_string(at.join("people.csv")).unwrap();
     let lines: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
-    assert_eq!((lines.len(), lines[0].len(), lines[0][7]), (13, 7 + 12, "replay_1"));
+    assert_eq!((lines.len(), lines[0].len(), lines[0][7]), (13, 7 + 12, "orca_1"));
     assert!(lines.iter().all(|line| line.len() == 19) && (lines[5][1], lines[6][1], lines[7][1]) == ("0", "1", ""));
     // straight on at constant speed, both simple predictions are right
     assert!(lines[1..].iter().all(|line| line[8].parse::<f64>().unwrap() < 1e-3), "{table}");
@@ -92,8 +94,8 @@ fn walls_groups_and_lines_are_told() {
     });
     assert_eq!(wkt, dxf);
     let text = stdout(&call(at, "replay streams.txt --map corridor.wkt --every 0").success());
-    assert!(text.contains("12 people") && text.contains("KS distance") && text.contains("groups     2"), "{text}");
-    assert!(!text.contains("ahead") && text.contains("at the end, final"), "{text}");
+    assert!(text.contains("12 people") && text.contains("KS distance") && text.contains("2 groups"), "{text}");
+    assert!(!text.contains("ahead") && text.contains("at the end"), "{text}");
     // walls that are elsewhere, and the same moved to where they belong
     write("map.xml", "<a><Line x1='-9' y1='98' x2='9' y2='98'/><Line x1='-9' y1='102' x2='9' y2='102'/></a>");
     let moved = replayed(at, "streams.txt --map-offset 0,-100 --every 0 --from 1 --until 4");
@@ -104,7 +106,7 @@ fn walls_groups_and_lines_are_told() {
     assert_eq!(replayed(at, "streams.txt --no-map --every 0 --until 2")["map"]["obstacles"], 0);
     let one = replayed(at, "streams.txt --threads 1 --every 2");
     let three = replayed(at, "streams.txt --threads 3 --every 2");
-    for key in ["from_entry", "predicted", "speed", "replay"] {
+    for key in ["from_entry", "predicted", "models", "recorded"] {
         assert_eq!(one[key], three[key], "{key}");
     }
 }
@@ -121,6 +123,81 @@ fn both_are_drawn_side_by_side() {
     assert!(picture.contains("recorded") && picture.contains("rvo") && picture.contains("streams.txt"));
     assert!(names(&at.join("f")).len() > 10);
     assert!(throng_record::Tracks::read(at.join("a.rec")).unwrap().spots[0].time < 1e-6);
+}
+
+/// Every figure of several models is that of each alone, under its name.
+#[test]
+fn several_models_are_as_each_alone() {
+    let folder = folder();
+    let at = folder.path();
+    std::fs::write(at.join("streams.txt"), streams()).unwrap();
+    let both = replayed(at, "streams.txt --model orca --model rvo:time_horizon=4 --every 2 -o a.rec --table both.csv");
+    let columns = |name: &str| -> Vec<(String, Vec<String>)> {
+        let text = std::fs::read_to_string(at.join(name)).unwrap();
+        let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+        let column = |k: usize| (lines[0][k].to_owned(), lines[1..].iter().map(|line| line[k].to_owned()).collect());
+        (0..lines[0].len()).map(column).collect()
+    };
+    let table = columns("both.csv");
+    for (k, model) in ["orca", "rvo:time_horizon=4"].into_iter().enumerate() {
+        let alone = replayed(at, &format!("streams.txt --model {model} --every 2 -o alone.rec --table one.csv"));
+        assert_eq!((&both["models"][k], &both["recorded"]), (&alone["models"][0], &alone["recorded"]));
+        let horizons = |all: &Value| {
+            let ahead = all["predicted"]["horizons"].as_array().unwrap().clone();
+            [all["from_entry"].as_array().unwrap().clone(), ahead].concat()
+        };
+        for (both, alone) in horizons(&both).iter().zip(horizons(&alone)) {
+            for figure in ["average", "final"] {
+                for key in [model, "constant_velocity", "straight"] {
+                    assert_eq!(both[figure][key], alone[figure][key], "{model}, {figure}, {key}");
+                }
+            }
+            assert_eq!(both["final"].as_object().unwrap().len(), 4);
+        }
+        assert!(columns("one.csv").iter().all(|column| table.contains(column)), "{model}");
+        let name = ["a-orca.rec", "a-rvo-time_horizon=4.rec"][k];
+        assert!(both["files"].as_array().unwrap().contains(&name.into()), "{}", both["files"]);
+        assert_eq!(std::fs::read(at.join(name)).unwrap(), std::fs::read(at.join("alone.rec")).unwrap());
+    }
+    assert_ne!(both["models"][0]["people"], both["models"][1]["people"]);
+    let text = stdout(&call(at, "replay streams.txt --model orca,hrvo --every 2").success());
+    for row in ["  recorded  ", "  orca  ", "  hrvo  ", "  constant velocity  ", "  straight to the goal  "] {
+        assert!(text.contains(row), "{row}: {text}");
+    }
+    call(at, "replay streams.txt --model orca,hrvo,none -o all.svg --every 0 -q").success();
+    let picture = std::fs::read_to_string(at.join("all.svg")).unwrap();
+    assert!(["recorded", "orca", "hrvo", "none"].iter().all(|name| picture.contains(&format!(">{name}<"))));
+}
+
+#[test]
+fn a_page_has_tables_plots_and_everybody() {
+    let folder = folder();
+    let at = folder.path();
+    std::fs::create_dir(at.join("deep")).unwrap();
+    std::fs::write(at.join("deep/streams.txt"), streams()).unwrap();
+    let told = stdout(&call(at, "replay deep/streams.txt --model orca,rvo --line 0,-2,0,2 -o a.html").success());
+    assert!(told.contains("wrote a.html"), "{told}");
+    let page = std::fs::read_to_string(at.join("a.html")).unwrap();
+    assert!(page.contains("<title>streams.txt: replayed</title>") && page.contains("<h1>streams.txt</h1>"));
+    assert!(!page.contains("{{") && !page.contains("http"), "nothing is left to fill in or to fetch");
+    assert_eq!(page.matches("class=\"panel\"").count(), 3);
+    for plot in ["Displacement since entry", "Displacement ahead", "Speed", "nearest other", "People", "N(t)"] {
+        assert!(page.contains(&format!("<figcaption>{plot}")) || page.contains(plot), "{plot}");
+    }
+    // the same figures as in the terminal
+    let rows = told.lines().filter(|line| line.starts_with("  rvo"));
+    let cells: Vec<&str> =
+        rows.flat_map(|row| row.split("  ").map(str::trim)).filter(|cell| !cell.is_empty()).collect();
+    assert!(cells.len() > 20);
+    cells.iter().for_each(|cell| assert!(page.contains(&format!(">{cell}</t")), "{cell}"));
+    // everybody is in the player, at 25 frames a second for 10 s
+    let data = page.split("id=\"data\">").nth(1).and_then(|rest| rest.split("</script>").next()).unwrap();
+    let data: Value = serde_json::from_str(data).unwrap();
+    let runs = data["tracks"]["runs"].as_array().unwrap();
+    assert_eq!((runs.len(), &data["agents"], data["tracks"]["radius"].as_array().unwrap().len()), (3, &12.into(), 12));
+    assert!(runs.iter().all(|run| run["frames"] == runs[0]["frames"] && number(&run["frames"]) > 240.0), "{runs:?}");
+    call(at, "replay deep/streams.txt --every 0 -o none.html -q").success();
+    assert!(!std::fs::read_to_string(at.join("none.html")).unwrap().contains("Displacement ahead"));
 }
 
 #[test]
@@ -141,12 +218,18 @@ fn mistakes_are_named() {
         ("streams.txt --groups bad.txt", "bad.txt:2: `you` is no number of a person"),
         ("streams.txt --map-offset 0,1", "say which map: --map FILE"),
         ("streams.txt --model orcs", "did you mean `orca`?"),
+        ("streams.txt --model orca --model orca", "--model: orca is given twice"),
+        ("streams.txt -o a.rec -o a.rec", "a.rec is given twice"),
         ("streams.txt --set speed.preferred=1", "chosen by --speed and --radius"),
         ("streams.txt --set avoid.orca.horizon=1", "time_horizon"),
         ("streams.txt --table a.txt", "end the name in .csv"),
         ("streams.txt -o a.xyz", "a.xyz: cannot tell what to write from this name"),
         ("streams.txt --from 3 --until 2", "give --until more than --from"),
         ("streams.txt --from 300", "nobody was seen twice"),
+        (
+            "streams.txt -o a.png --model vo,rvo,hrvo,none,orca,orca:time_horizon=1,orca:time_horizon=2,orca:time_horizon=3,orca:time_horizon=4",
+            "10 panels",
+        ),
         ("streams.txt --speed fast", "a part such as 50%"),
         ("once.csv", "nobody was seen twice"),
         ("flies.csv", "above the ground"),

@@ -1,7 +1,8 @@
 //! The files of a run, on one clock.
 
 use super::{Moment, Pace, Recorder};
-use crate::{Error, Still, Style};
+use crate::{Error, Sheet, Still, Style};
+use std::sync::Arc;
 use throng_record::{Choice, Frame, Pool, Setting};
 
 /// What the files of a run have in common.
@@ -9,6 +10,8 @@ use throng_record::{Choice, Frame, Pool, Setting};
 pub struct Plan<'a> {
     /// The place and the names.
     pub setting: &'a Setting,
+    /// What pictures show, where that is several runs side by side; trajectories are of the first.
+    pub sheet: Option<&'a Sheet>,
     /// The look of pictures.
     pub style: &'a Style,
     /// Pictures a second of video.
@@ -23,7 +26,19 @@ pub struct Plan<'a> {
     pub choice: &'a Choice,
 }
 
-/// All files of a run. They get their names when they are complete; dropped before that, they leave nothing.
+impl Plan<'_> {
+    /// What pictures show.
+    pub(super) fn shown(&self) -> Sheet {
+        self.sheet.cloned().unwrap_or_else(|| self.setting.into())
+    }
+
+    /// When pictures are due.
+    pub fn pace(&self) -> Pace {
+        Pace::new(self.from, self.speed_up / self.rate)
+    }
+}
+
+/// All files of a run, or of several that go on together. They get their names when they are complete; dropped before that, they leave nothing.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
@@ -33,8 +48,8 @@ pub struct Plan<'a> {
 /// use throng_record::{Choice, Setting};
 /// let (setting, style, choice) = (Setting::default(), Style::default(), Choice::default());
 /// let (rate, speed_up, still) = (25.0, 1.0, Still::Last);
-/// let plan = Plan { setting: &setting, style: &style, rate, speed_up, still, from: 0.0, choice: &choice };
-/// let mut files = Files::new(vec![Recorder::create(&path, &plan)?], &plan);
+/// let plan = Plan { setting: &setting, sheet: None, style: &style, rate, speed_up, still, from: 0.0, choice: &choice };
+/// let mut files = Files::new(vec![Recorder::create(&path, &plan)?], plan.pace(), &choice);
 /// for k in 0..3 {
 ///     files.push(f64::from(k) * 0.1, 0.1, |frame| frame.time = f64::from(k) * 0.1)?;
 /// }
@@ -54,10 +69,14 @@ pub struct Files {
 }
 
 impl Files {
-    /// Files that have been begun.
-    pub fn new(files: Vec<Recorder>, plan: &Plan) -> Self {
-        let pace = Pace::new(plan.from, plan.speed_up / plan.rate);
-        Self { files, frames: Pool::default(), pace, choice: plan.choice.clone(), before: None, last: None }
+    /// Files that have been begun, with pictures at this pace and trajectories of what is chosen.
+    pub fn new(files: Vec<Recorder>, pace: Pace, choice: &Choice) -> Self {
+        Self { files, frames: Pool::default(), pace, choice: choice.clone(), before: None, last: None }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.files.is_empty()
     }
 
     /// Takes in the world after a step (and before the first), with the next one in `step` seconds: trajectories every time
@@ -66,17 +85,30 @@ impl Files {
     /// # Errors
     /// A file cannot be written.
     pub fn push(&mut self, time: f64, step: f64, capture: impl FnOnce(&mut Frame)) -> Result<(), Error> {
+        let Some((pictures, rows)) = self.due(time, step) else { return Ok(()) };
+        let frames = vec![self.frames.make(capture)];
+        Recorder::push_all(&mut self.files, &Moment { frames, pictures, rows })
+    }
+
+    /// The same of several runs, a frame each.
+    ///
+    /// # Errors
+    /// A file cannot be written.
+    pub fn push_all(&mut self, time: f64, step: f64, frames: impl FnOnce() -> Vec<Arc<Frame>>) -> Result<(), Error> {
+        let Some((pictures, rows)) = self.due(time, step) else { return Ok(()) };
+        Recorder::push_all(&mut self.files, &Moment { frames: frames(), pictures, rows })
+    }
+
+    /// How many pictures are due, and whether trajectories take this moment; none where no file takes it.
+    fn due(&mut self, time: f64, step: f64) -> Option<(u64, bool)> {
         let before = self.before.replace(time).unwrap_or(time - step);
         let rows = self.choice.needs(before, time, time + step);
-        let due = if time < self.choice.to + 0.5 * step { self.pace.due(time, step) } else { 0 };
-        if due > 0 {
+        let pictures = if time < self.choice.to + 0.5 * step { self.pace.due(time, step) } else { 0 };
+        if pictures > 0 {
             self.last = Some(time);
         }
-        if self.files.iter().any(|file| if file.is_table() { rows } else { due > 0 }) {
-            let moment = Moment { frames: vec![self.frames.make(capture)], pictures: due, rows };
-            Recorder::push_all(&mut self.files, &moment)?;
-        }
-        Ok(())
+        let takes = |file: &Recorder| if file.is_table() { rows } else { pictures > 0 };
+        self.files.iter().any(takes).then_some((pictures, rows))
     }
 
     /// Shows the end, if no picture did yet, and completes all files.
@@ -84,10 +116,28 @@ impl Files {
     /// # Errors
     /// A file cannot be completed.
     pub fn finish(mut self, time: f64, capture: impl FnOnce(&mut Frame)) -> Result<(), Error> {
+        let frames = self.lacks(time).then(|| vec![self.frames.make(capture)]);
+        self.complete(frames)
+    }
+
+    /// The same of several runs, a frame each.
+    ///
+    /// # Errors
+    /// A file cannot be completed.
+    pub fn finish_all(self, time: f64, frames: impl FnOnce() -> Vec<Arc<Frame>>) -> Result<(), Error> {
+        let frames = self.lacks(time).then(frames);
+        self.complete(frames)
+    }
+
+    /// Whether this is the last moment and no picture has shown it.
+    fn lacks(&self, time: f64) -> bool {
         let within = self.last.is_none() || time <= self.choice.to;
-        if within && self.last != Some(time) && self.files.iter().any(|file| !file.is_table()) {
-            let moment = Moment { frames: vec![self.frames.make(capture)], pictures: 1, rows: false };
-            Recorder::push_all(&mut self.files, &moment)?;
+        within && self.last != Some(time) && self.files.iter().any(|file| !file.is_table())
+    }
+
+    fn complete(mut self, last: Option<Vec<Arc<Frame>>>) -> Result<(), Error> {
+        if let Some(frames) = last {
+            Recorder::push_all(&mut self.files, &Moment { frames, pictures: 1, rows: false })?;
         }
         self.files.into_iter().try_for_each(Recorder::finish)
     }

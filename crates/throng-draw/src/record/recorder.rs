@@ -19,7 +19,14 @@ pub struct Moment {
 }
 
 /// A file being written. Dropped before it is finished, it leaves nothing, or what can be read ([`Format::output`]).
-pub enum Recorder {
+pub struct Recorder {
+    kind: Written,
+    /// Which of the runs of a moment it takes; none: all of them.
+    run: Option<usize>,
+}
+
+/// What is written.
+enum Written {
     /// A picture or a video.
     Film(Box<Behind<Film, Moment, Error>>),
     /// Trajectories.
@@ -27,7 +34,7 @@ pub enum Recorder {
 }
 
 impl Recorder {
-    /// Begins the file `path` of a run: trajectories where its name says so ([`Format`]), else what a [`Film`] makes of the name.
+    /// Begins the file `path` of a run, or of several: trajectories of the first where its name says so ([`Format`]), else what a [`Film`] makes of the name.
     ///
     /// # Errors
     /// Those of [`Film::create`].
@@ -35,9 +42,10 @@ impl Recorder {
         let path = path.as_ref();
         if let Some(format) = table(path) {
             let writer = plan.choice.create(format, format.output(path)?, plan.setting);
-            return Ok(Self::table(writer.ok_or_else(|| Error::Extension { path: path.into() })??));
+            let writer = writer.ok_or_else(|| Error::Extension { path: path.into() })??;
+            return Ok(Self::table(writer).of_run(0));
         }
-        Ok(Self::film(Film::create(path, plan.setting, plan.style, plan.rate)?.still(plan.still)))
+        Ok(Self::film(Film::create(path, plan.shown(), plan.style, plan.rate)?.still(plan.still)))
     }
 
     /// Begins a file of a run that goes somewhere else than to a folder ([`Output::handed`]): trajectories or a GIF.
@@ -47,14 +55,13 @@ impl Recorder {
     pub fn to(output: Output, plan: &Plan) -> Result<Self, Error> {
         let path = output.path().to_path_buf();
         if let Some(format) = table(&path) {
-            return Ok(Self::table(
-                plan.choice.create(format, output, plan.setting).ok_or(Error::Extension { path })??,
-            ));
+            let writer = plan.choice.create(format, output, plan.setting).ok_or(Error::Extension { path })??;
+            return Ok(Self::table(writer).of_run(0));
         }
         match Kind::of(&path)? {
             Kind::Gif => {
                 let sink = Box::new(GifSink::new(output, plan.rate)?);
-                Ok(Self::film(Film::new(&path, sink, plan.setting, plan.style)?))
+                Ok(Self::film(Film::new(&path, sink, plan.shown(), plan.style)?))
             }
             _ => Err(Error::Extension { path }),
         }
@@ -62,22 +69,29 @@ impl Recorder {
 
     /// Lets a film be written.
     pub fn film(film: Film) -> Self {
-        Self::Film(Box::new(Behind::start("throng-film", film, |film, moment| {
+        let film = Behind::start("throng-film", film, |film: &mut Film, moment: Moment| {
             let frames: Vec<&Frame> = moment.frames.iter().map(Arc::as_ref).collect();
             (0..moment.pictures).try_for_each(|_| film.push_all(&frames))
-        })))
+        });
+        Self { kind: Written::Film(Box::new(film)), run: None }
     }
 
     /// Lets a table be written.
     pub fn table(table: Box<dyn Writer>) -> Self {
-        Self::Table(Behind::start("throng-table", table, |table, moment| {
+        let table = Behind::start("throng-table", table, |table: &mut Box<dyn Writer>, moment: Moment| {
             moment.frames.iter().try_for_each(|frame| table.push(frame))
-        }))
+        });
+        Self { kind: Written::Table(table), run: None }
+    }
+
+    /// The same, of one of several runs that go on together, by its place among them.
+    pub fn of_run(self, run: usize) -> Self {
+        Self { run: Some(run), ..self }
     }
 
     /// Whether it takes every moment, not only those of pictures.
     pub fn is_table(&self) -> bool {
-        matches!(self, Self::Table(_))
+        matches!(self.kind, Written::Table(_))
     }
 
     /// Hands over a moment to all of `recorders`.
@@ -92,9 +106,13 @@ impl Recorder {
     }
 
     fn push(&mut self, moment: &Moment) -> bool {
-        match self {
-            Self::Film(film) => moment.pictures == 0 || film.push(moment.clone()),
-            Self::Table(table) => !moment.rows || table.push(moment.clone()),
+        let own = || match self.run.and_then(|run| moment.frames.get(run)) {
+            Some(frame) => Moment { frames: vec![frame.clone()], ..*moment },
+            None => moment.clone(),
+        };
+        match &mut self.kind {
+            Written::Film(film) => moment.pictures == 0 || film.push(own()),
+            Written::Table(table) => !moment.rows || table.push(own()),
         }
     }
 
@@ -103,9 +121,9 @@ impl Recorder {
     /// # Errors
     /// It cannot be written or completed.
     pub fn finish(self) -> Result<(), Error> {
-        match self {
-            Self::Film(film) => film.finish()?.finish()?,
-            Self::Table(table) => table.finish()?.finish()?,
+        match self.kind {
+            Written::Film(film) => film.finish()?.finish()?,
+            Written::Table(table) => table.finish()?.finish()?,
         }
         Ok(())
     }

@@ -18,7 +18,7 @@ use crate::mark::Mark;
 use crate::plan::{LEAST_RADIUS, SHADOW_OPACITY, middle, stacked};
 use crate::rounded::{NOTCH_LEAST_RADIUS, Rounded};
 use crate::trail::Trail;
-use crate::{Color, Form, Painter, Style, WorldBox};
+use crate::{Color, Form, Painter, Style, WorldBox, shape};
 use dart::Dart;
 use glam::{DVec2, Vec2};
 use ground::Ground;
@@ -148,7 +148,7 @@ impl Painter {
                 (lens.pixel(ground).unwrap_or(Vec2::NAN), fill.alpha(f32::from(fill.a) / 255.0 * crowd.left));
             return Mark::Agent(Rounded::spot(center, 0.6 * radius, fill));
         }
-        if let Some(basis) = body.basis {
+        if let Some(basis) = body.basis.filter(|_| self.look.shape(body).is_none()) {
             return Dart::new(center, basis, body.radius * stage.growth).shadow(fill, lens);
         }
         let least = f64::from(LEAST_RADIUS) / lens.scale(ground);
@@ -164,6 +164,9 @@ impl Painter {
         if self.look.form(body) == Form::Insect {
             let insect = Insect::of(body, stage.insects(crowd), coat, &self.projector(), time);
             return insect.map(Mark::Insect).into_iter().collect();
+        }
+        if let Some(shape) = self.look.shape(body) {
+            return shape::marks(shape, body, (&self.strides, time), coat, &self.projector());
         }
         let mut marks = Vec::new();
         if let Some(basis) = body.basis {

@@ -2,7 +2,7 @@
 
 use super::App;
 use crate::document::Document;
-use crate::keep::{Answer, Draft, Leaving, remembered};
+use crate::keep::{Answer, Draft, Leaving, Unfinished, remembered};
 use crate::outside::Files;
 use crate::panels;
 use eframe::Storage;
@@ -36,16 +36,25 @@ pub(super) fn begin(
 }
 
 impl App {
-    /// Leaves the text for something else, asking first where it has changes.
+    /// Leaves the text for something else, asking first where it has changes, or a recording is under way.
     pub(super) fn leave(&mut self, to: Leaving) {
         if self.document.changed() {
-            self.leaving = Some(to);
+            self.leaving = Some((to, Unfinished::Text));
+        } else {
+            self.leave_recording(to);
+        }
+    }
+
+    /// The same once the text is taken care of. What somebody else wrote to the file is of no concern to a recording.
+    fn leave_recording(&mut self, to: Leaving) {
+        if self.recording.is_some() && !matches!(to, Leaving::Reload(_)) {
+            self.leaving = Some((to, Unfinished::Recording));
         } else {
             self.go(to);
         }
     }
 
-    fn go(&mut self, to: Leaving) {
+    pub(super) fn go(&mut self, to: Leaving) {
         match to {
             Leaving::Open(scene) => match self.files.open(&scene, self.document.plugins()) {
                 Ok(document) => {
@@ -111,13 +120,35 @@ impl App {
         if self.document.changed() {
             // so that the draft is kept when nobody touches the window
             ctx.request_repaint_after(AUTOSAVE);
-            if ctx.input(|input| input.viewport().close_requested()) {
-                ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-                self.leaving = Some(Leaving::Close);
+        }
+        let unfinished = self.document.changed() || self.recording.is_some();
+        if unfinished && ctx.input(|input| input.viewport().close_requested()) {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            self.leave(Leaving::Close);
+        }
+        if self.recording.is_none() {
+            // what it is about may be done meanwhile
+            if let Some((to, _)) = self.leaving.take_if(|(_, of)| *of == Unfinished::Recording) {
+                self.go(to);
             }
         }
-        let answer = self.leaving.as_ref().and_then(|to| panels::leaving(ctx, &self.document.name, to));
-        let Some((to, answer)) = answer.and_then(|answer| Some((self.leaving.take()?, answer))) else { return };
+        let answer = self.asks().and_then(|(to, of, name)| panels::leaving(ctx, &name, to, of));
+        let Some(((to, of), answer)) = answer.and_then(|answer| Some((self.leaving.take()?, answer))) else { return };
+        match of {
+            Unfinished::Text => self.left_text(to, answer),
+            Unfinished::Recording => self.left_recording(to, answer),
+        }
+    }
+
+    /// What is asked: before leaving for what, about what, and what that is called.
+    pub(super) fn asks(&self) -> Option<(&Leaving, Unfinished, String)> {
+        let (to, of) = self.leaving.as_ref()?;
+        let recorded = self.recording.as_ref().filter(|_| *of == Unfinished::Recording);
+        let name = recorded.map_or_else(|| self.document.name.to_string(), |(_, path)| path.display().to_string());
+        Some((to, *of, name))
+    }
+
+    fn left_text(&mut self, to: Leaving, answer: Answer) {
         match answer {
             Answer::Keep => return,
             Answer::Save => {
@@ -127,7 +158,24 @@ impl App {
                 }
             }
             Answer::Discard if to == Leaving::Close => self.document.revert(),
-            Answer::Discard => {}
+            Answer::Discard | Answer::Beside => {}
+        }
+        self.leave_recording(to);
+    }
+
+    fn left_recording(&mut self, to: Leaving, answer: Answer) {
+        match answer {
+            Answer::Keep => return,
+            Answer::Save => {
+                self.finish_recording();
+                if to == Leaving::Close {
+                    // not before the file is complete
+                    self.after_recording = Some(to);
+                    return;
+                }
+            }
+            Answer::Discard => self.recording = None,
+            Answer::Beside => {}
         }
         self.go(to);
     }

@@ -9,6 +9,7 @@ use eframe::egui::Context;
 use glam::Vec2;
 use std::path::PathBuf;
 use throng_draw::Style;
+use throng_record::Choice;
 
 impl App {
     /// Lets the recording go on, and shows the window that asks for one.
@@ -20,6 +21,7 @@ impl App {
             Beside { shown, size, corner: self.place.right_top(), camera: &camera, share, unused: &outside::unused };
         match self.record.ui(ctx, &beside) {
             Some(Recorded::Begin) => self.begin_recording(ctx, shown, size),
+            Some(Recorded::Finish) => self.finish_recording(),
             Some(Recorded::Cancel) => {
                 self.recording = None;
                 self.record.said = Some(Ok("cancelled: nothing was written".into()));
@@ -39,24 +41,42 @@ impl App {
             Err(says) => Err(format!("nothing was recorded: {says}")),
         };
         self.recording = None;
+        match self.after_recording.take() {
+            // what went wrong is to be seen
+            Some(to) if said.is_ok() => self.go(to),
+            _ => {}
+        }
         if !self.record.open {
             self.notice = Some(said.clone().unwrap_or_else(|says| says));
         }
         self.record.said = Some(said);
     }
 
+    /// Completes the recording with what there is of it.
+    pub(super) fn finish_recording(&mut self) {
+        let Some((recording, _)) = &mut self.recording else { return };
+        if let Err(says) = recording.finish() {
+            self.recording = None;
+            self.record.said = Some(Err(format!("nothing was recorded: {says}")));
+        }
+    }
+
     fn begin_recording(&mut self, ctx: &Context, shown: &Shown, size: [u32; 2]) {
         let wish = &self.record.wish;
         let path = PathBuf::from(wish.file.trim());
-        let begun = Format::of(&path).and_then(|_| {
-            let [width, height] = wish.size.unwrap_or(size);
+        let span = [wish.from, wish.to.unwrap_or(f64::INFINITY)];
+        let begun = Format::of(&path).and_then(|format| {
+            let [width, height] = wish.size_beside(shown, size);
             let view = Vec2::new(self.place.width(), self.place.height());
             let style = self.views[0].style(shown, &self.settings, view);
             let typeface = self.options.typeface.clone();
             let style = Style { width, height, legend: wish.legend, typeface, ..style };
-            let (from, to, rate, speed_up) = (wish.from, wish.to, wish.rate, wish.speed_up);
-            let take = Take { path: path.clone(), from, to, rate, speed_up, style };
-            outside::record(Subject::of(shown), take, ctx)
+            let choice = match format {
+                Format::Trajectories => wish.chosen.choice(span, &path)?,
+                _ => Choice { from: span[0], to: span[1], ..Choice::default() },
+            };
+            let take = Take { path: path.clone(), choice, rate: wish.rate, speed_up: wish.speed_up, style };
+            outside::record(Subject::of(shown, wish.which()), take, ctx)
         });
         match begun {
             Ok(recording) => self.recording = Some((recording, path)),

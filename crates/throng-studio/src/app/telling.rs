@@ -39,7 +39,7 @@ impl App {
             selected: self.views[0].selected,
             trouble: self.wrong(trouble),
             unsaved: self.document.changed(),
-            asks: self.leaving.as_ref().map(|to| to.says(&self.document.name)),
+            asks: self.asks().map(|(to, of, name)| to.says(of, &name)),
             ..State::new(shown)
         };
         let told = state.json();

@@ -1,17 +1,17 @@
-//! The question before changes would be lost.
+//! The question before changes or a recording would be lost.
 
-use crate::keep::{Answer, Leaving};
+use crate::keep::{Answer, Leaving, Unfinished};
 use eframe::egui::{Context, Id, Modal};
 
-/// Asks what is to be done with the changes of `name`; the answer, once there is one.
-pub fn leaving(ctx: &Context, name: &str, to: &Leaving) -> Option<Answer> {
+/// Asks what is to be done with what is unfinished of `name`; the answer, once there is one.
+pub fn leaving(ctx: &Context, name: &str, to: &Leaving, of: Unfinished) -> Option<Answer> {
     let modal = Modal::new(Id::unique("leaving")).show(ctx, |ui| {
         ui.set_max_width(360.0);
-        ui.label(to.says(name));
+        ui.label(to.says(of, name));
         ui.add_space(10.0);
         ui.horizontal(|ui| {
             let mut asked = None;
-            for (answer, says) in to.answers() {
+            for (answer, says) in to.answers(of) {
                 if ui.button(says).clicked() {
                     asked = Some(answer);
                 }

@@ -1,6 +1,7 @@
 //! What stands round the view: each panel shows a part of what is known, and tells what people ask for.
 
 mod bar;
+mod chosen;
 mod gallery;
 mod help;
 mod icon;
@@ -18,8 +19,10 @@ mod thumbnails;
 mod tools;
 mod tuning;
 mod why;
+mod wish;
 
 pub use bar::bar;
+pub use chosen::Chosen;
 pub use gallery::{Gallery, beside};
 pub use help::help;
 pub use key::key;
@@ -29,9 +32,10 @@ pub use meters::{Meters, Tool};
 pub use models::{beside_by, name_of_models};
 pub use naming::Naming;
 pub use plots::plots;
-pub use record::{Beside, Record, Recorded, Wish};
+pub use record::{Beside, Record, Recorded};
 pub use summary::summary;
 pub use text::{Asked, text};
 pub use tools::{tool_options, tools};
 pub use tuning::{Tuned, Tuning};
 pub use why::Why;
+pub use wish::Wish;

@@ -1,6 +1,7 @@
 //! Two models side by side: which, and which is which.
 
 use super::bar::named;
+use crate::play::models_of;
 use eframe::egui::{Align2, ComboBox, FontId, Rect, Role, Ui};
 use throng_scene::{Model, Scene};
 
@@ -21,18 +22,11 @@ pub fn beside_by(ui: &mut Ui, model: &mut String) -> bool {
 
 /// Says in the corner of a view which models its groups have.
 pub fn name_of_models(ui: &Ui, rect: Rect, scene: &Scene) {
-    let mut names: Vec<String> = Vec::new();
-    for group in &scene.groups {
-        let name = group.local_model().name();
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
     let at = rect.min + eframe::egui::vec2(12.0, 10.0);
     ui.painter_at(rect).text(
         at,
         Align2::LEFT_TOP,
-        names.join(", "),
+        models_of(scene),
         FontId::proportional(17.0),
         ui.visuals().text_color(),
     );

@@ -1,8 +1,10 @@
 //! What is to be recorded, and how far that is: a small window beside which people go on.
 
+use super::Chosen;
 use super::bar::named;
-use crate::play::Shown;
-use crate::record::Format;
+use super::wish::{WIDEST, Wish};
+use crate::play::{Shown, models_of};
+use crate::record::{Format, Which};
 use eframe::egui::{
     Align2, Button, ComboBox, Context, DragValue, Grid, Pos2, ProgressBar, RichText, Role, TextEdit, Ui, Window, vec2,
 };
@@ -21,47 +23,13 @@ pub struct Record {
     pub said: Option<Result<String, String>>,
 }
 
-/// What people want to have recorded.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Wish {
-    /// What it becomes.
-    pub format: Format,
-    /// The name of the file.
-    pub file: String,
-    /// From when on, seconds of the scene.
-    pub from: f64,
-    /// Until when; `None`: to the end.
-    pub to: Option<f64>,
-    /// Pictures a second.
-    pub rate: f64,
-    /// Seconds of the scene in a second of video.
-    pub speed_up: f64,
-    /// Width and height, pixels; `None`: as large as the view.
-    pub size: Option<[u32; 2]>,
-    /// Whether title, time, counts and the key of the colours are drawn.
-    pub legend: bool,
-}
-
-impl Default for Wish {
-    fn default() -> Self {
-        Self {
-            format: Format::default(),
-            file: String::new(),
-            from: 0.0,
-            to: None,
-            rate: 25.0,
-            speed_up: 1.0,
-            size: None,
-            legend: true,
-        }
-    }
-}
-
 /// What people ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Recorded {
     /// Records what is wished for.
     Begin,
+    /// Completes the recording with what there is of it.
+    Finish,
     /// Stops the recording; nothing is left of it.
     Cancel,
 }
@@ -93,7 +61,12 @@ impl Record {
     pub fn ui(&mut self, ctx: &Context, beside: &Beside<'_>) -> Option<Recorded> {
         if *self.of != *beside.shown.name || (self.open && self.wish.file.is_empty()) {
             let rate = beside.shown.scene.view.fps.unwrap_or(self.wish.rate);
-            self.wish = Wish { from: 0.0, to: None, rate, ..self.wish.clone() };
+            let chosen = match *self.of == *beside.shown.name {
+                true => self.wish.chosen.clone(),
+                // others have other groups
+                false => Chosen::default(),
+            };
+            self.wish = Wish { from: 0.0, to: None, rate, chosen, ..self.wish.clone() };
             self.of = beside.shown.name.to_string();
             self.name(beside);
         }
@@ -132,8 +105,12 @@ impl Record {
             ui.add(TextEdit::singleline(&mut wish.file).desired_width(206.0)).labelled_by(label.id);
             ui.end_row();
             span(ui, wish, beside);
-            if wish.format != Format::Trajectories {
-                pictures(ui, wish, beside);
+            models(ui, wish, beside);
+            match wish.format {
+                Format::Trajectories => {
+                    wish.chosen.fields(ui, &beside.shown.setting, Path::new(wish.file.trim()));
+                }
+                _ => pictures(ui, wish, beside),
             }
         });
         if self.wish.format != before {
@@ -147,7 +124,12 @@ impl Record {
     fn below(&mut self, ui: &mut Ui, beside: &Beside<'_>) -> Option<Recorded> {
         if let Some(share) = beside.share {
             ui.add(ProgressBar::new(share).desired_width(262.0).show_percentage());
-            return ui.button("Cancel").clicked().then_some(Recorded::Cancel);
+            let buttons = ui.horizontal(|ui| {
+                let finish = ui.button("Finish now").on_hover_text("completes the file with what there is of it");
+                let finish = finish.clicked().then_some(Recorded::Finish);
+                finish.or(ui.button("Cancel").clicked().then_some(Recorded::Cancel))
+            });
+            return buttons.inner;
         }
         ui.set_max_width(262.0);
         match &self.said {
@@ -203,6 +185,28 @@ fn span(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
     ui.end_row();
 }
 
+/// Which of two models.
+fn models(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
+    let Some(other) = &beside.shown.beside else { return };
+    let [own, other] = [&beside.shown.scene, &other.scene].map(|scene| models_of(scene));
+    let mut all = vec![(Which::Own, own), (Which::Other, other)];
+    if wish.format != Format::Trajectories {
+        all.insert(0, (Which::Both, "both, side by side".into()));
+    }
+    ui.label("models");
+    let now = wish.which();
+    let shown = all.iter().find(|(which, _)| *which == now).map_or("", |(_, name)| name).to_owned();
+    let combo = ComboBox::from_id_salt("models").width(206.0).selected_text(shown).show_ui(ui, |ui| {
+        for (which, name) in all {
+            if ui.selectable_label(which == now, name).clicked() {
+                wish.which = which;
+            }
+        }
+    });
+    named(&combo.response, Role::ComboBox, "models");
+    ui.end_row();
+}
+
 /// How many pictures, how large, and what they look like.
 fn pictures(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
     let label = ui.label("pictures a second");
@@ -215,10 +219,10 @@ fn pictures(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
     ui.end_row();
     ui.label("size");
     ui.horizontal(|ui| {
-        let mut size = wish.size.unwrap_or(beside.size);
+        let mut size = wish.size_beside(beside.shown, beside.size);
         let [width, height] = &mut size;
         let field = |ui: &mut Ui, side, name| {
-            let field = ui.add(DragValue::new(side).range(16..=3840));
+            let field = ui.add(DragValue::new(side).range(16..=WIDEST));
             named(&field, Role::SpinButton, name);
             field.changed()
         };

@@ -26,7 +26,7 @@ pub use observed::{Being, Observed};
 pub use pace::{Pace, Speed};
 pub use quantity::Quantity;
 pub use reel::{Film, Reel};
-pub(crate) use run::title;
+pub(crate) use run::{models_of, title};
 pub use series::{Sample, Series};
 pub use shown::{Cost, Shown, Trouble};
 #[cfg(not(target_arch = "wasm32"))]

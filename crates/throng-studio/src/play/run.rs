@@ -112,6 +112,18 @@ impl Run {
     }
 }
 
+/// What the local models of a scene's groups are called.
+pub(crate) fn models_of(scene: &Scene) -> String {
+    let mut names: Vec<String> = Vec::new();
+    for group in &scene.groups {
+        let name = group.local_model().name();
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names.join(", ")
+}
+
 /// What a scene of this name is called.
 pub(crate) fn title<'a>(scene: &'a Scene, name: &'a str) -> &'a str {
     if scene.title.is_empty() { name } else { &scene.title }

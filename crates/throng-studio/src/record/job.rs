@@ -1,17 +1,20 @@
 //! A recording, piece by piece.
 
 use super::{Begin, Source, Subject, Take};
+use std::sync::Arc;
 use std::time::Duration;
 use throng_draw::Still;
 use throng_draw::record::{Files, Plan};
-use throng_record::Choice;
+use throng_record::{Frame, Pool};
 use web_time::Instant;
 
 /// A recording under way: let it [`work`](Self::work). Dropped, it leaves nothing.
 pub struct Job {
-    source: Box<dyn Source>,
+    /// What is recorded side by side, on one clock.
+    sources: Vec<Box<dyn Source>>,
     /// `None` once the file is complete.
     files: Option<Files>,
+    frames: Pool<Frame>,
     from: f64,
     to: f64,
 }
@@ -20,21 +23,24 @@ impl Job {
     /// Goes to the start of what is recorded, and begins the file.
     ///
     /// # Errors
-    /// The scene cannot be built, or the file cannot be begun; why.
+    /// The scene cannot be built, what is chosen is not there, or the file cannot be begun; why.
     pub fn new(subject: &Subject, take: &Take, begin: Begin) -> Result<Self, String> {
-        let source = subject.begin(&take.style.annotations)?;
+        let sources = subject.begin(&take.style.annotations)?;
+        let (setting, sheet) = (sources[0].setting(), subject.sheet(&sources, take.style.legend));
+        take.choice.check(setting, throng_record::Format::of(&take.path)).map_err(|error| error.to_string())?;
+        let from = take.choice.from.max(sources[0].time());
         let plan = Plan {
-            setting: source.setting(),
+            setting,
+            sheet: sheet.as_ref(),
             style: &take.style,
             rate: take.rate,
             speed_up: take.speed_up,
             still: Still::Last,
-            from: take.from,
-            choice: &Choice::default(),
+            from,
+            choice: &take.choice,
         };
-        let files = Files::new(vec![begin(&take.path, &plan)?], &plan);
-        let to = take.to.unwrap_or(f64::INFINITY);
-        let mut job = Self { source, files: Some(files), from: take.from, to };
+        let files = Files::new(vec![begin(&take.path, &plan)?], plan.pace(), plan.choice);
+        let mut job = Self { sources, files: Some(files), frames: Pool::default(), from, to: take.choice.to };
         job.take()?;
         Ok(job)
     }
@@ -46,10 +52,11 @@ impl Job {
     pub fn work(&mut self, budget: Duration) -> Result<bool, String> {
         let begin = Instant::now();
         while self.files.is_some() && begin.elapsed() < budget {
-            if self.source.over() || self.reached(self.to) {
+            if self.sources.iter().all(|source| source.over()) || self.time() >= self.to - SLACK {
                 self.finish()?;
             } else {
-                self.source.advance()?;
+                // who is over keeps the last moment
+                self.sources.iter_mut().filter(|source| !source.over()).try_for_each(|source| source.advance())?;
                 self.take()?;
             }
         }
@@ -58,29 +65,41 @@ impl Job {
 
     /// How much is done, 0 to 1.
     pub fn share(&self) -> f32 {
-        (self.source.time() / self.to.min(self.source.end()).max(1e-9)).clamp(0.0, 1.0) as f32
+        let end = self.sources.iter().map(|source| source.end()).fold(0.0, f64::max);
+        (self.time() / self.to.min(end).max(1e-9)).clamp(0.0, 1.0) as f32
     }
 
-    /// Whether the moment is nearest to this time, or after that.
-    fn reached(&self, time: f64) -> bool {
-        self.source.time() + 0.5 * self.source.step() > time + 1e-9
+    /// The time of the source that is farthest, seconds.
+    fn time(&self) -> f64 {
+        self.sources.iter().map(|source| source.time()).fold(f64::NEG_INFINITY, f64::max)
     }
 
     fn take(&mut self) -> Result<(), String> {
-        if !self.reached(self.from) {
-            return Ok(());
-        }
-        let (Some(files), source) = (&mut self.files, &self.source) else { return Ok(()) };
-        let pushed = files.push(source.time(), source.step(), |frame| source.capture(frame));
-        pushed.map_err(|error| error.to_string())
+        let (time, step) = (self.time(), self.sources[0].step());
+        let Self { sources, files, frames, .. } = self;
+        let Some(files) = files else { return Ok(()) };
+        files.push_all(time, step, || captured(sources, frames)).map_err(|error| error.to_string())
     }
 
-    fn finish(&mut self) -> Result<(), String> {
-        if !self.reached(self.from) {
-            let (end, from) = (self.source.time(), self.from);
+    /// Completes the file with what there is of it.
+    ///
+    /// # Errors
+    /// What is to be recorded has not begun yet, or the file cannot be written; why. Then nothing is left of it.
+    pub fn finish(&mut self) -> Result<(), String> {
+        let (end, from) = (self.time(), self.from);
+        if end + 0.5 * self.sources[0].step() <= from + SLACK {
             return Err(format!("it ends at {end:.2} s, before what is to be recorded begins, at {from:.2} s"));
         }
-        let (Some(files), source) = (self.files.take(), &self.source) else { return Ok(()) };
-        files.finish(source.time(), |frame| source.capture(frame)).map_err(|error| error.to_string())
+        let Self { sources, files, frames, .. } = self;
+        let Some(files) = files.take() else { return Ok(()) };
+        files.finish_all(end, || captured(sources, frames)).map_err(|error| error.to_string())
     }
+}
+
+/// Rounding of times, seconds.
+const SLACK: f64 = 1e-9;
+
+/// A frame a source.
+fn captured(sources: &[Box<dyn Source>], frames: &mut Pool<Frame>) -> Vec<Arc<Frame>> {
+    sources.iter().map(|source| frames.make(|frame| source.capture(frame))).collect()
 }

@@ -10,7 +10,7 @@ mod take;
 mod threaded;
 
 pub use job::Job;
-pub use source::{Source, Subject};
+pub use source::{Source, Subject, Which};
 pub use take::{Format, Take};
 #[cfg(not(target_arch = "wasm32"))]
 pub use threaded::Threaded;

@@ -1,9 +1,9 @@
 //! What is recorded: moments one after the other.
 
-use crate::play::{Reel, Shown, guarded, title};
+use crate::play::{Reel, Shown, guarded, models_of, title};
 use std::sync::Arc;
 use throng::World;
-use throng_draw::Annotations;
+use throng_draw::{Annotations, Sheet};
 use throng_record::{Frame, Setting, moment};
 use throng_scene::Scene;
 
@@ -14,14 +14,34 @@ pub enum Subject {
     Scene(Arc<str>, Arc<Scene>),
     /// A film that is replayed.
     Film(Arc<Reel>),
+    /// A scene by two models, side by side: what it is called, and each with what its models are called.
+    Beside(Arc<str>, [(String, Arc<Scene>); 2]),
+}
+
+/// Which is recorded where a scene is shown by two models.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Which {
+    /// Both, side by side.
+    #[default]
+    Both,
+    /// The scene by its own model.
+    Own,
+    /// The one beside it.
+    Other,
 }
 
 impl Subject {
     /// What is shown.
-    pub fn of(shown: &Shown) -> Self {
-        match &shown.reel {
-            Some(reel) => Self::Film(reel.clone()),
-            None => Self::Scene(shown.name.clone(), shown.scene.clone()),
+    pub fn of(shown: &Shown, which: Which) -> Self {
+        let scene = |shown: &Shown| Self::Scene(shown.name.clone(), shown.scene.clone());
+        match (&shown.reel, &shown.beside, which) {
+            (Some(reel), ..) => Self::Film(reel.clone()),
+            (None, Some(other), Which::Other) => scene(other),
+            (None, Some(other), Which::Both) => {
+                let both = [&shown.scene, &other.scene].map(|scene| (models_of(scene), scene.clone()));
+                Self::Beside(shown.name.clone(), both)
+            }
+            _ => scene(shown),
         }
     }
 
@@ -29,11 +49,26 @@ impl Subject {
     ///
     /// # Errors
     /// The scene cannot be built; why.
-    pub fn begin(&self, annotations: &Annotations) -> Result<Box<dyn Source>, String> {
+    pub fn begin(&self, annotations: &Annotations) -> Result<Vec<Box<dyn Source>>, String> {
+        let run = |name: &str, scene: &Arc<Scene>| -> Result<Box<dyn Source>, String> {
+            Ok(Box::new(Run::new(name, scene.clone(), annotations)?))
+        };
         match self {
-            Self::Film(reel) => Ok(Box::new(Replay { reel: reel.clone(), at: 0 })),
-            Self::Scene(name, scene) => Ok(Box::new(Run::new(name, scene.clone(), annotations)?)),
+            Self::Film(reel) => Ok(vec![Box::new(Replay { reel: reel.clone(), at: 0 })]),
+            Self::Scene(name, scene) => Ok(vec![run(name, scene)?]),
+            Self::Beside(name, both) => both.iter().map(|(_, scene)| run(name, scene)).collect(),
         }
+    }
+
+    /// What pictures of several sources show, under the title of the scene if they have one at all.
+    pub fn sheet(&self, sources: &[Box<dyn Source>], titled: bool) -> Option<Sheet> {
+        let Self::Beside(_, both) = self else { return None };
+        let panels = both
+            .iter()
+            .zip(sources)
+            .map(|((models, _), source)| Setting { title: models.clone(), ..source.setting().clone() });
+        let title = if titled { sources[0].setting().title.clone() } else { String::new() };
+        Some(Sheet { title, panels: panels.collect(), columns: both.len() })
     }
 }
 

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use throng_draw::Style;
 use throng_draw::sink::Kind;
+use throng_record::Choice;
 
 /// What a recording becomes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -76,10 +77,8 @@ impl Format {
 pub struct Take {
     /// The file; its ending says what it becomes.
     pub path: PathBuf,
-    /// From when on, seconds of the scene.
-    pub from: f64,
-    /// Until when, seconds of the scene; `None`: to its end.
-    pub to: Option<f64>,
+    /// From when to when, and what of it trajectories have.
+    pub choice: Choice,
     /// Pictures a second, 0.001 to 1000.
     pub rate: f64,
     /// Seconds of the scene in a second of video, greater than 0.

@@ -23,6 +23,8 @@ struct Told {
     /// How much is done: the bits of a number from 0 to 1.
     share: AtomicU32,
     stop: AtomicBool,
+    /// What there is is to be completed.
+    finish: AtomicBool,
 }
 
 impl Threaded {
@@ -46,6 +48,15 @@ impl Threaded {
     /// How much is done, 0 to 1.
     pub fn share(&self) -> f32 {
         f32::from_bits(self.told.share.load(Ordering::Relaxed))
+    }
+
+    /// Completes the file with what there is of it, soon.
+    ///
+    /// # Errors
+    /// None: [`done`](Self::done) tells.
+    pub fn finish(&mut self) -> Result<(), String> {
+        self.told.finish.store(true, Ordering::Relaxed);
+        Ok(())
     }
 
     /// Whether the file is complete.
@@ -79,6 +90,9 @@ fn tell(end: &Sender<Result<(), String>>, done: Result<(), String>) {
 fn work(subject: &Subject, take: &Take, begin: Begin, told: &Told, wake: &impl Fn()) -> Result<(), String> {
     let mut job = Job::new(subject, take, begin)?;
     while !told.stop.load(Ordering::Relaxed) {
+        if told.finish.load(Ordering::Relaxed) {
+            return job.finish();
+        }
         if job.work(SLICE)? {
             return Ok(());
         }

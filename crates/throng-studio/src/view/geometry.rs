@@ -1,9 +1,8 @@
 //! What is drawn: areas, discs and lines, relative to the world's origin, as they are handed to the graphics processor.
 
-use super::shape::Shape;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, Vec2, Vec3};
-use throng_draw::{Coat, Color};
+use throng_draw::{Coat, Color, Shape};
 use throng_record::Body;
 
 /// Red, green, blue and opacity, not multiplied in.

@@ -10,11 +10,11 @@ mod kernel;
 mod key;
 mod layers;
 mod made;
+mod marks;
 mod mesh;
 mod mode;
 mod moment;
 mod scenery;
-mod shape;
 mod streams;
 mod thoughts;
 
@@ -23,9 +23,9 @@ pub use eye::{Eye, ground};
 pub use heat::Heat;
 pub use key::{Row, Sign};
 pub use layers::{Ground, Layers};
+pub use marks::Marks;
 pub use mode::Mode;
 pub use moment::between;
-pub use shape::{Marks, Shape};
 pub use streams::Streams;
 
 use crate::play::Shown;
@@ -38,7 +38,7 @@ use gl::{Canvas, Lighting};
 use glam::Vec2;
 use moment::{interpolated, nearest, pair};
 use std::sync::{Arc, Mutex, PoisonError};
-use throng_draw::{Annotation, Annotations, Color, Followed, Form, Projection, Projector, Style, Theme};
+use throng_draw::{Annotation, Annotations, Color, Followed, Projection, Projector, Style, Theme};
 
 /// How high the air is that flocks are seen in, at least, metres.
 const HEADROOM: f64 = 1.8;
@@ -132,17 +132,19 @@ impl View {
     pub fn style(&self, shown: &Shown, settings: &Settings, size: Vec2) -> Style {
         let (plan, selected) = (self.eye.mode() == Mode::Plan, self.selected);
         let coloring = settings.coloring.style(shown, &settings.theme());
-        let form = match settings.marks {
-            Marks::Fitting => None,
-            Marks::All(Shape::Insect) => Some(Form::Insect),
-            Marks::Discs | Marks::All(_) => Some(Form::Body),
+        let form = |group: usize| {
+            let own = coloring.forms.get(group).copied().unwrap_or_default();
+            let mut all = shown.frame.bodies.iter().chain(&shown.first.bodies);
+            let body = all.find(|body| body.group as usize == group);
+            body.map_or(own, |body| settings.marks.form(body, own, plan))
         };
+        let forms = (0..shown.setting.groups.len().max(1)).map(form).collect();
         Style {
             view: plan.then(|| self.eye.seen(size)),
             projection: Some(if plan { Projection::Plan } else { Projection::Perspective }),
             viewpoint: self.eye.viewpoint(selected),
             trails: settings.trails,
-            forms: form.map_or(coloring.forms, |form| vec![form; shown.setting.groups.len()]),
+            forms,
             annotations: match selected.filter(|_| settings.annotations) {
                 Some(number) => Annotations { kinds: Annotation::ALL.to_vec(), agents: Some(vec![number]) },
                 None => Annotations::default(),

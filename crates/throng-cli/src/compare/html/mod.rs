@@ -8,7 +8,7 @@ use super::race::{Plan, Run};
 use super::table::{Row, caption, rows};
 use crate::failure::Failure;
 use crate::options::FilmArgs;
-use crate::page::{Player, STYLE, Scenery, escape, fill, swatch};
+use crate::page::{Player, Scenery, document, escape, fill, swatch};
 use throng_draw::{Style, WorldBox, palette, points_to_go};
 use throng_record::series::Series;
 use throng_record::{Frame, moment};
@@ -84,10 +84,9 @@ impl Page {
             ("legend", legend(results)),
             ("plots", charts::plots(&series, self.agents)),
             ("moments", self.moments(results, &series)),
-            ("style", STYLE.to_owned()),
-            ("script", self.player.script()),
         ];
-        fill(PAGE, &parts)
+        let title = format!("{}: models compared", escape(plan.loaded.title()));
+        document(&title, &fill(PAGE, &parts), &self.player.script())
     }
 
     fn facts(&self, plan: &Plan) -> String {
@@ -160,10 +159,8 @@ mod tests {
 
     #[test]
     fn the_template_names_every_part_once() {
-        let names = ["title", "description", "facts", "table", "plots", "moments", "style", "script", "player"];
-        for name in names {
-            let times = PAGE.matches(&format!("{{{{{name}}}}}")).count();
-            assert_eq!(times, if name == "title" { 2 } else { 1 }, "{name}");
+        for name in ["title", "description", "facts", "table", "plots", "moments", "player"] {
+            assert_eq!(PAGE.matches(&format!("{{{{{name}}}}}")).count(), 1, "{name}");
         }
     }
 }

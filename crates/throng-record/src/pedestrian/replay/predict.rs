@@ -25,7 +25,7 @@ pub struct Sample {
 
 impl Sample {
     /// Of somebody from a time on over `horizon` seconds; `None` where they were not recorded for so long.
-    fn of(cast: &Cast, index: usize, from: f64, horizon: f64, replayed: &Walk) -> Option<Self> {
+    fn of(cast: &Cast, index: usize, from: f64, horizon: f64, replayed: &Replayed) -> Option<Self> {
         let (walk, walker) = (&cast.people.walks[index], &cast.walkers[index]);
         let end = from + horizon;
         let (start, there) = (walk.at(from)?, walk.at(end)?);
@@ -35,7 +35,7 @@ impl Sample {
         let predicted = |time: f64| {
             let since = time - from;
             let straight = way.clamp_length_max(walker.speed * since);
-            [held(replayed, time).unwrap_or(start), start + velocity * since, start + straight]
+            [replayed.held(index, time).unwrap_or(start), start + velocity * since, start + straight]
         };
         let off = |time: f64, place: DVec2| predicted(time).map(|there| there.distance(place));
         let rows = walk.times.iter().zip(&walk.places).skip(row + 1).take_while(|(time, _)| **time <= end + ROUNDING);
@@ -51,10 +51,18 @@ impl Sample {
     }
 }
 
-/// Where a replayed person is; after the end, where they were last.
-fn held(walk: &Walk, time: f64) -> Option<DVec2> {
-    walk.at(time)
-        .or_else(|| walk.places.last().filter(|_| walk.times.last().is_some_and(|&last| last <= time)).copied())
+impl Replayed {
+    /// Where somebody is; who has left is where they did. `None` before they came.
+    fn held(&self, index: usize, time: f64) -> Option<DVec2> {
+        let walk = &self.walks[index];
+        walk.at(time).or_else(|| {
+            let (&last, &place) = walk.times.last().zip(walk.places.last()).filter(|(last, _)| **last <= time)?;
+            let Some((left, there)) = self.left[index] else { return Some(place) };
+            // from the last row they went on to where they left
+            let share = if left > last { ((time - last) / (left - last)).min(1.0) } else { 1.0 };
+            Some(place.lerp(there, share))
+        })
+    }
 }
 
 /// Everybody who was replayed, `horizon` seconds after they entered; `None` for the horizon: when they were recorded last.
@@ -62,7 +70,7 @@ pub fn from_entry(cast: &Cast, replayed: &Replayed, horizon: Option<f64>) -> Vec
     let sample = |(index, walk): (usize, &Walk)| {
         let from = *walk.times.first()?;
         let whole = cast.people.walks[index].times.last()? - from;
-        Sample::of(cast, index, from, horizon.unwrap_or(whole), walk)
+        Sample::of(cast, index, from, horizon.unwrap_or(whole), replayed)
     };
     replayed.walks.iter().enumerate().filter_map(sample).collect()
 }
@@ -95,10 +103,9 @@ pub fn predict(
         let row = cast.people.walks[*index].row_at(start);
         row.is_some_and(|(row, _)| cast.has_past(row))
     };
-    let there: Vec<(usize, &Walk)> =
-        replayed.walks.iter().enumerate().filter(|(_, walk)| !walk.times.is_empty()).filter(known).collect();
-    let of = |&horizon: &f64| {
-        there.iter().filter_map(|(index, walk)| Sample::of(cast, *index, start, horizon, walk)).collect()
-    };
+    let there = replayed.walks.iter().enumerate().filter(|(_, walk)| !walk.times.is_empty()).filter(known);
+    let there: Vec<usize> = there.map(|(index, _)| index).collect();
+    let of =
+        |&horizon: &f64| there.iter().filter_map(|&index| Sample::of(cast, index, start, horizon, &replayed)).collect();
     Ok(horizons.iter().map(of).collect())
 }

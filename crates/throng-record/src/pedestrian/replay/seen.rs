@@ -43,28 +43,31 @@ impl<'a> Seen<'a> {
         frame.time = time;
         frame.total = walks.len();
         frame.arrived = walks.iter().filter(|walk| walk.times.last().is_some_and(|&last| last < time)).count();
-        for ((walk, walker), motion) in walks.iter().zip(&self.cast.walkers).zip(&self.motion) {
-            let Some((row, share)) = walk.row_at(time) else { continue };
-            let between = |part: usize| {
-                let next = motion.get(row + 1).unwrap_or(&motion[row]);
-                motion[row][part].lerp(next[part], share)
-            };
-            let facing = between(1).as_vec2();
-            frame.bodies.push(Body {
-                number: walk.number,
-                group: 0,
-                goal: None,
-                position: walk.at(time).unwrap_or_default(),
-                altitude: 0.0,
-                velocity: between(0).as_vec2(),
-                climb: 0.0,
-                heading: facing.y.atan2(facing.x),
-                basis: None,
-                radius: walk.radius as f32,
-                core: Vec2::ZERO,
-                preferred_speed: walker.speed as f32,
-                status: Status::Walking,
-            });
+        let there = walks.iter().enumerate().filter_map(|(index, walk)| {
+            let (row, share) = walk.row_at(time)?;
+            let here = self.body(index, row);
+            Some(if share > 0.0 { here.between(&self.body(index, row + 1), share) } else { here })
+        });
+        frame.bodies.extend(there);
+    }
+
+    /// Somebody at one of their rows.
+    fn body(&self, index: usize, row: usize) -> Body {
+        let (walk, [velocity, facing]) = (&self.cast.people.walks[index], self.motion[index][row].map(|v| v.as_vec2()));
+        Body {
+            number: walk.number,
+            group: 0,
+            goal: None,
+            position: walk.places[row],
+            altitude: 0.0,
+            velocity,
+            climb: 0.0,
+            heading: facing.y.atan2(facing.x),
+            basis: None,
+            radius: walk.radius as f32,
+            core: Vec2::ZERO,
+            preferred_speed: self.cast.walkers[index].speed as f32,
+            status: Status::Walking,
         }
     }
 }

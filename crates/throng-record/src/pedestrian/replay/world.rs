@@ -47,6 +47,8 @@ pub struct Replayed {
     pub walks: Vec<Walk>,
     /// When everybody arrived, by walk.
     pub arrived: Vec<Option<f64>>,
+    /// When and where everybody left, by walk: mostly between two of the times that were asked for.
+    pub left: Vec<Option<(f64, DVec2)>>,
     /// How many entered.
     pub entered: usize,
     /// How many of them overlapped somebody there.
@@ -105,6 +107,7 @@ impl<'a> Replay<'a> {
         let out = Replayed {
             walks: walks.iter().map(nowhere).collect(),
             arrived: vec![None; walks.len()],
+            left: vec![None; walks.len()],
             ..Replayed::default()
         };
         let taken = times.partition_point(|&time| time < start - ROUNDING);
@@ -166,6 +169,7 @@ impl<'a> Replay<'a> {
             let leaves = over && (!stays || recorded_left);
             if leaves {
                 self.out.stranded += usize::from(status == Status::Stranded);
+                self.out.left[one.walk] = Some((now, place));
                 self.world.remove_agent(one.id);
             }
             !leaves

@@ -9,14 +9,13 @@ mod program;
 mod texture;
 
 use super::geometry::{Corner, Disc, Figure, Geometry, Line};
-use super::shape::{Shape, Vertex};
 use bytemuck::Pod;
 use eframe::glow::{self, HasContext};
-use glam::{Mat4, Vec2};
+use glam::{Mat4, Vec2, Vec3};
 use program::{Attribute, Program};
 use std::sync::Arc;
 use texture::Texture;
-use throng_draw::Color;
+use throng_draw::{Color, Shape, Vertex};
 
 /// How the world is seen, for the shaders.
 #[derive(Clone, Copy, Debug)]
@@ -152,11 +151,12 @@ fn depth(gl: &glow::Context, hidden: bool, hides: bool) {
 
 /// Hands over the corners of a shape.
 fn mesh(gl: &glow::Context, corners: &[Vertex]) -> Result<(glow::Buffer, i32), String> {
+    let fields: Vec<[Vec3; 3]> = corners.iter().map(|vertex| [vertex.corner, vertex.normal, vertex.joint]).collect();
     // SAFETY: the bytes are copied during the call.
     unsafe {
         let buffer = gl.create_buffer()?;
         gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffer));
-        gl.buffer_data_u8_slice(glow::ARRAY_BUFFER, bytemuck::cast_slice(corners), glow::STATIC_DRAW);
+        gl.buffer_data_u8_slice(glow::ARRAY_BUFFER, bytemuck::cast_slice(&fields), glow::STATIC_DRAW);
         Ok((buffer, corners.len() as i32))
     }
 }

@@ -1,62 +1,15 @@
 //! What agents look like in space: small bodies of flat faces, some with wings that beat or legs that walk. Lengths are radii of the
 //! agent's body; +x is ahead, +y to the left, z up.
 
-use bytemuck::{Pod, Zeroable};
+mod posed;
+
+pub(crate) use posed::{Strides, marks};
+
 use glam::Vec3;
-use throng_draw::Form;
-use throng_record::Body;
-
-/// What agents are drawn as.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-pub enum Marks {
-    /// As the scene says; else discs on a plan, and in space walkers as figures, who flies as a dart.
-    #[default]
-    Fitting,
-    /// All as discs.
-    Discs,
-    /// All as one shape.
-    All(Shape),
-}
-
-impl Marks {
-    /// All of them.
-    pub const ALL: [Self; 7] = [
-        Self::Fitting,
-        Self::Discs,
-        Self::All(Shape::Arrow),
-        Self::All(Shape::Vehicle),
-        Self::All(Shape::Bird),
-        Self::All(Shape::Insect),
-        Self::All(Shape::Walker),
-    ];
-
-    /// What it is called.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Fitting => "fitting",
-            Self::Discs => "discs",
-            Self::All(shape) => shape.label(),
-        }
-    }
-
-    /// The shape of an agent; `None` for a disc.
-    pub fn shape(self, body: &Body, form: Form, plan: bool) -> Option<Shape> {
-        match self {
-            Self::Discs => None,
-            Self::All(shape) => Some(shape),
-            Self::Fitting if form == Form::Insect => Some(Shape::Insect),
-            Self::Fitting if body.basis.is_some() => Some(Shape::Vehicle),
-            Self::Fitting if plan || body.radius > TALL || body.core != glam::Vec2::ZERO => None,
-            Self::Fitting => Some(Shape::Walker),
-        }
-    }
-}
-
-/// People are no wider than this, metres.
-const TALL: f32 = 0.6;
 
 /// A shape of agents.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Shape {
     /// A flat arrow.
     Arrow,
@@ -71,13 +24,14 @@ pub enum Shape {
 }
 
 /// A corner of a shape.
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vertex {
-    corner: Vec3,
-    normal: Vec3,
+    /// Where it is at rest.
+    pub corner: Vec3,
+    /// Of its face.
+    pub normal: Vec3,
     /// How far it turns round the body's length, and round its side, radians; and the height of that joint.
-    joint: Vec3,
+    pub joint: Vec3,
 }
 
 impl Shape {
@@ -104,6 +58,11 @@ impl Shape {
             // two steps are a turn
             Self::Walker => std::f32::consts::TAU * way / (6.0 * radius),
         }
+    }
+
+    /// Whether its faces are seen from outside only: it is made of whole bodies, without wings.
+    pub(crate) fn is_closed(self) -> bool {
+        self == Self::Walker
     }
 
     /// Its faces, three corners each.

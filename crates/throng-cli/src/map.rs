@@ -1,15 +1,31 @@
-//! The walls of a replay, and who belongs together.
+//! Where recorded people walked: `--map`, and how it is read.
 
-use super::args::StageArgs;
 use crate::failure::Failure;
 use crate::files::is;
 use crate::source::PlanArgs;
+use clap::Args;
 use glam::DVec2;
 use std::path::{Path, PathBuf};
 use throng::{Obstacle, Walkable};
-use throng_record::pedestrian::groups;
 use throng_record::{Flaw, Setting, TracksError};
 use throng_scene::import::plan::is_plan;
+
+/// Where it was, as it is asked for.
+#[derive(Args, Clone, Debug, Default)]
+pub struct MapArgs {
+    /// Where it was: OpenTraj's map.xml, a floor plan (see `throng run`), or a scene, of which ground and obstacles count [default:
+    /// what the file says; of `replay` else a map.xml beside it]
+    #[arg(long, value_name = "SCENE|FILE")]
+    pub map: Option<PathBuf>,
+
+    /// Where the origin of the map is in the recording, metres
+    #[arg(long, value_name = "X,Y", value_parser = parse_place, allow_hyphen_values = true)]
+    pub map_offset: Option<DVec2>,
+
+    /// How a floor plan is read.
+    #[command(flatten)]
+    pub plan: PlanArgs,
+}
 
 /// Where people can walk.
 #[derive(Clone, Debug, Default)]
@@ -25,15 +41,13 @@ pub struct Map {
 }
 
 impl Map {
-    /// The map that is asked for; else that of the recording, else a `map.xml` beside it.
+    /// The map that is asked for; else that of the recording, else the one at `beside`.
     ///
     /// # Errors
     /// It cannot be read, or an offset is given and there is none.
-    pub fn read(args: &StageArgs, data: &Path, setting: &Setting) -> Result<Self, Failure> {
+    pub fn read(args: &MapArgs, data: &Path, setting: &Setting, beside: Option<PathBuf>) -> Result<Self, Failure> {
         let known = !(setting.walkable.is_empty() && setting.obstacles.is_empty());
-        let beside = beside(data, "map.xml").filter(|_| !known);
-        let mut map = match args.map.clone().or(beside) {
-            _ if args.no_map => Self::default(),
+        let mut map = match args.map.clone().or(beside.filter(|_| !known)) {
             Some(path) => Self::of(path, &args.plan)?,
             None => {
                 Self { walkable: setting.walkable.clone(), obstacles: setting.obstacles.clone(), ..Self::default() }
@@ -41,7 +55,7 @@ impl Map {
         };
         if let Some(offset) = args.map_offset {
             if map.walkable.is_empty() && map.obstacles.is_empty() {
-                let text = format!("--map-offset: {} has no map, and there is no map.xml beside it", data.display());
+                let text = format!("--map-offset: {} has no map", data.display());
                 return Err(Failure::hint(text, "say which map: --map FILE"));
             }
             map.shift(offset);
@@ -87,22 +101,22 @@ impl Map {
     }
 }
 
-/// Who belongs together: the groups that are asked for, else those of a `groups.txt` beside the recording.
-///
-/// # Errors
-/// The file cannot be read.
-pub fn together(args: &StageArgs, data: &Path) -> Result<Option<Vec<Vec<u32>>>, Failure> {
-    let path = args.groups.clone().or_else(|| beside(data, "groups.txt"));
-    path.map(|path| read(&path, groups)).transpose()
-}
-
 /// A file beside the recording, if it is there.
-fn beside(data: &Path, name: &str) -> Option<PathBuf> {
+pub fn beside(data: &Path, name: &str) -> Option<PathBuf> {
     Some(data.with_file_name(name)).filter(|path| path.is_file())
 }
 
 /// Reads a small file whole.
-fn read<T>(path: &Path, of: fn(&[u8]) -> Result<T, Flaw>) -> Result<T, Failure> {
+///
+/// # Errors
+/// It cannot be read, or is not what it should be.
+pub fn read<T>(path: &Path, of: fn(&[u8]) -> Result<T, Flaw>) -> Result<T, Failure> {
     let bytes = std::fs::read(path).map_err(|source| TracksError::File { path: path.into(), source })?;
     Ok(of(&bytes).map_err(|flaw| TracksError::Content { path: path.into(), flaw })?)
+}
+
+fn parse_place(text: &str) -> Result<DVec2, String> {
+    let number = |text: &str| text.trim().parse().ok().filter(|x: &f64| x.is_finite());
+    let place = text.split_once(',').and_then(|(x, y)| Some(DVec2::new(number(x)?, number(y)?)));
+    place.ok_or_else(|| "write x,y in metres, such as 0,15".into())
 }

@@ -1,0 +1,96 @@
+//! The page of a replay: the tables, a player of the recorded and of every model on one clock, and plots.
+
+mod plots;
+
+use super::report::Report;
+use super::setup::Setup;
+use super::tables::tables;
+use super::text::facts;
+use crate::files::title;
+use crate::page::{Player, Plot, Scenery, document, escape, fill, swatch, table};
+use std::sync::Arc;
+use throng_draw::{Style, WorldBox, palette};
+use throng_record::Frame;
+
+const PAGE: &str = include_str!("page.html");
+
+/// A page being made.
+pub struct Page {
+    player: Player,
+    /// A moment with people by their walks.
+    frame: Frame,
+}
+
+impl Page {
+    /// A page whose player shows what pictures of this style do.
+    pub fn new(setup: &Setup, style: &Style) -> Self {
+        let one = WorldBox { min: glam::DVec2::ZERO, max: glam::DVec2::ONE };
+        let view = style.view.unwrap_or(one);
+        let (walks, [start, _]) = (setup.cast.people.walks.len(), setup.span());
+        let setting = setup.setting("");
+        let scenery = Scenery {
+            view,
+            all: view,
+            colors: (0..setting.groups.len().max(1)).map(|group| palette(group).hex()).collect(),
+            trails: style.trails,
+            points: Vec::new(),
+            marked: Vec::new(),
+            counted: setup.args.figures.line.iter().map(|line| vec![line.from, line.to]).collect(),
+            agents: walks,
+            gone: "gone",
+            start,
+            setting,
+        };
+        let step = setup.stages[0].settings.step;
+        Self { player: Player::new(scenery, setup.models.len() + 1, walks, step), frame: Frame::default() }
+    }
+
+    /// Takes in a moment of the recorded and of every model, so many steps after the first.
+    pub fn push(&mut self, setup: &Setup, steps: u64, frames: &[Arc<Frame>]) {
+        for (run, frame) in frames.iter().enumerate() {
+            self.take(setup, frame);
+            self.player.push(steps, [(run, &self.frame)]);
+        }
+    }
+
+    /// Takes in the last moment.
+    pub fn end(&mut self, setup: &Setup, frames: &[Arc<Frame>]) {
+        for (run, frame) in frames.iter().enumerate() {
+            self.take(setup, frame);
+            self.player.end(run, &self.frame);
+        }
+    }
+
+    /// A player holds a row for every number.
+    fn take(&mut self, setup: &Setup, frame: &Frame) {
+        self.frame.clone_from(frame);
+        for body in &mut self.frame.bodies {
+            body.number = setup.cast.walk_of(body.number).unwrap_or_default() as u32;
+        }
+    }
+
+    /// The page.
+    pub fn text(self, report: &Report) -> String {
+        let setup = report.setup;
+        let name = title(&setup.args.data);
+        let names = std::iter::once("recorded").chain(setup.models.iter().map(String::as_str));
+        let names: Vec<String> = names.enumerate().map(|(k, name)| swatch(k) + &escape(name)).collect();
+        let grids = tables(report);
+        let grids =
+            grids.iter().map(|grid| format!("<h3>{}</h3>\n{}", escape(&grid.title), table(&grid.head, &grid.rows)));
+        let key = std::iter::once("recorded").chain(report.predictors().into_iter().map(|predictor| predictor.name));
+        let key = key.enumerate().map(|(k, name)| format!("<span>{}{}</span>\n", swatch(k), escape(name)));
+        let ended = if report.interrupted { " Interrupted: figures are those up to there." } else { "" };
+        let parts = [
+            ("name", escape(&name)),
+            ("facts", escape(&(facts(report).join("; ") + "."))),
+            ("version", env!("CARGO_PKG_VERSION").to_owned()),
+            ("ended", ended.to_owned()),
+            ("player", self.player.section(&names, "Those who have gone are counted over each panel.")),
+            ("key", key.collect()),
+            ("plots", plots::plots(report).iter().map(Plot::svg).collect()),
+            ("tables", grids.collect()),
+        ];
+        document(&format!("{}: replayed", escape(&name)), &fill(PAGE, &parts), &self.player.script())
+    }
+}

@@ -1,0 +1,117 @@
+//! What is replayed: who was recorded, where they walk, and by which models.
+
+use super::args::ReplayArgs;
+use super::kinds::{Kinds, together};
+use super::stage;
+use crate::failure::Failure;
+use crate::map::{Map, beside};
+use crate::models::models;
+use std::path::PathBuf;
+use throng_record::pedestrian::replay::{Cast, Stage};
+use throng_record::pedestrian::{People, Walk};
+use throng_record::{Setting, Spot, Tracks};
+use throng_scene::Scene;
+
+/// Rounding of times, seconds.
+pub const ROUNDING: f64 = 1e-9;
+
+/// What is replayed.
+pub struct Setup<'a> {
+    /// What was asked.
+    pub args: &'a ReplayArgs,
+    /// The models, as they were named.
+    pub models: Vec<String>,
+    /// The scene with one person that people are like, by the first model.
+    pub scene: Scene,
+    /// Where they walk, and as whom, by model.
+    pub stages: Vec<Stage>,
+    /// Who was recorded.
+    pub cast: Cast,
+    /// The file of the map, where it is not the recording's own.
+    pub map: Option<PathBuf>,
+    /// What was left out of the map, or changed.
+    pub notes: Vec<String>,
+    /// Who belongs together.
+    pub groups: Option<Vec<Vec<u32>>>,
+    /// How they are told apart in pictures.
+    pub kinds: Kinds,
+}
+
+impl<'a> Setup<'a> {
+    /// Reads everything.
+    ///
+    /// # Errors
+    /// The data, the map or the groups cannot be read, or a model or a change is none.
+    pub fn read(args: &'a ReplayArgs) -> Result<Self, Failure> {
+        let models = models("--model", &args.stage.model)?;
+        let scenes = models.iter().map(|model| stage::scene(args, model)).collect::<Result<Vec<_>, _>>()?;
+        let tracks = args.tracks.read(&args.data)?;
+        let cast = cast(args, &tracks)?;
+        let map = match args.stage.no_map {
+            true => Map::default(),
+            false => Map::read(&args.stage.map, &args.data, &tracks.setting, beside(&args.data, "map.xml"))?,
+        };
+        let stages = scenes.iter().map(|scene| stage::stage(args, scene, &cast, &map)).collect::<Result<_, _>>()?;
+        let groups = together(&args.stage, &args.data)?;
+        let kinds = Kinds::of(&tracks, &cast, groups.as_deref());
+        let models = models.iter().map(|model| model.label().to_owned()).collect();
+        let scene = scenes.into_iter().next().unwrap_or_default();
+        Ok(Self { args, models, scene, stages, cast, map: map.path, notes: map.notes, groups, kinds })
+    }
+
+    /// The place, under a title.
+    pub fn setting(&self, title: &str) -> Setting {
+        let stage = &self.stages[0];
+        Setting {
+            title: title.to_owned(),
+            walkable: stage.walkable.clone(),
+            obstacles: stage.obstacles.clone(),
+            groups: self.kinds.names.clone(),
+            origin: stage.settings.origin,
+            ..Setting::default()
+        }
+    }
+
+    /// The first moment and the last, seconds.
+    pub fn span(&self) -> [f64; 2] {
+        let moments = &self.cast.people.moments;
+        [moments.first(), moments.last()].map(|moment| moment.map_or(f64::NAN, |moment| moment.time))
+    }
+
+    /// How many of the recorded walk through what is solid.
+    pub fn through(&self) -> usize {
+        let blocked = |way: &[glam::DVec2]| self.stages[0].blocks(way[0], way[1]);
+        self.cast.people.walks.iter().filter(|walk: &&Walk| walk.places.windows(2).any(blocked)).count()
+    }
+
+    /// What the world refused.
+    pub fn refused(&self, error: throng::Error) -> Failure {
+        Failure::Error(format!("{}: {error}", self.args.data.display()))
+    }
+}
+
+/// Who was recorded.
+fn cast(args: &ReplayArgs, tracks: &Tracks) -> Result<Cast, Failure> {
+    let name = args.data.display();
+    if tracks.spots.iter().any(|spot| spot.place.z != 0.0) {
+        let text = format!("{name}: somebody is above the ground, and only people who walk are replayed");
+        return Err(Failure::Error(text));
+    }
+    let until = args.until.unwrap_or(f64::INFINITY);
+    if until <= args.from {
+        let text = format!("--until {until}: it begins at {} s", args.from);
+        return Err(Failure::hint(text, "give --until more than --from"));
+    }
+    let within = args.from - ROUNDING..=until + ROUNDING;
+    let mut people = People::of(tracks, |spot: &Spot| within.contains(&spot.time));
+    if let Some(radius) = args.stage.radius {
+        people.walks.iter_mut().for_each(|walk| walk.radius = radius);
+    }
+    let cast = Cast::new(&people, args.stage.speed, args.figures.interval);
+    if cast.people.walks.is_empty() {
+        let to = args.until.map_or_else(|| "the end".to_owned(), |until| format!("{until} s"));
+        let text = format!("{name}: nobody was seen twice from {} s to {to}", args.from);
+        return Err(Failure::hint(text, "change --from and --until"));
+    }
+    Ok(cast)
+}

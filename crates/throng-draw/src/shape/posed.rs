@@ -1,0 +1,155 @@
+//! A body as a shape that moves, face by face.
+
+use super::{Shape, Vertex};
+use crate::Color;
+use crate::look::Coat;
+use crate::mark::{Mark, Stroke};
+use crate::projector::Projector;
+use glam::{DVec3, Vec2, Vec3};
+use std::collections::BTreeMap;
+use throng_record::{Body, Frame};
+
+/// Where light comes from, and what a face is where none falls, and how much of it.
+const LIGHT: Vec3 = Vec3::new(-0.35, -0.35, 0.87);
+const DARK: Color = Color::rgb(0x1c2026);
+const SHADE: f32 = 0.5;
+/// The least radius of a shape, pixels.
+const LEAST: f32 = 2.2;
+
+/// How far everybody has walked.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Strides(BTreeMap<u32, (DVec3, f32)>);
+
+impl Strides {
+    /// Takes in a moment; who is not there is forgotten.
+    pub fn follow(&mut self, frame: &Frame) {
+        let before = std::mem::take(&mut self.0);
+        self.0.extend(frame.bodies.iter().map(|body| {
+            let at = body.center();
+            let way = before.get(&body.number).map_or(0.0, |(last, way)| way + last.distance(at) as f32);
+            (body.number, (at, way))
+        }));
+    }
+
+    /// How far the movement of somebody has come at a time, radians.
+    fn phase(&self, shape: Shape, body: &Body, time: f64) -> f32 {
+        let way = self.0.get(&body.number).map_or(0.0, |(_, way)| *way);
+        // not all at once
+        2.4 * body.number as f32 + shape.phase(time as f32, way, body.radius)
+    }
+}
+
+/// The faces of a body that are to be seen, far to near.
+pub(crate) fn marks(
+    shape: Shape,
+    body: &Body,
+    (strides, time): (&Strides, f64),
+    coat: Coat,
+    projector: &Projector,
+) -> Vec<Mark> {
+    let center = body.center();
+    let sight = projector.sight(center).as_vec3();
+    let radius = body.radius.max(LEAST / projector.scale(center) as f32);
+    let ahead = body.basis.map_or_else(|| Vec2::from_angle(body.heading).extend(0.0), |basis| basis.forward);
+    let left = body.basis.map_or(Vec3::Z, |basis| basis.up).cross(ahead).normalize_or(Vec3::Y);
+    let up = ahead.cross(left);
+    let turned = |local: Vec3| ahead * local.x + left * local.y + up * local.z;
+    let phase = strides.phase(shape, body, time);
+    let mut faces: Vec<(f32, Vec<Mark>)> = Vec::new();
+    for face in shape.mesh().chunks_exact(3) {
+        let corners = [0, 1, 2].map(|k| turned(posed(&face[k], phase)) * radius);
+        let outwards = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        if shape.is_closed() && outwards.dot(sight) <= 0.0 {
+            continue;
+        }
+        let ring = corners.map(|corner| projector.pixel(center + corner.as_dvec3()));
+        let [Some(a), Some(b), Some(c)] = ring else { continue };
+        let dark = SHADE * (0.5 - 0.5 * turned(face[0].normal).dot(LIGHT));
+        let fill = coat.fill.mix(DARK, dark);
+        let points = vec![a, b, c];
+        // where two faces meet nothing shines through
+        let seam = Mark::Line { points: points.clone(), closed: true, stroke: Stroke::plain(0.5, fill) };
+        let near = corners.iter().sum::<Vec3>().dot(sight);
+        faces.push((near, vec![Mark::Area { rings: vec![points], fill }, seam]));
+    }
+    faces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    faces.into_iter().flat_map(|(_, marks)| marks).collect()
+}
+
+/// Where a corner is when the movement has come so far: wings beat, limbs swing.
+fn posed(vertex: &Vertex, phase: f32) -> Vec3 {
+    let Vertex { corner, joint, .. } = *vertex;
+    let (beat, swing) = (joint.x * phase.sin() * corner.y.signum(), joint.y * phase.sin());
+    let beaten = Vec2::from_angle(beat).rotate(Vec2::new(corner.y, corner.z));
+    let swung = Vec2::from_angle(-swing).rotate(Vec2::new(corner.x, beaten.y - joint.z));
+    Vec3::new(swung.x, beaten.x, swung.y + joint.z)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Camera;
+    use glam::DVec2;
+
+    fn body(position: DVec2, heading: f32) -> Body {
+        Body {
+            number: 0,
+            group: 0,
+            goal: None,
+            position,
+            altitude: 0.0,
+            velocity: Vec2::X,
+            climb: 0.0,
+            heading,
+            basis: None,
+            radius: 0.2,
+            core: Vec2::ZERO,
+            preferred_speed: 1.3,
+            status: throng::Status::Walking,
+        }
+    }
+
+    #[test]
+    fn at_rest_nothing_has_moved_and_limbs_keep_their_lengths() {
+        for shape in Shape::ALL {
+            for vertex in shape.mesh() {
+                assert!((posed(&vertex, 0.0) - vertex.corner).length() < 1e-6);
+                let from = |at: Vec3| (at - Vec3::Z * vertex.joint.z).length();
+                let beats = vertex.joint.x == 0.0 || vertex.joint.z == 0.0;
+                assert!(!beats || (from(posed(&vertex, 1.0)) - from(vertex.corner)).abs() < 1e-5, "{shape:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_figure_takes_a_turn_of_two_steps_on_its_way() {
+        let (mut strides, mut frame) = (Strides::default(), Frame::default());
+        for k in 0..=24 {
+            frame.bodies = vec![body(DVec2::X * 0.05 * f64::from(k), 0.0)];
+            strides.follow(&frame);
+        }
+        let phase = strides.phase(Shape::Walker, &frame.bodies[0], 0.0);
+        assert!((phase - std::f32::consts::TAU).abs() < 1e-3, "{phase}");
+        frame.bodies.clear();
+        strides.follow(&frame);
+        assert!(strides.0.is_empty());
+    }
+
+    #[test]
+    fn from_above_a_figure_is_within_its_reach_and_its_head_is_last() {
+        let body = body(DVec2::new(3.0, 2.0), 0.7);
+        let camera = Camera { center: DVec2::ZERO, anchor: Vec2::ZERO, scale: 100.0 };
+        let coat = Coat { fill: Color::rgb(0x3060c0), rim: Color::rgb(0) };
+        let marks = marks(Shape::Walker, &body, (&Strides::default(), 0.0), coat, &Projector::Plan(camera));
+        let reach = 4.0 * body.radius * 100.0;
+        let middle = camera.pixel(body.position);
+        let areas: Vec<&Vec<Vec2>> = marks
+            .iter()
+            .filter_map(|mark| if let Mark::Area { rings, .. } = mark { Some(&rings[0]) } else { None })
+            .collect();
+        assert!(areas.len() > 10);
+        assert!(areas.iter().all(|ring| ring.iter().all(|at| at.distance(middle) < reach)));
+        let last = areas[areas.len() - 1];
+        assert!(last.iter().all(|at| at.distance(middle) < body.radius * 100.0), "the top of the head");
+    }
+}
