@@ -1,5 +1,5 @@
 //! Trajectories as [JuPedSim](https://www.jupedsim.org) writes them: an SQLite database, version 2 of its layout, which is what JuPedSim
-//! and PedPy open.
+//! and PedPy open. Versions 1 and 3 are read too; the latter, of JuPedSim to come, leaves out `ori_x` and `ori_y`.
 //!
 //! | table | columns |
 //! |---|---|

@@ -9,7 +9,7 @@ use rusqlite::{Connection, Row};
 use std::collections::HashMap;
 use throng::Status;
 
-const HINT: &str = "what is read are JuPedSim's trajectories, versions 1 and 2, with the tables trajectory_data, metadata and geometry, as \
+const HINT: &str = "what is read are JuPedSim's trajectories, versions 1 to 3, with the tables trajectory_data, metadata and geometry, as \
                     `throng run -o NAME.sqlite` writes them";
 
 /// Reads a database, ours or JuPedSim's.
@@ -50,7 +50,7 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, Wrong> {
     let metadata = metadata(&database, bytes.len())?;
     let value = |key: &str| metadata.get(key).cloned();
     let mut tracks = Tracks { setting: describe::setting(value, &mut names)?, ..Tracks::default() };
-    if let Some(version) = value("version").filter(|version| !["1", "2"].contains(&version.as_str())) {
+    if let Some(version) = value("version").filter(|version| !["1", "2", "3"].contains(&version.as_str())) {
         return Err(Wrong(format!("it is of version {version}")));
     }
     if tracks.setting.walkable.is_empty() && !metadata.contains_key(crate::formats::keys::WALKABLE) {
@@ -59,7 +59,10 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, Wrong> {
     let rate = reading.rate.or_else(|| value("fps")?.parse().ok()).filter(|rate| *rate > 0.0);
     let (times, agents) = (times(&database, bytes.len())?, agents(&database, &mut names, bytes.len())?);
     let unit = reading.unit.unwrap_or(1.0);
-    let mut query = database.prepare("SELECT frame, id, pos_x, pos_y, ori_x, ori_y FROM trajectory_data")?;
+    // version 3 does not say where bodies face
+    let faces = columns(&database, "trajectory_data", &["ori_x", "ori_y"])?;
+    let ways = if faces { "ori_x, ori_y" } else { "1, 0" };
+    let mut query = database.prepare(&format!("SELECT frame, id, pos_x, pos_y, {ways} FROM trajectory_data"))?;
     let mut rows = query.query([])?;
     while let Some(row) = rows.next()? {
         few(tracks.spots.len(), bytes.len())?;
@@ -84,7 +87,7 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, Wrong> {
     }
     tracks.setting.groups = names.into_names();
     tracks.sort();
-    tracks.complete(true, false);
+    tracks.complete(true, !faces);
     Ok(tracks)
 }
 
@@ -116,6 +119,16 @@ fn number_of(row: &Row<'_>, column: usize) -> Result<f64, Wrong> {
 fn has(database: &Connection, table: &str) -> Result<bool, Wrong> {
     let query = "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = ?";
     Ok(database.query_row(query, [table], |row| row.get::<_, i64>(0))? > 0)
+}
+
+/// Whether a table has all these columns.
+fn columns(database: &Connection, table: &str, names: &[&str]) -> Result<bool, Wrong> {
+    let mut query = database.prepare("SELECT count(*) FROM pragma_table_info(?) WHERE name = ?")?;
+    let mut all = true;
+    for name in names {
+        all &= query.query_row([table, name], |row| row.get::<_, i64>(0))? > 0;
+    }
+    Ok(all)
 }
 
 fn metadata(database: &Connection, bytes: usize) -> Result<HashMap<String, String>, Wrong> {
@@ -169,4 +182,33 @@ fn agents(database: &Connection, names: &mut Names, bytes: usize) -> Result<Agen
         }
     }
     Ok(agents)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f32::consts::FRAC_PI_2;
+
+    /// As JuPedSim's version 3 has it: without `ori_x` and `ori_y`.
+    #[test]
+    fn who_does_not_say_so_faces_where_it_goes() {
+        let database = Connection::open_in_memory().unwrap();
+        let text = "CREATE TABLE trajectory_data (frame INTEGER NOT NULL, id INTEGER NOT NULL, pos_x REAL NOT NULL, pos_y REAL NOT NULL);
+            CREATE TABLE metadata(key TEXT NOT NULL UNIQUE PRIMARY KEY, value TEXT NOT NULL);
+            CREATE TABLE geometry(hash INTEGER NOT NULL, wkt TEXT NOT NULL);
+            CREATE TABLE frame_data(frame INTEGER NOT NULL, geometry_hash INTEGER NOT NULL);
+            INSERT INTO metadata VALUES ('version', 3), ('fps', 2.0);
+            INSERT INTO geometry VALUES (7, 'POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))');
+            INSERT INTO trajectory_data VALUES (0, 1, 1.0, 1.0), (0, 4, 5.0, 1.0), (1, 1, 1.5, 1.0), (1, 4, 5.0, 1.25);";
+        database.execute_batch(text).unwrap();
+        let bytes = database.serialize("main").unwrap();
+        let tracks = read(&bytes, &Reading::default()).unwrap();
+        let seen: Vec<_> =
+            tracks.spots.iter().map(|spot| (spot.number, spot.time, spot.place.x, spot.place.y)).collect();
+        assert_eq!(seen, [(1, 0.0, 1.0, 1.0), (4, 0.0, 5.0, 1.0), (1, 0.5, 1.5, 1.0), (4, 0.5, 5.0, 1.25)]);
+        let last = &tracks.spots[2..];
+        assert_eq!([last[0].velocity.x, last[1].velocity.y], [1.0, 0.5]);
+        assert!(last[0].heading.abs() < 1e-6 && (last[1].heading - FRAC_PI_2).abs() < 1e-6);
+        assert_eq!(tracks.setting.walkable.len(), 1);
+    }
 }
