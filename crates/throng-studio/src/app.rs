@@ -384,7 +384,7 @@ impl eframe::App for App {
         self.explain();
         if let Some(shown) = &shown {
             let mut open = self.settings.panels.why;
-            self.why.ui(&ctx, &mut open, shown, &self.settings);
+            self.why.ui(&ctx, &mut open, shown, &self.settings, &self.options.typeface);
             self.settings.panels.why = open;
             self.record(&ctx, shown);
             self.tell(shown, trouble.as_ref());

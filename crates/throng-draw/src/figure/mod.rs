@@ -42,21 +42,22 @@ use throng_record::{Frame, Output, Setting};
 pub struct Figure {
     size: (u32, u32),
     base: Color,
+    typeface: Typeface,
     marks: Vec<Mark>,
 }
 
 impl Figure {
-    /// A picture of marks on a ground of one colour.
+    /// A picture of marks on a ground of one colour, in the usual typeface.
     ///
     /// # Errors
     /// [`Error::Size`] if width or height is out of the limits of pictures.
     pub fn of((width, height): (u32, u32), base: Color, marks: Vec<Mark>) -> Result<Self, Error> {
         Error::check_size(width, height)?;
-        Ok(Self { size: (width, height), base, marks })
+        Ok(Self { size: (width, height), base, typeface: Typeface::default(), marks })
     }
 
-    /// The figure of an explanation: `frame` is the world at its time, `setting` the place. Of the style, size and
-    /// theme matter; a figure of 1200 by 760 pixels has room for everything.
+    /// The figure of an explanation: `frame` is the world at its time, `setting` the place. Of the style, size, theme
+    /// and typeface matter; a figure of 1200 by 760 pixels has room for everything.
     ///
     /// # Errors
     /// [`Error::Size`] if the style's width or height is out of its limits.
@@ -69,13 +70,14 @@ impl Figure {
         let mut marks = vec![sheet.near.clip(near), sheet.plot.clip(plot)];
         marks.extend([scale, numbers].concat());
         marks.extend(sheet.frame(words::title(setting, why)));
-        Ok(Self { size: (style.width, style.height), base: style.theme.ground, marks })
+        let typeface = style.typeface.clone();
+        Ok(Self { size: (style.width, style.height), base: style.theme.ground, typeface, marks })
     }
 
     /// The figure in pixels.
     pub fn image(&self) -> Image {
         let mut image = Image::new(self.size.0, self.size.1, self.base);
-        raster::draw(&mut image, &mut Type::of(&Typeface::default()), &self.marks);
+        raster::draw(&mut image, &mut Type::of(&self.typeface), &self.marks);
         image
     }
 

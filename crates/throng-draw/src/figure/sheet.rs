@@ -2,7 +2,7 @@
 
 use super::velocities::Entry;
 use crate::mark::{Anchor, Mark, Stroke};
-use crate::text::{Type, Typeface};
+use crate::text::Type;
 use crate::{Color, Style};
 use glam::Vec2;
 
@@ -77,7 +77,7 @@ impl<'a> Sheet<'a> {
     pub(super) fn new(style: &'a Style, caption: Vec<String>, key: Vec<Entry>) -> Self {
         let (width, height) = (style.width as f32, style.height as f32);
         let unit = (width / 1200.0).min(height / 760.0).max(0.05);
-        let (typeface, size, margin) = (Type::of(&Typeface::default()), 14.0 * unit, MARGIN * unit);
+        let (typeface, size, margin) = (Type::of(&style.typeface), 14.0 * unit, MARGIN * unit);
         let key = rows(key, width - 2.0 * margin, |entry| entry_width(entry, &typeface, size, unit));
         let below = (BELOW + LINE * (caption.len() + key.len()) as f32 + 12.0) * unit;
         let top = margin + HEAD * unit;

@@ -5,7 +5,7 @@ use crate::settings::Settings;
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions, Window, vec2};
 use std::sync::Arc;
 use throng::Explanation;
-use throng_draw::{Figure, Style};
+use throng_draw::{Figure, Style, Typeface};
 
 /// Pixels of the figure: it has room for everything.
 const SIZE: (u32, u32) = (1200, 760);
@@ -18,12 +18,12 @@ pub struct Why {
 
 impl Why {
     /// Shows the figure while `open`, if there is an explanation.
-    pub fn ui(&mut self, ctx: &Context, open: &mut bool, shown: &Shown, settings: &Settings) {
+    pub fn ui(&mut self, ctx: &Context, open: &mut bool, shown: &Shown, settings: &Settings, typeface: &Typeface) {
         let Some(why) = shown.explanation.as_ref().filter(|_| *open) else { return };
         let same =
             |(old, dark, _): &(Arc<Explanation>, bool, TextureHandle)| Arc::ptr_eq(old, why) && *dark == settings.dark;
         if !self.drawn.as_ref().is_some_and(same) {
-            self.drawn = image(shown, why, settings)
+            self.drawn = image(shown, why, settings, typeface)
                 .map(|image| (why.clone(), settings.dark, ctx.load_texture("why", image, TextureOptions::LINEAR)));
         }
         let Some((_, _, texture)) = &self.drawn else { return };
@@ -41,8 +41,9 @@ impl Why {
     }
 }
 
-fn image(shown: &Shown, why: &Explanation, settings: &Settings) -> Option<ColorImage> {
-    let style = Style { width: SIZE.0, height: SIZE.1, theme: settings.theme(), ..Style::said(&shown.scene) };
+fn image(shown: &Shown, why: &Explanation, settings: &Settings, typeface: &Typeface) -> Option<ColorImage> {
+    let (width, height, typeface) = (SIZE.0, SIZE.1, typeface.clone());
+    let style = Style { width, height, typeface, theme: settings.theme(), ..Style::said(&shown.scene) };
     let image = Figure::explain(&shown.setting, &shown.frame, why, &style).ok()?.image();
     let size = [image.width() as usize, image.height() as usize];
     Some(ColorImage::from_rgba_unmultiplied(size, image.data()))

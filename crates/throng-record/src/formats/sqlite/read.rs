@@ -192,7 +192,7 @@ mod tests {
     /// As JuPedSim's version 3 has it: without `ori_x` and `ori_y`.
     #[test]
     fn who_does_not_say_so_faces_where_it_goes() {
-        let database = Connection::open_in_memory().unwrap();
+        let mut database = Connection::open_in_memory().unwrap();
         let text = "CREATE TABLE trajectory_data (frame INTEGER NOT NULL, id INTEGER NOT NULL, pos_x REAL NOT NULL, pos_y REAL NOT NULL);
             CREATE TABLE metadata(key TEXT NOT NULL UNIQUE PRIMARY KEY, value TEXT NOT NULL);
             CREATE TABLE geometry(hash INTEGER NOT NULL, wkt TEXT NOT NULL);
