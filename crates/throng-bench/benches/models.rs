@@ -4,15 +4,33 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use std::sync::Arc;
 use throng::Group;
-use throng::avoid::{Avo, ClearPath, Hrvo, LocalModel, Orca, Orca3d, Rvo, RvoLab, Search, Unavoiding, Vo};
+use throng::avoid::{
+    AnticipationVelocity, Avo, ClearPath, CollisionFreeSpeed, Hrvo, LocalModel, Moussaid2009, Orca, Orca3d, PowerLaw,
+    Rvo, RvoLab, Search, SocialForce, Unavoiding, Vo,
+};
 use throng_bench::{Crowd, lap, work};
 
 fn main() {
     divan::main();
 }
 
-const MODELS: [&str; 10] =
-    ["none", "orca", "orca_3d", "avo", "hrvo", "clearpath", "vo", "rvo", "rvo, 250 drawn", "rvo_lab"];
+const MODELS: [&str; 15] = [
+    "none",
+    "orca",
+    "orca_3d",
+    "avo",
+    "hrvo",
+    "clearpath",
+    "vo",
+    "rvo",
+    "rvo, 250 drawn",
+    "rvo_lab",
+    "collision_free_speed",
+    "anticipation_velocity",
+    "social_force",
+    "moussaid_2009",
+    "power_law",
+];
 
 #[divan::bench(args = MODELS, sample_count = 10, sample_size = 1)]
 fn crossing_of_10000(bencher: Bencher, name: &str) {
@@ -26,6 +44,11 @@ fn crossing_of_10000(bencher: Bencher, name: &str) {
         "rvo" => Arc::new(Rvo::default()),
         "rvo, 250 drawn" => Arc::new(Rvo { search: Search::Random { candidates: 250 }, ..Rvo::default() }),
         "rvo_lab" => Arc::new(RvoLab),
+        "collision_free_speed" => Arc::new(CollisionFreeSpeed::default()),
+        "anticipation_velocity" => Arc::new(AnticipationVelocity::default()),
+        "social_force" => Arc::new(SocialForce::default()),
+        "moussaid_2009" => Arc::new(Moussaid2009::default()),
+        "power_law" => Arc::new(PowerLaw::default()),
         _ => Arc::new(Unavoiding),
     };
     let crowd = work("crossing").expect("a work").crowd(10_000).expect("of people");

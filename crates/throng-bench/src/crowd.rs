@@ -55,7 +55,7 @@ impl Crowd {
 
     /// What every simulator of the kind does and no more: ORCA, velocities change at once, no manners.
     pub fn bare() -> Group {
-        Group { keep_right: 0.0, detour: false, queue: false, resolve: false, ..Self::manners() }
+        Group { look_ahead: false, keep_right: 0.0, resolve: false, ..Self::manners() }
     }
 
     /// What people do: throng's own group, with the reach of the reference works.

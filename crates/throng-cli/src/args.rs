@@ -13,6 +13,7 @@ use crate::recorded::args::{self as recorded, ConvertArgs, RenderArgs};
 use crate::replay::args::{self as replay, ReplayArgs};
 use crate::sheet::args::{self as sheet, SheetArgs};
 use crate::source::SceneArgs;
+use crate::validate::args::{self as validate, ValidateArgs};
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 
@@ -39,6 +40,7 @@ Examples:
   throng info run.csv                what is in a file of trajectories
   throng convert run.csv -o run.usda the same as another kind of file
   throng render people.txt -o a.mp4  a video of it
+  throng validate --quick            the experiments with people, beside what the model makes of them
   throng explain circle --agent 3    why agent 3 goes where it goes, circle-agent-3.svg
   throng bench                       how long steps take on this machine
 
@@ -97,6 +99,11 @@ pub enum Command {
     /// compared; docs/replay.md says what the figures mean.
     #[command(after_help = replay::SHORT, after_long_help = replay::LONG)]
     Replay(Box<ReplayArgs>),
+    /// Validates the model of pedestrians: the experiments with people, and what the model makes of them
+    ///
+    /// Every case runs every seed. The table holds mean and standard deviation of each figure, what people did, and the tolerance.
+    #[command(after_help = validate::SHORT, after_long_help = validate::LONG)]
+    Validate(Box<ValidateArgs>),
     /// Draws why one agent goes where it goes: its velocity space at one moment
     #[command(after_help = explain::SHORT, after_long_help = explain::LONG)]
     Explain(Box<ExplainArgs>),
@@ -141,8 +148,15 @@ program at once.
 Keys of --json (one object on standard output):
   scene                     name of the scene
   agents                    agents in all: present, gone, and still to enter
-  arrived, removed          at the end of their journeys (gone ones included); gone by exits
-  resting, stuck            standing still; not arrived and cannot, or without progress for 10 s
+  arrived, removed          in place at the end of their journeys (gone ones included); gone by exits
+  resting                   agents that stand still
+  queueing                  agents behind others in a queue that moves
+  waiting_for_room          agents outside the area of their journey's end, in which no place is free
+  blocked                   agents that have not got on for 10 s, which no queue explains
+  oscillating               agents that have not got on for 10 s and walked all the while
+  stranded                  agents whose goal cannot be reached
+  stuck                     blocked, oscillating and stranded agents together
+  without_progress_30s      how often an agent walked for 30 s without getting on
   time                      seconds simulated
   time_ratio, path_ratio    of the arrived: time and way over those of the shortest way, mean
   least_separation          least distance of two centres over the sum of their radii; 1: they touched

@@ -28,12 +28,14 @@ mod replay;
 mod report;
 mod run;
 mod schema;
+mod seeds;
 mod sheet;
 mod show;
 mod source;
 mod swarms;
 mod threads;
 mod tracks;
+mod validate;
 
 use args::{Arguments, Command};
 use clap::Parser;
@@ -63,6 +65,7 @@ fn main() -> ExitCode {
         Command::Convert(args) => recorded::convert(args, &mut out),
         Command::Render(args) => recorded::render(args, &mut out),
         Command::Replay(args) => replay::replay(args, &mut out),
+        Command::Validate(args) => validate::validate(args, &mut out),
         Command::Explain(args) => explain::explain(args, &mut out),
         #[cfg(feature = "studio")]
         Command::Studio(args) => {

@@ -76,7 +76,15 @@ impl Report {
         let s = &self.summary;
         let ended = if self.interrupted { ", interrupted" } else { "" };
         out.line(format_args!("{}: {:.2} s simulated in {} steps{ended}", self.scene, s.time, s.steps))?;
-        let counts = [(s.removed, "left by exits"), (s.resting, "resting"), (s.stuck, "stuck")];
+        let counts = [
+            (s.removed, "left by exits"),
+            (s.resting, "resting"),
+            (s.hindered.queueing, "queueing"),
+            (s.hindered.waiting_for_room, "waiting for room"),
+            (s.stuck, "stuck"),
+            (s.hindered.blocked, "blocked"),
+            (s.hindered.oscillating, "oscillating"),
+        ];
         let counts: Vec<String> =
             counts.iter().filter(|(n, _)| *n > 0).map(|(n, what)| format!(", {n} {what}")).collect();
         out.line(format_args!("  agents     {} of {} arrived{}", s.arrived, s.agents, counts.concat()))?;
@@ -93,6 +101,10 @@ impl Report {
         }
         for (number, why) in self.stranded.iter().take(3) {
             out.line(format_args!("  stuck      agent {number} cannot reach its goal: {why}"))?;
+        }
+        if s.without_progress_30s > 0 {
+            let times = s.without_progress_30s;
+            out.line(format_args!("  stuck      {times} times an agent walked for 30 s without getting on"))?;
         }
         let apart = |least: f64| match least.is_finite() {
             true => format!("{least:.4}"),
@@ -131,7 +143,13 @@ pub fn figures(s: &Summary, stepping: Duration) -> Map<String, Value> {
         "arrived": s.arrived,
         "removed": s.removed,
         "resting": s.resting,
+        "queueing": s.hindered.queueing,
+        "waiting_for_room": s.hindered.waiting_for_room,
+        "blocked": s.hindered.blocked,
+        "oscillating": s.hindered.oscillating,
+        "stranded": s.stranded,
         "stuck": s.stuck,
+        "without_progress_30s": s.without_progress_30s,
         "time": number(s.time),
         "time_ratio": of_arrived(s.time_ratio),
         "path_ratio": of_arrived(s.path_ratio),

@@ -19,7 +19,8 @@ impl Painter {
         let bodies = stacked(frame);
         let crowd = self.crowd(frame);
         let shadows = bodies.iter().filter_map(|body| self.shade(body, camera, crowd)).collect();
-        let agents = bodies.into_iter().flat_map(|body| self.mark(body, camera, crowd, frame.time)).collect();
+        let mut agents = Vec::with_capacity(bodies.len());
+        bodies.into_iter().for_each(|body| self.mark(body, camera, crowd, frame.time, &mut agents));
         let mut trails = vec![Mark::Trails(self.trails(frame.time))];
         if self.look.has(Form::Insect) {
             trails.push(Mark::Streaks(self.streaks(frame, crowd)));
@@ -27,17 +28,18 @@ impl Painter {
         vec![("trails", trails), ("shadows", shadows), ("agents", agents)]
     }
 
-    /// An agent as what it looks like.
-    fn mark(&self, body: &Body, camera: &Camera, crowd: Crowd, time: f64) -> Vec<Mark> {
+    /// Adds an agent as what it looks like.
+    fn mark(&self, body: &Body, camera: &Camera, crowd: Crowd, time: f64, out: &mut Vec<Mark>) {
         match self.look.form(body) {
-            Form::Body => vec![Mark::Agent(self.rounded(body, camera))],
+            Form::Body => out.push(Mark::Agent(self.rounded(body, camera))),
             Form::Shaped(shape) => {
-                shape::marks(shape, body, (&self.strides, time), self.look.coat(body), &self.projector())
+                let strides = (&self.strides, time);
+                out.extend(shape::marks(shape, body, strides, self.look.coat(body), &self.projector()));
             }
             Form::Insect => {
                 let growth = (crowd.least / camera.length(f64::from(body.radius))).max(1.0);
                 let insect = Insect::of(body, growth, self.look.coat(body), &self.projector(), time);
-                insect.map(Mark::Insect).into_iter().collect()
+                out.extend(insect.map(Mark::Insect));
             }
         }
     }

@@ -16,7 +16,9 @@ fn style(theme: Theme) -> Style {
 /// Someone who walks to the right past others, the first of whom comes towards it.
 fn meeting(model: Arc<dyn LocalModel>, others: u32) -> World {
     let mut world = World::new(Settings { step: 0.05, ..Settings::default() }).unwrap();
-    let group = world.add_group(Group { model, keep_right: 0.0, neighbours: 40, ..Group::default() }).unwrap();
+    let group = world
+        .add_group(Group { model, look_ahead: false, keep_right: 0.0, neighbours: 40, ..Group::default() })
+        .unwrap();
     world.add_obstacle(Obstacle::Circle { center: DVec2::new(1.0, -1.6), radius: 0.5 }).unwrap();
     for number in 0..=others {
         let k = f64::from(number);

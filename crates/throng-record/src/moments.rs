@@ -158,7 +158,11 @@ mod tests {
             status: Status::Walking,
         };
         let groups = groups.iter().map(|&name| name.to_owned()).collect();
-        Tracks { setting: Setting { groups, ..Setting::default() }, spots: rows.iter().map(spot).collect(), unit: None }
+        Tracks {
+            setting: Setting { groups, ..Setting::default() },
+            spots: rows.iter().map(spot).collect(),
+            ..Tracks::default()
+        }
     }
 
     #[test]

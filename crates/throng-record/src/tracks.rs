@@ -1,6 +1,7 @@
 //! Trajectories read back: who was where, and when.
 
 use crate::Setting;
+use crate::consistency;
 use crate::formats::{FORMATS, Flaw, Format, Reading};
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
@@ -16,6 +17,8 @@ pub struct Tracks {
     pub spots: Vec<Spot>,
     /// Metres in the unit of length of the file, of a kind that has none of its own: as it was said or found.
     pub unit: Option<f64>,
+    /// What was found when it was read that a user of the file should know, such as velocities that contradict places and times.
+    pub notes: Vec<String>,
 }
 
 /// Where somebody was.
@@ -108,7 +111,10 @@ impl Tracks {
         let read = Format::of_file(path, bytes)
             .and_then(Format::reader)
             .ok_or_else(|| TracksError::Unknown { path: path.into() })?;
-        read(bytes, reading).map_err(|flaw| TracksError::Content { path: path.into(), flaw })
+        let mut tracks = read(bytes, reading).map_err(|flaw| TracksError::Content { path: path.into(), flaw })?;
+        tracks.notes.extend(consistency::contradiction(&tracks.spots, reading));
+        tracks.notes.iter_mut().for_each(|note| *note = format!("{}: {note}", path.display()));
+        Ok(tracks)
     }
 
     /// Whether the name of a file is that of trajectories that are read.

@@ -14,7 +14,7 @@ const STEP: f64 = 0.04;
 fn stage() -> Stage {
     Stage {
         settings: Settings { step: STEP, ..Settings::default() },
-        group: Group { keep_right: 0.0, ..Group::default() },
+        group: Group { look_ahead: false, keep_right: 0.0, ..Group::default() },
         agent: Agent::default(),
         walkable: Vec::new(),
         obstacles: Vec::new(),

@@ -52,7 +52,7 @@ pub struct Verdict {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Check {
     /// The key of `[expect]`: `arrived`, `within`, `least_separation`, `least_wall_separation`, `heading_change`,
-    /// `mean_speed`, `final_speed`, `flow.0.at_least`, `distance.0.at_most`, `figure.0.at_least` and the like.
+    /// `mean_speed`, `final_speed`, `blocked`, `stuck`, `flow.0.at_least`, `distance.0.at_most`, `figure.0.at_least` and the like.
     pub name: String,
     /// The bound: a count, seconds, a ratio, degrees a second, m/s, agents a second, metres, whatever the rules count.
     pub expected: Figure,
@@ -184,6 +184,19 @@ impl Watch {
                 check(name.into(), Figure::Measure(bound), Figure::measure(found), holds(found, bound));
             }
         }
+        let hindered = summary.hindered;
+        let counts = [
+            ("waiting_for_room", expect.waiting_for_room, hindered.waiting_for_room),
+            ("blocked", expect.blocked, hindered.blocked),
+            ("oscillating", expect.oscillating, hindered.oscillating),
+            ("stuck", expect.stuck, summary.stuck),
+            ("without_progress_30s", expect.without_progress_30s, saturating(summary.without_progress_30s)),
+        ];
+        for (name, most, found) in counts {
+            if let Some(most) = most.map(saturating) {
+                check(name.into(), Figure::Count(most), Some(Figure::Count(found)), found <= most);
+            }
+        }
         for (index, flow) in self.flows.iter().enumerate() {
             let (rate, FlowExpect { at_least: least, at_most: most, .. }) = (flow.rate(), flow.line);
             let found = rate.and_then(Figure::measure);
@@ -207,6 +220,11 @@ impl Watch {
         checks.extend(self.gauges.iter().flat_map(Gauge::checks));
         Verdict { passed: checks.iter().all(|check| check.passed), checks }
     }
+}
+
+/// A count; one that is too large is the largest there is.
+fn saturating(count: u64) -> usize {
+    usize::try_from(count).unwrap_or(usize::MAX)
 }
 
 /// A length, or a speed, in whole nanometres: whole numbers have the same sum in any order, and rows are in none.

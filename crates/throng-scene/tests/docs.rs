@@ -2,8 +2,9 @@
 
 use throng_scene::{Scene, schema};
 
-const PAGES: [&str; 4] = [
+const PAGES: [&str; 5] = [
     include_str!("../../../docs/scenes.md"),
+    include_str!("../../../docs/models.md"),
     include_str!("../../../docs/steering.md"),
     include_str!("../../../docs/fields.md"),
     include_str!("../../../docs/swarms.md"),

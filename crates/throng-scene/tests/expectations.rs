@@ -101,7 +101,7 @@ fn the_labs_way_with_obstacles_works_too() {
     }
 }
 
-const WALK: &str = "[[group]]\nplace.point = [0, 0]\ngoal.exit.disc = { center = [5, 0], radius = 1 }\n\
+const WALK: &str = "[[group]]\nplace.point = [0, 0]\nheading = 90\nlook_ahead = false\ngoal.exit.disc = { center = [5, 0], radius = 1 }\n\
                     source = { count = 2, rate = 1 }\n";
 
 fn verdict(expect: &str) -> Verdict {

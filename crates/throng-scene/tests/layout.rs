@@ -42,6 +42,53 @@ fn a_ring_goes_to_the_opposite_side() {
 }
 
 #[test]
+fn laps_run_round_the_ring_from_where_each_agent_starts() {
+    let at = |angle: f64| 8.0 * glam::DVec2::from_angle(angle.to_radians());
+    for (clockwise, turn) in [(false, 1.0), (true, -1.0)] {
+        let plan = plan(&format!(
+            "walkable.ring = {{ center = [3, 4], inner = 7, outer = 9 }}\n[[group]]\ncount = 16\n\
+             place.ring = {{ center = [3, 4], radius = 8, start = 10 }}\ngoal.lap = {{ clockwise = {clockwise} }}"
+        ));
+        for (k, planned) in plan.agents.iter().enumerate() {
+            let journey = &plan.journeys[planned.journey.unwrap()];
+            assert!(journey.repeat && journey.stops.len() == 8);
+            let start = planned.agent.position - glam::DVec2::new(3.0, 4.0);
+            assert!(start.distance(at(10.0 + 22.5 * k as f64)) < 1e-9);
+            // the middles of the sectors follow each other by an eighth of a turn, the first within a quarter
+            let mut last = start;
+            for (stop, &(goal, _)) in journey.stops.iter().enumerate() {
+                let middle = plan.goals[goal].middle() - glam::DVec2::new(3.0, 4.0);
+                let way = turn * last.angle_to(middle).to_degrees();
+                assert!(if stop == 0 { (22.0..68.0).contains(&way) } else { (way - 45.0).abs() < 1e-6 }, "{way}");
+                last = middle;
+            }
+        }
+    }
+}
+
+#[test]
+fn ground_of_rectangles_is_where_any_of_them_is() {
+    let plan = plan(
+        "walkable.rectangles = [{ center = [0, 0], size = [4, 4] }, { center = [3, 0], size = [2.2, 1] }]\n\
+         [[group]]\nplace.point = [0, 0]\ngoal.point = [3.5, 0]",
+    );
+    let on = |x: f64, y: f64| plan.walkable.iter().any(|area| area.contains(glam::DVec2::new(x, y)));
+    assert!([on(0.0, 1.9), on(3.9, 0.4), on(3.9, 0.6), on(4.2, 0.0)] == [true, true, false, false]);
+}
+
+#[test]
+fn mistakes_of_rings_and_laps_are_named() {
+    let told = |text: &str| text.parse::<Scene>().and_then(|scene| scene.plan()).unwrap_err().to_string();
+    let one = "\n[[group]]\nplace.point = [8, 0]\ngoal.lap = {}";
+    assert!(told(one).contains("goal.lap has no ring"), "{}", told(one));
+    let narrow = format!("walkable.ring = {{ inner = 9, outer = 7 }}{one}");
+    assert!(told(&narrow).contains("is not more than the inner radius"), "{}", told(&narrow));
+    let stop =
+        "walkable.ring = { inner = 7, outer = 9 }\n[[group]]\nplace.point = [8, 0]\ngoal.journey = [{ goal.lap = {} }]";
+    assert!(told(stop).contains("laps are without end"), "{}", told(stop));
+}
+
+#[test]
 fn a_sphere_is_even_and_goes_to_its_antipodes() {
     let plan = gallery::scene("sphere").unwrap().plan().unwrap();
     let center = DVec3::new(0.0, 0.0, 10.0);

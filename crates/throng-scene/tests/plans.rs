@@ -47,6 +47,31 @@ fn dxf(unit: u32, entities: &[&str]) -> String {
 }
 
 #[test]
+fn a_plan_of_a_few_centimetres_names_its_likely_unit() {
+    let room = |unit: u32, wide: u32, ask: &Ask| {
+        let high = wide / 2;
+        let floor = format!("0 LWPOLYLINE 8 floor 70 1 10 0 20 0 10 {wide} 20 0 10 {wide} 20 {high} 10 0 20 {high}");
+        let (from, to) = (wide - wide / 10, wide - 1);
+        let exit =
+            format!("0 LWPOLYLINE 8 exit 70 1 10 {from} 20 1 10 {to} 20 1 10 {to} 20 {high} 10 {from} 20 {high}");
+        match from_text("room.dxf", &dxf(unit, &[&floor, &exit]), ask) {
+            Ok(imported) => imported.notes.join("\n"),
+            Err(error) => error.to_string(),
+        }
+    };
+    // 20 m, drawn in metres, centimetres and millimetres, and tagged as millimetres, micrometres and micrometres
+    for (code, wide, size, unit) in [(4, 20, "0.02", "1"), (13, 2000, "0.002", "0.01"), (13, 20_000, "0.02", "0.001")] {
+        let told = room(code, wide, &Ask::default());
+        let wanted = format!("the whole plan is only {size} m wide");
+        assert!(told.contains(&wanted) && told.contains(&format!("--plan-unit {unit},")), "{told}");
+        let mended = room(code, wide, &Ask { unit: Some(unit.parse().unwrap()), ..Ask::default() });
+        assert!(!mended.contains("plan-unit"), "{mended}");
+    }
+    // a telephone box is small, and right
+    assert!(!room(5, 110, &Ask::default()).contains("plan-unit"));
+}
+
+#[test]
 fn the_layers_of_a_room_say_what_is_what() {
     let (geojson, notes) = scene("room.geojson", ROOM);
     assert!(notes.contains("layer `axis`: a shape that nothing says what they are: left out"), "{notes}");

@@ -292,10 +292,10 @@ fn flows_carry() {
 fn who_steers_has_no_manners_but_those_that_are_said() {
     let group = |more: &str| plan(&scene(&format!("wander = {{}}\n{more}"))).groups[1].clone();
     let bare = group("");
-    assert!(!bare.guard && !bare.detour && !bare.queue && !bare.resolve && bare.keep_right == 0.0);
+    assert!(!bare.guard && !bare.look_ahead && !bare.resolve);
     assert!(format!("{:?}", bare.model).contains("Unavoiding"));
-    let polite = group("guard = true\nqueue = true\nkeep_right = 5\navoid.orca = {}");
-    assert!(polite.guard && polite.queue && !polite.detour && polite.keep_right > 0.08);
+    let polite = group("guard = true\nlook_ahead = true\nkeep_right = 5\navoid.orca = {}");
+    assert!(polite.guard && polite.look_ahead && (0.08..0.09).contains(&polite.keep_right));
     assert!(format!("{:?}", polite.model).contains("Orca"));
     let sharp = group("avoid.none = { neighbours = 30, neighbour_distance = 12 }");
     assert_eq!((sharp.neighbours, sharp.neighbour_distance), (30, 12.0));

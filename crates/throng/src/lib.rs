@@ -41,7 +41,9 @@ pub mod steer;
 mod summary;
 mod world;
 
-pub use agent::{Agent, AgentId, Body, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
+pub use agent::{
+    Agent, AgentId, Body, GoalId, Group, GroupId, Hindered, Hindrance, JourneyId, ObstacleId, ScriptId, Status,
+};
 pub use error::Error;
 pub use navigate::{Goal, Journey, Keyframe, Script, Stop};
 pub use rules::Rules;

@@ -6,10 +6,8 @@
 /// What a number is drawn for. Two purposes never share a number.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Purpose {
-    DetourAngle = 1,
-    DetourTime,
-    DetourSide,
-    Coincident,
+    Whim = 1,
+    Coincident = 4,
     CandidateAcross,
     CandidateAlong,
     Behaviour,
@@ -47,11 +45,6 @@ pub struct Dice {
 }
 
 impl Dice {
-    /// A number in [low, high).
-    pub(crate) fn between(self, (low, high): (f32, f32), purpose: Purpose) -> f32 {
-        low + (high - low) * unit(self.seed, self.number, self.step, purpose)
-    }
-
     /// The `k`-th number in [0, 1) of a [behaviour](crate::steer) in this step.
     pub fn draw(self, k: u32) -> f32 {
         self.nth(k, Purpose::Behaviour)
@@ -124,6 +117,6 @@ mod tests {
         assert_ne!(draw, bits(2, 2, 3, Purpose::Coincident));
         assert_ne!(draw, bits(1, 3, 3, Purpose::Coincident));
         assert_ne!(draw, bits(1, 2, 4, Purpose::Coincident));
-        assert_ne!(draw, bits(1, 2, 3, Purpose::DetourAngle));
+        assert_ne!(draw, bits(1, 2, 3, Purpose::Noise));
     }
 }

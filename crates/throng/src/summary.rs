@@ -1,19 +1,21 @@
 //! How a run went, in figures.
 
-use crate::agent::Trip;
+use crate::agent::{Hindered, Trip};
 use serde::{Deserialize, Serialize};
 
-/// How many agents there are, and how many have arrived.
+/// How many agents there are, how many have arrived, and how many are hindered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counts {
     /// Agents in all: present, removed by exits, and still to enter.
     pub agents: usize,
-    /// Agents that came to the end of their journeys, those removed by exits included.
+    /// Agents that are in place at the end of their journeys, those removed by exits included.
     pub arrived: usize,
     /// Agents that exits removed.
     pub removed: usize,
     /// Agents that are there now.
     pub present: usize,
+    /// Agents present that do not get on, by what hinders them.
+    pub hindered: Hindered,
 }
 
 /// How a run went, in figures.
@@ -21,15 +23,22 @@ pub struct Counts {
 pub struct Summary {
     /// Agents in all: present, removed by exits, and still to enter.
     pub agents: usize,
-    /// Agents that came to the end of their journeys, those removed by exits included.
+    /// Agents that are in place at the end of their journeys, those removed by exits included. An agent that was pushed
+    /// out of its area, or off its point, is not in place until it is back.
     pub arrived: usize,
     /// Agents that exits removed.
     pub removed: usize,
     /// Agents present that stand still (below 0.05 m/s).
     pub resting: usize,
-    /// Agents present that have not arrived and cannot: their goal is out of reach, or they have made no progress
-    /// for 10 seconds.
+    /// Agents present that do not get on, by what hinders them.
+    pub hindered: Hindered,
+    /// Agents present whose goal is out of reach.
+    pub stranded: usize,
+    /// Agents present that are blocked, oscillate, or whose goal is out of reach.
     pub stuck: usize,
+    /// How often an agent walked for 30 seconds without getting on ([`Hindrance`](crate::agent::Hindrance)), ever. More
+    /// than 0 is a failure of the engine.
+    pub without_progress_30s: u64,
     /// Seconds simulated.
     pub time: f64,
     /// Mean over the arrived of their time over the time of the shortest way at preferred speed.
@@ -40,9 +49,10 @@ pub struct Summary {
     /// came within reach of each other.
     pub least_separation: f64,
     /// Least distance of a centre to a wall, or to a [solid](crate::Group::solid) of its group, over the radius, ever.
-    /// Infinite if nobody came near one.
+    /// Infinite if no agent came near one. Walls do not count for an agent that has a script and no guard: nothing keeps it on the ground.
     pub least_wall_separation: f64,
-    /// Pairs of bodies, and bodies and walls or solids, that overlapped by more than 1e-4 of a radius, counted every sub-step.
+    /// Pairs of bodies, and bodies and walls or solids, that overlapped by more than 1e-4 of a radius, counted every sub-step; walls as for
+    /// `least_wall_separation`.
     pub overlaps: u64,
     /// How often people who blocked each other's ways agreed who steps aside.
     pub standoffs: u64,
@@ -69,6 +79,7 @@ pub(crate) struct Tally {
     pub guard_changed: u64,
     pub overlaps: u64,
     pub standoffs: u64,
+    pub without_progress_30s: u64,
     pub least_separation: f64,
     pub least_wall_separation: f64,
     /// Trips of the agents that exits removed, with their numbers.
@@ -90,6 +101,7 @@ impl Default for Tally {
             guard_changed: 0,
             overlaps: 0,
             standoffs: 0,
+            without_progress_30s: 0,
             least_separation: f64::INFINITY,
             least_wall_separation: f64::INFINITY,
             removed: Vec::new(),
@@ -120,12 +132,12 @@ impl Tally {
         summary.path_ratio = mean(&paths);
         summary.heading_change_deg_per_s = a_second(|trip| trip.turned);
         summary.course_change_deg_per_s = a_second(|trip| trip.course_turned);
-        summary.arrived = trips.iter().filter(|(_, ended)| ended.trip.arrived.is_some()).count();
         summary.removed = self.removed.len();
         summary.least_separation = self.least_separation;
         summary.least_wall_separation = self.least_wall_separation;
         summary.overlaps = self.overlaps;
         summary.standoffs = self.standoffs;
+        summary.without_progress_30s = self.without_progress_30s;
         summary.guard_share = self.guard_changed as f64 / (self.agent_steps.max(1) as f64);
         summary.sub_steps = self.sub_steps;
         summary.agent_steps = self.agent_steps;

@@ -10,24 +10,27 @@ mod avoid;
 mod avoid_lanes;
 mod build;
 mod explain;
+mod fill;
 mod flock;
 mod flock_lanes;
 mod govern;
+mod hindrance;
 mod intend;
 mod intend_lanes;
+mod look_ahead;
 mod measure;
 mod order;
 mod perceive;
 mod plan;
 mod plan_lanes;
 mod play;
-mod queue;
 mod replace;
 mod rest;
 mod schedule;
 mod snapshot;
 mod stage;
 mod standoff;
+mod status;
 mod steer;
 mod tune;
 mod velocities;
@@ -37,14 +40,14 @@ pub use account::{Account, Asked};
 pub use explain::{Explanation, Seen};
 pub use stage::Stage;
 
-use crate::agent::{AgentId, Column, Columns, Cycles, GoalId, Group, GroupId, JourneyId, Status};
+use crate::agent::{AgentId, Column, Columns, Cycles, GoalId, Group, GroupId, JourneyId, ProgressMark, Status};
 use crate::guard::Pose;
 use crate::guard::{Contacts, Guard, Solids};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script, Unreachable};
 use crate::perceive::{Grid, Instructions, Near, Pack};
 use crate::space::{Place, Walls};
 use crate::steer::{Event, Neighbour};
-use crate::summary::{Counts, Ended, Summary, Tally};
+use crate::summary::Tally;
 use glam::{DVec2, Vec2};
 use play::Game;
 use schedule::Schedule;
@@ -152,8 +155,8 @@ struct StepMemory {
     steering: Vec<Vec<Neighbour>>,
     planned: steer::Planned,
     stuck: Vec<usize>,
-    following: Vec<queue::Following>,
-    seen: Vec<u32>,
+    ahead: Vec<look_ahead::Ahead>,
+    looking: Vec<look_ahead::WallsAhead>,
     manners: Vec<intend::Manners>,
     preferred: Velocities,
     avoiding: Vec<avoid::Scratch>,
@@ -173,6 +176,10 @@ struct StepMemory {
     arrivals: Vec<u32>,
     anybody_arrived: bool,
     cycles: Cycles,
+    /// Places to stand in goal areas.
+    lattices: fill::Lattices,
+    /// The progress of all agents as it was at the look before the last.
+    progress_marks: Vec<ProgressMark>,
     /// Rows with their next status, where it may be another.
     changes: Vec<(usize, Status)>,
 }
@@ -193,6 +200,9 @@ impl World {
         for part in 0..parts {
             let now = self.time() + self.settings.step * f64::from(part + 1) / f64::from(parts);
             self.decide(seconds, now, &mut ended);
+            if part + 1 == parts {
+                self.note_progress(now);
+            }
             self.advance(seconds, now);
             ended(Stage::Move);
         }
@@ -233,7 +243,8 @@ impl World {
         &self.settings
     }
 
-    /// Whether nobody is left to come and everybody who is there has arrived, or cannot.
+    /// Whether no agent is left to come and all agents present are in place at the end of their journeys, or cannot get
+    /// there. An agent that was pushed out of its place is not.
     pub fn finished(&self) -> bool {
         let done = |status: &Status| matches!(status, Status::Arrived | Status::Stranded);
         self.schedule.is_empty() && self.agents.status.iter().all(done)
@@ -345,49 +356,6 @@ impl World {
         pairs
     }
 
-    /// Rows of the agents that follow no script: those that count.
-    fn walkers(&self) -> impl Iterator<Item = usize> {
-        (0..self.agents.len()).filter(|&row| self.agents.script[row].is_none())
-    }
-
-    /// How many there are and how many have arrived, moving obstacles left aside: cheap, for every frame of a recording.
-    pub fn counts(&self) -> Counts {
-        let (present, removed) = (self.walkers().count(), self.tally.removed.len());
-        Counts {
-            agents: present + self.schedule.len() + removed,
-            // whoever an exit removed had arrived at it
-            arrived: removed + self.walkers().filter(|&row| self.agents.arrived[row].is_finite()).count(),
-            removed,
-            present,
-        }
-    }
-
-    /// How the run went so far. Moving obstacles do not count, but what they touch does.
-    pub fn summary(&self) -> Summary {
-        let agents = &self.agents;
-        let trips = self.walkers().map(|row| {
-            (agents.number[row], Ended { trip: agents.trip(row), preferred_speed: agents.preferred_speed[row] })
-        });
-        let resting = self.walkers().filter(|&row| agents.speed(row) < 0.05).count();
-        let stuck = self
-            .walkers()
-            .filter(|&row| match agents.status[row] {
-                Status::Stranded => true,
-                Status::Walking => agents.travel[row].without_progress() > 10.0,
-                Status::Waiting | Status::Arrived => false,
-            })
-            .count();
-        let summary = Summary {
-            agents: self.walkers().count() + self.schedule.len() + self.tally.removed.len(),
-            resting,
-            stuck,
-            time: self.time(),
-            steps: self.steps,
-            ..Summary::default()
-        };
-        self.tally.summarise(trips.collect(), summary)
-    }
-
     /// A hash of the state of all agents and of the rules' figures: the same for the same bits, whatever the order of rows. FNV-1a, 64 bits.
     pub fn state_hash(&self) -> u64 {
         let agents = &self.agents;
@@ -405,8 +373,6 @@ impl World {
                 agents.heading[row].to_bits(),
                 agents.status[row] as u32,
                 travel.leg,
-                travel.progress.to_bits(),
-                travel.turned().to_bits(),
                 travel.turn.rank() as u32,
             ];
             // those who walk have none

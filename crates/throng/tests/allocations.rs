@@ -39,7 +39,7 @@ fn a_step_allocates_nothing() {
 /// has walked for a while makes no longer ones.
 fn a_step_of_a_crowd_allocates_nothing() {
     let manners = Group { resolve: false, ..Group::default() };
-    let bare = Group { keep_right: 0.0, detour: false, queue: false, ..manners.clone() };
+    let bare = Group { look_ahead: false, keep_right: 0.0, ..manners.clone() };
     let ball = Sphere::new(Vec3::ZERO, 2.0).unwrap();
     let solid = Group { solid: Barriers::default().with(ball, SeenFrom::Outside), ..bare.clone() };
     let groups = [

@@ -28,7 +28,7 @@ const fn figure(key: &'static str, head: &'static str, digits: usize, meaning: &
 /// The figures of the table, in order.
 pub const FIGURES: [Figure; 11] = [
     Figure { of: Some("agents"), ..figure("arrived", "arrived", 0, "agents at the end of their journeys, of all") },
-    figure("stuck", "stuck", 0, "agents that cannot arrive, or made no progress for 10 s"),
+    figure("stuck", "stuck", 0, "agents that cannot arrive, are blocked, or walk without getting on"),
     figure("time", "time s", 2, "seconds simulated: until everybody has arrived, or to the limit"),
     figure("time_ratio", "time ratio", 3, "of the arrived: time over that of the shortest way, mean"),
     figure("path_ratio", "path ratio", 3, "of the arrived: way over the shortest way, mean"),

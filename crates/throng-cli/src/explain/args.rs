@@ -64,6 +64,7 @@ Keys of --json (one object on standard output; metres, seconds, radians, m/s; ve
   reasons                     what led to `chosen`, each one of
                               { cause, permits: { point, direction } }: the half-plane left of a line
                               { cause, forbids: { KIND: { ... } } }: a region
+                              { cause, push: [x, y] }: what repulsion adds to the acceleration, or to the direction
                               { candidate: { velocity, cost } }: what was tried
                               a cause is { neighbour: AGENT }, { edge: INDEX }, { disc: INDEX } or \"body\"
   held_by                     [{ cause, depth }]: what `chosen` is on the edge of (depth 0), or that far within

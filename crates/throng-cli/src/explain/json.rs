@@ -55,6 +55,7 @@ fn reason(reason: &Reason, why: &Explanation) -> Value {
     match *reason {
         Reason::Permits(by, permitted) => json!({ "cause": cause(by, why), "permits": line(permitted) }),
         Reason::Forbids(by, region) => json!({ "cause": cause(by, why), "forbids": forbidden(&region) }),
+        Reason::Push(by, push) => json!({ "cause": cause(by, why), "push": vector(push) }),
         Reason::Candidate { velocity, cost } => {
             json!({ "candidate": { "velocity": vector(velocity), "cost": number(cost) } })
         }

@@ -4,7 +4,7 @@ pub mod args;
 
 use crate::failure::Failure;
 use crate::measure::short;
-use crate::out::Out;
+use crate::out::{Out, note};
 use crate::report::number;
 use args::InfoArgs;
 use glam::DVec3;
@@ -22,6 +22,7 @@ pub fn info(args: &InfoArgs, out: &mut Out) -> Result<(), Failure> {
     let path = &args.file;
     let bytes = std::fs::read(path).map_err(|source| TracksError::File { path: path.clone(), source })?;
     let tracks = Tracks::of_file(path, &bytes, &args.tracks.reading())?;
+    note(&tracks.notes);
     let format = Format::of_file(path, &bytes).map_or("", |format| format.title);
     let info = Info::of(path.display().to_string(), format, &tracks);
     if args.json { out.line(format_args!("{}", info.json())) } else { out.text(info.text().as_bytes()) }

@@ -70,6 +70,9 @@ fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failu
 
 fn recorded(args: &MeasureArgs) -> Result<Subject, Failure> {
     let tracks = args.tracks.read(&args.of)?;
+    if !args.quiet {
+        note(&tracks.notes);
+    }
     let chosen = chosen(args, &tracks.setting.groups)?;
     // a little more, so that rounding leaves out nothing
     let within = args.from - 1e-9..=args.to.unwrap_or(f64::INFINITY) + 1e-9;

@@ -5,7 +5,7 @@ mod plot;
 mod sheet;
 
 pub use player::{Player, Scenery};
-pub use plot::{Height, Plot, TIME};
+pub use plot::{Dots, Height, Plot, TIME};
 pub use sheet::figure;
 
 const DOCUMENT: &str = include_str!("document.html");

@@ -30,6 +30,18 @@ pub struct Plot<'a> {
     pub span: [f64; 2],
 }
 
+/// Dots on a plot.
+pub struct Dots {
+    /// What they are, for the legend.
+    pub name: &'static str,
+    /// Their colour: that of the line with this number.
+    pub colour: usize,
+    /// How wide they are, pixels.
+    pub width: f64,
+    /// Where they are: what is across, and values.
+    pub points: Vec<(f64, f64)>,
+}
+
 /// Which values a plot has room for.
 #[derive(Clone, Copy)]
 pub enum Height {
@@ -125,6 +137,11 @@ impl Plot<'_> {
 
     /// The plot as an SVG element.
     pub fn svg(&self) -> String {
+        self.svg_with_dots(&[])
+    }
+
+    /// The plot as an SVG element, with dots on it. Dots beyond the axis across are left out.
+    pub fn svg_with_dots(&self, dots: &[Dots]) -> String {
         let [width, height] = SIZE;
         let ([left, below], [right, above]) = (CORNER, ROOM);
         let scales = self.scales();
@@ -169,6 +186,11 @@ impl Plot<'_> {
             if !path.is_empty() {
                 let _ = writeln!(out, "<path class=\"line m{}\" d=\"{path}\"/>", k % 8);
             }
+        }
+        for Dots { colour, width, points, .. } in dots {
+            let at = |piece: Vec<[f64; 2]>| piece.iter().map(|[x, y]| format!("M{x:.1} {y:.1}h0")).collect::<String>();
+            let path: String = scales.pieces(points).into_iter().map(at).collect();
+            let _ = writeln!(out, "<path class=\"dot m{}\" style=\"stroke-width:{width}\" d=\"{path}\"/>", colour % 8);
         }
         if let Some((value, meaning)) = self.mark {
             let (x, y) = (left + 6.0, y(value) + 15.0);
@@ -223,6 +245,24 @@ mod tests {
         let plot =
             Plot { title: "".into(), unit: "", lines: vec![line], height, mark: None, axis: "", span: [0.0, 4.0] };
         plot.svg().lines().find(|line| line.contains("line m0")).unwrap_or_default().to_owned()
+    }
+
+    #[test]
+    fn dots_are_where_lines_would_be() {
+        let points = [(1.0, 1.0), (2.0, 2.0), (9.0, 1.0)];
+        let plot = Plot {
+            title: "".into(),
+            unit: "",
+            lines: vec![points.to_vec()],
+            height: Height::Between([0.0, 4.0]),
+            mark: None,
+            axis: "",
+            span: [0.0, 4.0],
+        };
+        let svg = plot.svg_with_dots(&[Dots { name: "", colour: 3, width: 5.0, points: points.to_vec() }]);
+        let path =
+            |class: &str| svg.lines().find(|line| line.contains(class)).unwrap().split("d=").nth(1).unwrap().to_owned();
+        assert_eq!(path("dot m3").replace("h0M", "L").replace("h0", ""), path("line m0"));
     }
 
     #[test]

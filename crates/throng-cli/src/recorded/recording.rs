@@ -22,7 +22,7 @@ pub struct Recording {
     pub moments: Moments,
     /// The scene of which the pictures are, if that is known.
     pub scene: Scene,
-    /// What was left out of a floor plan, or changed.
+    /// What was found in the file, and what was left out of a floor plan, or changed.
     pub notes: Vec<String>,
 }
 
@@ -42,7 +42,7 @@ impl Recording {
         if tracks.setting.title.is_empty() {
             tracks.setting.title.clone_from(&name);
         }
-        let mut notes = Vec::new();
+        let mut notes = std::mem::take(&mut tracks.notes);
         let (scene, moments) = match &args.map.map {
             // scenes have names and goals too
             Some(map) if !(is(map, "xml") || is_plan(map)) => {
@@ -51,7 +51,7 @@ impl Recording {
             _ => {
                 let map = Map::read(&args.map, &path, &tracks.setting, None)?;
                 (tracks.setting.walkable, tracks.setting.obstacles) = (map.walkable, map.obstacles);
-                notes = map.notes;
+                notes.extend(map.notes);
                 (Scene::default(), Moments::of(tracks))
             }
         };

@@ -25,8 +25,9 @@ Examples:
 /// After `throng replay --help`.
 pub const LONG: &str = "\
 Everybody enters where and when they were recorded first, with their velocity there, and walks to where they were recorded last, at their
-own speed. Who is there leaves, or stays until the recorded one leaves if that one stood at the end. Goals are known in advance: nothing
-here predicts real people. docs/replay.md defines the figures.
+own speed; where the recorded one stands for a second or more, though in no jam, the agent stands until that one goes on (not with
+--no-pauses). Who is there leaves, or stays until the recorded one leaves if that one stood at the end. Goals and pauses are known in
+advance: nothing here predicts real people. docs/replay.md defines the figures.
 
 Walls come from --map, else from what the file says, else from a map.xml beside it; who belongs together, from --groups, else from a
 groups.txt beside it. The model knows nothing of groups: figures are told for those in groups and those alone.
@@ -45,7 +46,7 @@ Keys of --json (one object on standard output; metres, seconds):
   data, step             what was replayed, in steps of so many seconds
   from, until            the first moment and the last
   map                    { areas, obstacles: how many; through: how many of the recorded walk through what is solid }
-  recorded               entered: how many; seen_once; speed, nearest: { mean, median }; crossings: null, or the same of the times
+  recorded               entered: how many; seen_once; pauses: { people, count, seconds } that are given; speed, nearest: { mean, median }; crossings: null, or the same of the times
                          at which --line is crossed; people: as `throng measure --json` says them
   models                 [{ model, .. }], each with
     entered, overlapping (somebody who was there), moved (out of something solid), refused, goals_moved, arrived,
@@ -54,6 +55,9 @@ Keys of --json (one object on standard output; metres, seconds):
     speed, nearest       { mean, median, distance: of Kolmogorov and Smirnov from the recorded }
     crossings            null, or the same
     people               as `throng measure --json` says them
+    microscopic          every 0.4 s, of `recorded` too: standing (share), speed_deviation (of a person's own speed), turning,
+                         acceleration: { median, p99 }, head_on: { pairs, median, p5: least distance }, g (at 0.4, 0.8, .. 4 s to
+                         collision), g_rms (root mean square of its difference from the recorded one)
     summary              of the world: least_separation, overlaps, guard_share
   from_entry             [{ horizon, people, average: { MODEL, .., constant_velocity, straight }, final: the same }], by the names
                          of the models, each { mean, median }; the last, with horizon null, is when they were recorded last
@@ -173,6 +177,10 @@ pub struct StageArgs {
     /// Who is so near to their goal has arrived, metres
     #[arg(long, value_name = "METRES", value_parser = parse_positive, default_value_t = 0.3)]
     pub near: f64,
+
+    /// Gives goals and speeds alone: agents do not stand on the way where and while the recorded people do
+    #[arg(long)]
+    pub no_pauses: bool,
 
     /// Who has arrived stays until the recorded one leaves, also those who did not stand at the end
     #[arg(long)]

@@ -1,11 +1,12 @@
 //! The figures as JSON; `throng replay --help` describes the keys.
 
 use super::outputs;
-use super::report::{Came, Report, mean_and_median};
+use super::report::{Came, Pauses, Report, mean_and_median};
 use crate::measure::people_json;
 use crate::report::number;
 use serde_json::{Map, Value, json};
 use std::time::Duration;
+use throng_record::pedestrian::Microscopic;
 use throng_record::pedestrian::replay::{Pair, Sample};
 
 /// The figures as one object.
@@ -17,7 +18,7 @@ pub fn of(report: &Report, wall: Duration) -> Value {
         let samples: Vec<&[Sample]> = horizon.samples.iter().map(|samples| &samples[..]).collect();
         displacement(report, horizon.seconds, &samples)
     });
-    let compared = &report.models[0].compared;
+    let (compared, pauses) = (&report.models[0].compared, Pauses::of(cast));
     let recorded = |pair: &Pair| both([pair.means()[0], pair.medians()[0]]);
     let models = setup.models.iter().zip(&report.models).map(|(name, came)| model(report, name, came));
     let files = outputs::paths(setup);
@@ -30,10 +31,12 @@ pub fn of(report: &Report, wall: Duration) -> Value {
         "recorded": {
             "entered": cast.people.walks.len(),
             "seen_once": cast.seen_once,
+            "pauses": { "people": pauses.people, "count": pauses.count, "seconds": pauses.seconds },
             "speed": recorded(&compared.speed),
             "nearest": recorded(&compared.nearest),
             "crossings": compared.crossings.as_ref().map(recorded),
             "people": people_json(&report.question, &report.recorded),
+            "microscopic": microscopic(&report.microscopic, report),
         },
         "models": models.collect::<Vec<_>>(),
         "from_entry": from_entry.collect::<Vec<_>>(),
@@ -66,11 +69,26 @@ fn model(report: &Report, name: &str, came: &Came) -> Value {
         "nearest": pair(&came.compared.nearest),
         "crossings": came.compared.crossings.as_ref().map(pair),
         "people": people_json(&report.question, &came.figures),
+        "microscopic": microscopic(&came.microscopic, report),
         "summary": {
             "least_separation": number(summary.least_separation),
             "overlaps": summary.overlaps,
             "guard_share": number(summary.guard_share),
         },
+    })
+}
+
+/// How people move next to each other.
+fn microscopic(own: &Microscopic, report: &Report) -> Value {
+    let [[median, most], [passing, close]] = [own.acceleration, own.passing];
+    json!({
+        "standing": number(own.standing),
+        "speed_deviation": number(own.speed_deviation),
+        "turning": number(own.turning),
+        "acceleration": { "median": number(median), "p99": number(most) },
+        "head_on": { "pairs": own.head_on, "median": number(passing), "p5": number(close) },
+        "g": own.interaction.iter().map(|&g| number(g)).collect::<Vec<_>>(),
+        "g_rms": number(own.interaction_off(&report.microscopic)),
     })
 }
 

@@ -3,8 +3,8 @@
 use super::kinds::in_groups;
 use super::setup::Setup;
 use crate::interrupt;
-use throng_record::pedestrian::replay::{Compared, PREDICTORS, Replayed, Sample, from_entry};
-use throng_record::pedestrian::{Border, Figures, People, Question, Velocities, median};
+use throng_record::pedestrian::replay::{Cast, Compared, PREDICTORS, Replayed, Sample, from_entry};
+use throng_record::pedestrian::{Border, Figures, Microscopic, People, Question, Velocities, median};
 
 /// The predictors that know nothing of others, as keys.
 const KEYS: [&str; 2] = ["constant_velocity", "straight"];
@@ -37,6 +37,8 @@ pub struct Came {
     pub figures: Figures,
     /// How they are distributed, beside the recorded.
     pub compared: Compared,
+    /// How they move next to each other.
+    pub microscopic: Microscopic,
 }
 
 /// What came of a replay.
@@ -57,8 +59,32 @@ pub struct Report<'a> {
     pub question: Question,
     /// Figures of the recorded.
     pub recorded: Figures,
+    /// How the recorded move next to each other.
+    pub microscopic: Microscopic,
     /// Whether it was interrupted.
     pub interrupted: bool,
+}
+
+/// The pauses that agents are given.
+pub struct Pauses {
+    /// How many people pause.
+    pub people: usize,
+    /// How many pauses they make.
+    pub count: usize,
+    /// How long these are together, seconds.
+    pub seconds: f64,
+}
+
+impl Pauses {
+    /// Those of all recorded people.
+    pub fn of(cast: &Cast) -> Self {
+        let all = || cast.walkers.iter().flat_map(|walker| &walker.pauses);
+        Self {
+            people: cast.walkers.iter().filter(|walker| !walker.pauses.is_empty()).count(),
+            count: all().count(),
+            seconds: all().fold(0.0, |sum, pause| sum + (pause.until - pause.from)),
+        }
+    }
 }
 
 /// One of those that say where people will be.
@@ -110,11 +136,13 @@ impl<'a> Report<'a> {
         let question = Question { interval: args.figures.interval, lines, ..Question::default() };
         let velocities = |people: &People| Velocities::of(people, cast.rows, Border::OneSided);
         let recorded = velocities(&cast.people);
+        let [start, _] = setup.span();
         let came = |replayed: Replayed| {
             let people = replayed.people();
             let both = [(&cast.people, &recorded), (&people, &velocities(&people))];
             let compared = Compared::of(both, args.figures.line);
-            Came { figures: Figures::of(&people, &question), compared, replayed }
+            let microscopic = Microscopic::of(&people, start);
+            Came { figures: Figures::of(&people, &question), compared, microscopic, replayed }
         };
         let models = replayed.into_iter().map(came).collect();
         let groups = setup.groups.as_deref();
@@ -126,6 +154,7 @@ impl<'a> Report<'a> {
             from_entry,
             predicted,
             recorded: Figures::of(&cast.people, &question),
+            microscopic: Microscopic::of(&cast.people, start),
             question,
             interrupted: interrupt::asked(),
         }

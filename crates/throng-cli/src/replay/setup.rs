@@ -29,7 +29,7 @@ pub struct Setup<'a> {
     pub cast: Cast,
     /// The file of the map, where it is not the recording's own.
     pub map: Option<PathBuf>,
-    /// What was left out of the map, or changed.
+    /// What was found in the recording, and what was left out of the map, or changed.
     pub notes: Vec<String>,
     /// Who belongs together.
     pub groups: Option<Vec<Vec<u32>>>,
@@ -51,12 +51,13 @@ impl<'a> Setup<'a> {
             true => Map::default(),
             false => Map::read(&args.stage.map, &args.data, &tracks.setting, beside(&args.data, "map.xml"))?,
         };
+        let notes = tracks.notes.iter().chain(&map.notes).cloned().collect();
         let stages = scenes.iter().map(|scene| stage::stage(args, scene, &cast, &map)).collect::<Result<_, _>>()?;
         let groups = together(&args.stage, &args.data)?;
         let kinds = Kinds::of(&tracks, &cast, groups.as_deref());
         let models = models.iter().map(|model| model.label().to_owned()).collect();
         let scene = scenes.into_iter().next().unwrap_or_default();
-        Ok(Self { args, models, scene, stages, cast, map: map.path, notes: map.notes, groups, kinds })
+        Ok(Self { args, models, scene, stages, cast, map: map.path, notes, groups, kinds })
     }
 
     /// The place, under a title.
@@ -113,5 +114,5 @@ fn cast(args: &ReplayArgs, tracks: &Tracks) -> Result<Cast, Failure> {
         let text = format!("{name}: nobody was seen twice from {} s to {to}", args.from);
         return Err(Failure::hint(text, "change --from and --until"));
     }
-    Ok(cast)
+    Ok(if args.stage.no_pauses { cast.without_pauses() } else { cast })
 }

@@ -3,7 +3,7 @@
 use super::report::{Came, Horizon, Predictor, Report, mean_and_median};
 use crate::measure::short;
 use throng_record::pedestrian::replay::{Pair, Sample};
-use throng_record::pedestrian::{Figures, flow, steady_flow};
+use throng_record::pedestrian::{Figures, Microscopic, flow, steady_flow};
 
 /// A table.
 pub struct Grid {
@@ -32,6 +32,7 @@ pub fn tables(report: &Report) -> Vec<Grid> {
     out.extend(ahead(report));
     out.push(distributions(report));
     out.push(motion(report));
+    out.push(microscopic(report));
     out
 }
 
@@ -170,6 +171,33 @@ fn motion(report: &Report) -> Grid {
     grid.row("recorded", cells(&report.recorded));
     for (name, came) in report.setup.models.iter().zip(&report.models) {
         grid.row(name, cells(&came.figures));
+    }
+    grid
+}
+
+/// How people move next to each other.
+fn microscopic(report: &Report) -> Grid {
+    let head = [
+        "standing, %",
+        "sd of own speed, m/s",
+        "turning, °/s",
+        "acceleration, m/s²",
+        "99 % below",
+        "head-on pairs",
+        "least distance, m",
+        "5 % below",
+        "rms of g",
+    ];
+    let mut grid = Grid::new("Every 0.4 s: medians", &head);
+    let cells = |own: &Microscopic| {
+        let first = [100.0 * own.standing, own.speed_deviation, own.turning, own.acceleration[0], own.acceleration[1]];
+        let off = own.interaction_off(&report.microscopic);
+        let last = [own.head_on.to_string(), short(own.passing[0]), short(own.passing[1]), short(off)];
+        first.map(short).into_iter().chain(last)
+    };
+    grid.row("recorded", cells(&report.microscopic));
+    for (name, came) in report.setup.models.iter().zip(&report.models) {
+        grid.row(name, cells(&came.microscopic));
     }
     grid
 }

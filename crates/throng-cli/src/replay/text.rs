@@ -1,7 +1,7 @@
 //! The figures for the terminal.
 
 use super::outputs;
-use super::report::Report;
+use super::report::{Pauses, Report};
 use super::tables::{Grid, tables};
 use crate::columns::aligned;
 use crate::files::title;
@@ -31,6 +31,10 @@ pub fn facts(report: &Report) -> Vec<String> {
     let mut facts = vec![format!("{count} people, {from:.2} to {until:.2} s, step {} s", stage.settings.step)];
     if cast.seen_once > 0 {
         facts.push(format!("{} were seen only once", cast.seen_once));
+    }
+    let pauses = Pauses::of(cast);
+    if pauses.count > 0 {
+        facts.push(format!("pauses: {}, of {} people, {:.0} s together", pauses.count, pauses.people, pauses.seconds));
     }
     let (areas, walls) = (stage.walkable.len(), stage.obstacles.len());
     if areas + walls > 0 {

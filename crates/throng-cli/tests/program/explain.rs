@@ -32,13 +32,17 @@ fn it_draws_an_svg_named_after_the_scene_or_what_it_is_told() {
 #[test]
 fn every_model_and_every_scene_can_be_explained() {
     let folder = folder();
-    for model in ["orca", "avo", "hrvo", "clearpath", "rvo", "rvo_lab", "vo"] {
+    let velocity_obstacles = ["orca", "avo", "hrvo", "clearpath", "rvo", "rvo_lab", "vo"];
+    let repulsion = ["collision_free_speed", "anticipation_velocity", "social_force", "moussaid_2009", "power_law"];
+    for model in velocity_obstacles.into_iter().chain(repulsion) {
         for scene in ["circle", "doorway", "pillars"] {
             let set = format!("--set avoid={{{model}={{}}}}");
             let why = explained(folder.path(), &format!("{scene} --agent 3 --time 1 {set} -o {model}.svg"));
             let name = why["model"].as_str().unwrap().to_lowercase();
             assert!(name.starts_with(&model.replace('_', "")), "{name}");
             assert_eq!(why["files"][0], format!("{model}.svg"));
+            let pushes = why["reasons"].as_array().unwrap().iter().any(|reason| reason["push"].is_array());
+            assert_eq!(pushes, repulsion.contains(&model), "{model} in {scene}: {}", why["reasons"]);
         }
     }
 }

@@ -15,3 +15,4 @@ mod replay;
 mod run;
 mod shared;
 mod sheet;
+mod validate;

@@ -242,3 +242,70 @@ fn mistakes_are_named() {
     let all = replayed(at, "streams.txt --map only-walls.toml --every 0 --until 2");
     assert_eq!(all["map"]["obstacles"], 1, "a map needs nobody in it");
 }
+
+/// Two people 20 m apart, a row each 6 frames, as OpenTraj has them of a video of 15 frames a second, with velocities. The first stands for 6 s.
+fn of_15_frames() -> String {
+    let speed = |number: u32, row: u32| f64::from(u8::from(number == 2 || !(10..25).contains(&row)));
+    let mut text = String::new();
+    for number in 1..=2u32 {
+        let mut x = 0.0;
+        for row in 0..40u32 {
+            let _ = writeln!(text, "{} {number} {x:.4} 0 {}.0 {} 0 0", 6 * row, 20 * number, speed(number, row));
+            x += 0.4 * speed(number, row);
+        }
+    }
+    text
+}
+
+#[test]
+fn a_frame_rate_that_velocities_contradict_is_told_wherever_trajectories_are_read() {
+    let folder = folder();
+    let at = folder.path();
+    std::fs::write(at.join("obsmat.txt"), of_15_frames()).unwrap();
+    let commands = [
+        "replay obsmat.txt",
+        "measure obsmat.txt",
+        "info obsmat.txt",
+        "convert obsmat.txt -o a.csv",
+        "render obsmat.txt -o a.png",
+    ];
+    for command in commands {
+        let told = stderr(&call(at, command).success());
+        assert!(
+            told.contains("note: obsmat.txt: its velocities say that it has 15 frames a second"),
+            "{command}: {told}"
+        );
+        let told = stderr(&call(at, &format!("{command} --frame-rate 25")).success());
+        assert!(
+            told.contains("note: ") && told.contains("at --frame-rate 15 they would agree, not at 25"),
+            "{command}: {told}"
+        );
+        let told = stderr(&call(at, &format!("{command} --frame-rate 15")).success());
+        assert!(!told.contains("note: "), "{command}: {told}");
+        if !command.starts_with("info") {
+            assert_eq!(stderr(&call(at, &format!("{command} -q")).success()), "", "{command}");
+        }
+    }
+    let info: Value = serde_json::from_str(&stdout(&call(at, "info obsmat.txt --json").success())).unwrap();
+    assert!((number(&info["frame_rate"]) - 2.5).abs() < 1e-9);
+}
+
+#[test]
+fn people_who_stand_stand_again() {
+    let folder = folder();
+    let at = folder.path();
+    std::fs::write(at.join("obsmat.txt"), of_15_frames()).unwrap();
+    let standing = |options: &str| {
+        let all = replayed(at, &format!("obsmat.txt --set keep_right=0 --every 0 {options}"));
+        let of = |own: &Value| number(&own["microscopic"]["standing"]);
+        (of(&all["recorded"]), of(&all["models"][0]), all["recorded"]["pauses"]["count"].clone())
+    };
+    let (recorded, again, pauses) = standing("");
+    // 15 of 78 steps
+    assert!((recorded - 15.0 / 78.0).abs() < 1e-3 && (again - recorded).abs() < 0.03, "{recorded} {again}");
+    assert_eq!(pauses, 1);
+    let (same, none, pauses) = standing("--no-pauses");
+    assert!(same == recorded && none < 0.02 && pauses == 0, "{same} {none}");
+    let text = stdout(&call(at, "replay obsmat.txt --every 0").success());
+    assert!(text.contains("pauses: 1, of 1 people, 5 s together") && text.contains("Every 0.4 s"), "{text}");
+}

@@ -5,13 +5,19 @@ use serde_json::Value;
 use std::path::Path;
 
 /// The keys of `--json` in their order: they are documented and stay.
-const KEYS: [&str; 27] = [
+const KEYS: [&str; 33] = [
     "scene",
     "agents",
     "arrived",
     "removed",
     "resting",
+    "queueing",
+    "waiting_for_room",
+    "blocked",
+    "oscillating",
+    "stranded",
     "stuck",
+    "without_progress_30s",
     "time",
     "time_ratio",
     "path_ratio",
@@ -141,15 +147,16 @@ fn every_kind_of_expectation_is_measured() {
     let folder = folder();
     let expect = "[expect]\narrived = 1\nwithin = 9\nleast_separation = 1.0\nleast_wall_separation = 1.0\n\
                   heading_change = 90.0\nmean_speed = 1.0\nfinal_speed = 1.4\n\
+                  waiting_for_room = 0\nblocked = 0\noscillating = 0\nstuck = 0\nwithout_progress_30s = 0\n\
                   flow = [{ from = [2.0, -1.0], to = [2.0, 1.0], at_most = 1.0 }]\n";
     std::fs::write(folder.path().join("walk.toml"), format!("{WALK}{expect}")).unwrap();
     let report = json(folder.path(), "run walk.toml --no-files");
     let checks = report["expect"]["checks"].as_array().unwrap();
     let names: Vec<&str> = checks.iter().map(|check| check["name"].as_str().unwrap()).collect();
     let separations = ["least_separation", "least_wall_separation"];
-    let all =
-        [&["arrived", "within"][..], &separations, &["heading_change", "mean_speed", "final_speed", "flow.0.at_most"]]
-            .concat();
+    let hindered = ["waiting_for_room", "blocked", "oscillating", "stuck", "without_progress_30s"];
+    let speeds = ["heading_change", "mean_speed", "final_speed"];
+    let all = [&["arrived", "within"][..], &separations, &speeds, &hindered, &["flow.0.at_most"]].concat();
     assert_eq!(names, all);
     // a single person in the open comes near nobody
     assert!(checks[2]["found"].is_null() && checks[2]["passed"] == true, "{}", checks[2]);

@@ -8,13 +8,13 @@ const ROUND: usize = 180;
 /// Edges of a rounded tip.
 const TIP: usize = 48;
 
-/// What a reason forbids of the velocities whose coordinates are at most `reach`; `None` for candidates and where it
+/// What a reason forbids of the velocities whose coordinates are at most `reach`; `None` for pushes, for candidates, and where it
 /// forbids none of these.
 pub(super) fn forbidden(reason: &Reason, reach: f32) -> Option<(Cause, Vec<Vec2>)> {
     let (cause, within) = match *reason {
         Reason::Permits(cause, line) => (cause, vec![reversed(line)]),
         Reason::Forbids(cause, region) => (cause, bounds(&region)),
-        Reason::Candidate { .. } => return None,
+        Reason::Push(..) | Reason::Candidate { .. } => return None,
     };
     let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|corner| Vec2::from(corner) * reach);
     let polygon = within.into_iter().fold(square.to_vec(), clip);

@@ -1,6 +1,6 @@
 //! The velocities of the agent: what is forbidden, what is left, what was tried, and what came of it.
 
-use super::arrow::Quantity;
+use super::arrow::{self, Quantity};
 use super::labels::{Labels, beside};
 use super::sheet::{Rect, Sheet};
 use super::{region, tint};
@@ -24,6 +24,7 @@ pub(super) enum Entry {
     Wall,
     Left,
     Speed,
+    Push,
     Candidate,
     Refused,
 }
@@ -39,6 +40,7 @@ pub(super) fn key(why: &Explanation) -> Vec<Entry> {
         (has(|cause| matches!(cause, Cause::Edge(_) | Cause::Disc(_))), Entry::Wall),
         (left(why).is_some(), Entry::Left),
         (true, Entry::Speed),
+        (pushes(why).next().is_some(), Entry::Push),
         (candidates(why).any(|(_, cost)| cost.is_finite()), Entry::Candidate),
         (candidates(why).any(|(_, cost)| !cost.is_finite()), Entry::Refused),
     ];
@@ -54,6 +56,7 @@ impl Entry {
             Self::Wall => "by a wall",
             Self::Left => "permitted by all",
             Self::Speed => "within its greatest speed",
+            Self::Push => "push of a neighbour or a wall",
             Self::Candidate => "tried: costly to cheap",
             Self::Refused => "tried: forbidden",
         }
@@ -78,6 +81,7 @@ impl Entry {
                 marks.push(Mark::Disc { center, radius, fill: theme.notch.alpha(0.75) });
                 marks.push(Mark::Ring { center, radius, stroke });
             }
+            Self::Push => arrow::thin(from, to, tint::neighbour(0), unit, marks),
             Self::Candidate => {
                 for t in [0.0, 0.25, 0.5, 0.75, 1.0] {
                     candidate(from.lerp(to, t), Some(t), sheet, marks);
@@ -93,6 +97,7 @@ pub(super) fn marks(why: &Explanation, sheet: &Sheet) -> [Vec<Mark>; 2] {
     let mut plot = Plot::new(why, sheet);
     plot.regions();
     plot.candidates();
+    plot.pushes();
     plot.quantities();
     plot.badges();
     let numbers = plot.numbers();
@@ -108,6 +113,14 @@ fn left(why: &Explanation) -> Option<Vec<Vec2>> {
 fn candidates(why: &Explanation) -> impl Iterator<Item = (Vec2, f32)> {
     why.reasons.iter().filter_map(|reason| match *reason {
         Reason::Candidate { velocity, cost } => Some((velocity, cost)),
+        _ => None,
+    })
+}
+
+/// What repels the agent, and how strongly: an acceleration, m/s^2, or a part of the direction.
+fn pushes(why: &Explanation) -> impl Iterator<Item = (Cause, Vec2)> {
+    why.reasons.iter().filter_map(|reason| match *reason {
+        Reason::Push(cause, push) => Some((cause, push)),
         _ => None,
     })
 }
@@ -201,6 +214,16 @@ impl<'a> Plot<'a> {
             // costs of collisions grow without bound: the root keeps the cheap ones apart
             let part = ((cost - low) / (high - low).max(1e-6)).sqrt();
             candidate(self.pixel(velocity), cost.is_finite().then_some(1.0 - part), self.sheet, &mut self.marks);
+        }
+    }
+
+    /// Pushes, as what they would add to the velocity in a second.
+    fn pushes(&mut self) {
+        let velocity = self.why.velocity;
+        for (cause, push) in pushes(self.why) {
+            let color = tint::cause(cause, self.sheet);
+            let ends = [velocity, velocity + push.clamp_length_max(4.0 * self.reach)].map(|v| self.pixel(v));
+            arrow::thin(ends[0], ends[1], color, self.sheet.unit, &mut self.marks);
         }
     }
 

@@ -1,13 +1,16 @@
 //! `obsmat.txt` of the crowds of the University of Cyprus, as OpenTraj and others hand them on.
 //!
 //! A line a person and frame, eight numbers between blanks: `frame id x z y vx vz vy`. The ground is the plane of x and y,
-//! the third and the fifth; metres and m/s. The file does not say the frame rate: the videos have 25 frames a second, which
-//! is taken where nobody says otherwise.
+//! the third and the fifth; metres and m/s. The file does not say the frame rate, but its velocities do: UCY's videos have 25 frames a
+//! second, ETH's `seq_eth` has 15. 25 is taken where the velocities agree with it to a tenth, or say no rate that a video has; else
+//! what they say, to half a frame.
 
 use super::text::{lines, people, rate, text, walker};
 use super::{Flaw, Format, Reading};
+use crate::consistency::{rounded, stated_over_displaced};
 use crate::tracks::{Spot, Tracks};
 use glam::DVec2;
+use std::ops::RangeInclusive;
 
 /// Read only.
 pub(super) const FORMAT: Format = Format {
@@ -21,8 +24,12 @@ pub(super) const FORMAT: Format = Format {
 };
 
 const HINT: &str = "such a file has lines of `frame id x z y vx vz vy`";
-/// Frames a second of the videos.
+/// Frames a second of most videos.
 const RATE: f64 = 25.0;
+/// Velocities agree with a rate to this part.
+const AGREE: f64 = 0.1;
+/// Frames a second that a video has.
+const RATES: RangeInclusive<f64> = 5.0..=120.0;
 
 /// Whether the first line has eight numbers.
 fn is(bytes: &[u8]) -> bool {
@@ -32,17 +39,31 @@ fn is(bytes: &[u8]) -> bool {
 }
 
 fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
-    let rate = rate(Some(RATE), reading)?;
     let unit = reading.unit.unwrap_or(1.0);
     let mut spots = Vec::new();
     for fields in lines(&text(bytes)) {
         let number = |at, what| fields.number(at, what, HINT);
         let place = DVec2::new(number(2, "x")?, number(4, "y")?) * unit;
         let velocity = DVec2::new(number(5, "vx")?, number(7, "vy")?) * unit;
-        let spot = walker(fields.person(1, HINT)?, number(0, "the frame")? / rate, place);
+        let spot = walker(fields.person(1, HINT)?, number(0, "the frame")?, place);
         spots.push(Spot { velocity: velocity.as_vec2().extend(0.0), ..spot });
     }
-    people(spots, true)
+    let mut tracks = people(spots, true)?;
+    let found = found(&tracks.spots);
+    if let (Some(found), None) = (found, reading.rate) {
+        tracks.notes.push(format!(
+            "its velocities say that it has {found} frames a second, not {RATE} as most such files: that is taken (--frame-rate)"
+        ));
+    }
+    let rate = rate(found.or(Some(RATE)), reading)?;
+    tracks.spots.iter_mut().for_each(|spot| spot.time /= rate);
+    Ok(tracks)
+}
+
+/// Frames a second as velocities say them, where these are not the usual ones; times count frames.
+fn found(spots: &[Spot]) -> Option<f64> {
+    let found = stated_over_displaced(spots)?;
+    (RATES.contains(&found) && (found / RATE - 1.0).abs() > AGREE).then(|| rounded(found))
 }
 
 #[cfg(test)]

@@ -21,6 +21,8 @@ pub struct Crossing {
     pub time: f64,
     /// Whether from its right to its left, seen along the line.
     pub leftwards: bool,
+    /// Where on the line: the share of the way from its beginning to its end, 0 to 1.
+    pub share: f64,
 }
 
 /// Nearer than this one is on the line, and not beyond it yet, metres.
@@ -45,9 +47,17 @@ impl Line {
     fn first(&self, walk: &Walk) -> Option<Crossing> {
         let crosses = |pair: &[DVec2]| self.meets(pair[0], pair[1]) && self.distance(pair[1]) >= ON;
         let step = walk.places.windows(2).position(crosses)?;
-        let way = walk.places[step + 1] - walk.places[step];
-        let leftwards = (self.to - self.from).perp_dot(way) > 0.0;
-        Some(Crossing { number: walk.number, time: walk.times[step + 1], leftwards })
+        let (start, line) = (walk.places[step], self.to - self.from);
+        let way = walk.places[step + 1] - start;
+        let turn = line.perp_dot(way);
+        let leftwards = turn > 0.0;
+        // along the line, the place where it is met is that where the step ends
+        let share = if turn == 0.0 {
+            (start + way - self.from).dot(line) / line.length_squared()
+        } else {
+            (start - self.from).perp_dot(way) / turn
+        };
+        Some(Crossing { number: walk.number, time: walk.times[step + 1], leftwards, share: share.clamp(0.0, 1.0) })
     }
 
     /// Whether it and the way from `a` to `b` have a point in common.
@@ -135,13 +145,15 @@ mod tests {
             walk(6, &[(0.0, 0.0)]),
         ];
         let people = People { walks, moments: vec![] };
+        let shares: Vec<f64> = line.crossings(&people).iter().map(|at| at.share).collect();
+        assert_eq!(shares, [1.0, 0.5, 0.8]);
         let found: Vec<_> = line.crossings(&people).iter().map(|at| (at.number, at.time, at.leftwards)).collect();
         assert_eq!(found, [(4, 0.5, false), (1, 1.0, false), (2, 1.5, true)]);
     }
 
     #[test]
     fn flows_are_people_over_time() {
-        let crossing = |k: u32| Crossing { number: k, time: 3.0 + 0.25 * f64::from(k), leftwards: true };
+        let crossing = |k: u32| Crossing { number: k, time: 3.0 + 0.25 * f64::from(k), leftwards: true, share: 0.5 };
         let all: Vec<_> = (0..101).map(crossing).collect();
         assert_eq!((flow(&all), steady_flow(&all), count(&all, 4.0)), (4.0, 4.0, 5));
         assert!(flow(&all[..1]).is_nan() && steady_flow(&[]).is_nan() && flows(&[], 1.0, 0.1, 9.0).is_empty());

@@ -93,9 +93,6 @@ impl Draw<'_> {
     }
 }
 
-/// Degrees that those who walk keep to the right, where nothing is said.
-const KEEP_RIGHT: f64 = 5.0;
-
 /// What the agents of a group share; those who steer have no manners but those that are said.
 #[allow(clippy::needless_update)] // The library may know more of groups and models than scenes say.
 pub(super) fn shared(
@@ -118,21 +115,25 @@ pub(super) fn shared(
         Some(0.0) => (0, neighbour_distance as f32),
         Some(reach) => (throng::Group::EVERYBODY, reach),
     };
+    let usual = throng::Group::default();
+    let look_ahead = group.look_ahead.unwrap_or(walks);
+    let side = if look_ahead { usual.keep_right } else { 0.0 };
     throng::Group {
         name,
         model: model(&avoid),
         neighbour_distance,
         neighbours,
-        keep_right: group.keep_right.unwrap_or(if walks { KEEP_RIGHT } else { 0.0 }).to_radians() as f32,
-        detour: group.detour.unwrap_or(walks),
-        queue: group.queue.unwrap_or(walks),
+        look_ahead,
+        time_gap: group.time_gap.map_or(usual.time_gap, |seconds| seconds as f32),
+        personal_space: group.personal_space.map_or(usual.personal_space, |metres| metres as f32),
+        keep_right: group.keep_right.map_or(side, |degrees| degrees.to_radians() as f32),
         resolve: group.resolve.unwrap_or(walks),
         field,
         steering,
         vehicle: vehicle(group),
         wrap_around: group.wrap_around.map(|ball| wrap_around(ball, origin)),
         guard: group.is_guarded(),
-        ..throng::Group::default()
+        ..usual
     }
 }
 
@@ -179,6 +180,11 @@ fn model(avoid: &Avoid) -> Arc<dyn LocalModel> {
             },
         }),
         Avoid::RvoLab(_) => Arc::new(RvoLab),
+        Avoid::PowerLaw(model) => Arc::new(model.built()),
+        Avoid::Moussaid2009(model) => Arc::new(model.built()),
+        Avoid::SocialForce(model) => Arc::new(model.built()),
+        Avoid::AnticipationVelocity(model) => Arc::new(model.built()),
+        Avoid::CollisionFreeSpeed(model) => Arc::new(model.built()),
         Avoid::None(_) => Arc::new(Unavoiding),
     }
 }

@@ -141,6 +141,8 @@ fn check_group(path: &Path, group: &Group) -> Checked {
             .hint("add `turn_rate = 180`, degrees a second, or leave tracking_error away"));
     }
     check(&path.key("priority"), group.priority, Limit::Finite)?;
+    check_some(&path.key("time_gap"), group.time_gap, Limit::Between(0.05, 10.0))?;
+    check_some(&path.key("personal_space"), group.personal_space, Limit::Between(0.0, 10.0))?;
     check_some(&path.key("keep_right"), group.keep_right, Limit::Between(-28.0, 28.0))?;
     check_layers(&path.key("layers"), &group.layers)?;
     check_layers(&path.key("avoids"), group.avoids.as_deref().unwrap_or_default())?;
@@ -219,6 +221,11 @@ fn check_avoid(path: &Path, avoid: &Avoid) -> Checked {
             path
         }
         Avoid::RvoLab(_) => key("rvo_lab"),
+        Avoid::PowerLaw(model) => model.checked(key("power_law"))?,
+        Avoid::Moussaid2009(model) => model.checked(key("moussaid_2009"))?,
+        Avoid::SocialForce(model) => model.checked(key("social_force"))?,
+        Avoid::AnticipationVelocity(model) => model.checked(key("anticipation_velocity"))?,
+        Avoid::CollisionFreeSpeed(model) => model.checked(key("collision_free_speed"))?,
         Avoid::None(_) => key("none"),
     };
     let (neighbours, distance) = avoid.sight();
@@ -305,6 +312,11 @@ fn check_goal(path: &Path, goal: &Goal, inner: bool) -> Checked {
         Goal::Exit(region) => check_region(&path.key("exit"), region),
         Goal::Journey(stops) => check_stops(&path.key("journey"), stops, inner),
         Goal::Cycle(stops) => check_stops(&path.key("cycle"), stops, inner),
+        Goal::Lap(_) if inner => {
+            let message = "laps are without end, so that they cannot be a stop";
+            Err(Problem::new(&path.key("lap"), Kind::Conflict, message).hint("give the group goal.lap alone"))
+        }
+        Goal::Lap(lap) => super::annulus::check_lap(&path.key("lap"), lap),
         Goal::Nearest(goals) => {
             let path = path.key("nearest");
             not_empty(&path, goals.len())?;

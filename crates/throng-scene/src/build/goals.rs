@@ -1,5 +1,6 @@
 //! Where each agent goes: goals shared by a group, goals of each agent's own, journeys made of them.
 
+use super::annulus;
 use super::ground::{has_room, obstacle_name, short, show};
 use super::limits::HIGHEST;
 use super::place::Middle;
@@ -9,7 +10,7 @@ use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::{DVec2, DVec3, Solid, Touch, bounds, contains, distance_to_segment, outline_of_region};
 use crate::random::{Purpose, Random};
-use crate::scene::{Goal, Number, Region, Scene, Stop};
+use crate::scene::{Annulus, Goal, Number, Region, Scene, Stop};
 use std::collections::HashMap;
 use throng::navigate::{Area, NavMesh, Search};
 
@@ -18,6 +19,8 @@ enum Target {
     Shared(usize),
     Point(Each),
     Stops(Vec<(Target, Option<Number>)>, bool),
+    /// The goals of the sectors of an annulus; whether laps run clockwise.
+    Lap(Vec<Target>, Annulus, bool),
     Nearest(Vec<Target>),
     /// With the sums of the weights so far.
     Choice(Vec<(Target, f64)>),
@@ -171,6 +174,16 @@ impl<'a> Goals<'a> {
             }),
             Goal::Journey(stops) => self.prepare_stops(stops, &path.key("journey"), false, radius, middle, n)?,
             Goal::Cycle(stops) => self.prepare_stops(stops, &path.key("cycle"), true, radius, middle, n)?,
+            Goal::Lap(lap) => {
+                let path = path.key("lap");
+                let ring = annulus::of_lap(lap, self.scene, &path)?;
+                let mut sector = |corners: Vec<DVec2>| {
+                    self.check_room(&path, &corners, radius, "a sector of the ring")?;
+                    Ok(self.add_shared(throng::Goal::Area { corners }))
+                };
+                let sectors: Result<_, Problem> = annulus::sectors(&ring).into_iter().map(&mut sector).collect();
+                Target::Lap(sectors?, ring, lap.clockwise)
+            }
             Goal::Nearest(goals) => {
                 let path = path.key("nearest");
                 let each = |(i, goal)| self.prepare(goal, &path.index(i), radius, middle, n);
@@ -233,6 +246,12 @@ impl<'a> Goals<'a> {
                 }
                 return Ok(*repeat);
             }
+            Target::Lap(sectors, ring, clockwise) => {
+                for sector in annulus::order(ring, *clockwise, walker.start.truncate()) {
+                    self.resolve(&sectors[sector], walker, ways, 0.0, stops)?;
+                }
+                return Ok(true);
+            }
             Target::Nearest(targets) => {
                 // where nobody can walk to any, the crow decides
                 let mut least = (f64::INFINITY, f64::INFINITY);
@@ -283,6 +302,10 @@ impl<'a> Goals<'a> {
             Target::Stops(list, _) => {
                 list.first().map_or(f64::INFINITY, |(first, _)| self.distance(first, walker, ways))
             }
+            Target::Lap(sectors, ring, clockwise) => {
+                let first = annulus::order(ring, *clockwise, start).next();
+                first.map_or(f64::INFINITY, |first| self.distance(&sectors[first], walker, ways))
+            }
             Target::Nearest(targets) => {
                 targets.iter().map(|target| self.distance(target, walker, ways)).fold(f64::INFINITY, f64::min)
             }
@@ -328,11 +351,17 @@ impl<'a> Goals<'a> {
     /// A body must fit somewhere in a region. Gives its corners.
     fn check_region(&self, path: &Path, region: &Region, radius: f64, what: &str) -> Result<Vec<DVec2>, Problem> {
         let corners = outline_of_region(region);
-        if has_room(self.solid, &corners, radius * (1.0 - 1e-6)) {
-            return Ok(corners);
+        self.check_room(path, &corners, radius, what)?;
+        Ok(corners)
+    }
+
+    /// A body must fit somewhere between corners.
+    fn check_room(&self, path: &Path, corners: &[DVec2], radius: f64, what: &str) -> Result<(), Problem> {
+        if has_room(self.solid, corners, radius * (1.0 - 1e-6)) {
+            return Ok(());
         }
         let problem = |message: String| Problem::new(path, Kind::GoalInWall, message);
-        Err(if has_room(self.solid, &corners, 0.0) {
+        Err(if has_room(self.solid, corners, 0.0) {
             let message =
                 format!("{what} lies so near the walls that a body of radius {} cannot enter it", short(radius));
             problem(message).hint("it counts as entered when the body's centre is inside: make it reach further in")
@@ -347,7 +376,7 @@ impl Target {
     /// Whether agents choose the nearest of several goals somewhere in it.
     fn chooses_nearest(&self) -> bool {
         match self {
-            Self::Shared(_) | Self::Point(_) => false,
+            Self::Shared(_) | Self::Point(_) | Self::Lap(..) => false,
             Self::Stops(list, _) => list.iter().any(|(target, _)| target.chooses_nearest()),
             Self::Nearest(_) => true,
             Self::Choice(list) => list.iter().any(|(target, _)| target.chooses_nearest()),

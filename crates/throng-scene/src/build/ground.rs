@@ -1,5 +1,6 @@
 //! Ground and obstacles: from what a scene says to what the world takes.
 
+use super::annulus;
 use super::check::{check_points, check_rectangle};
 #[cfg(feature = "plans")]
 use super::limits::{Limit, check_some};
@@ -9,7 +10,7 @@ use crate::geometry::{DVec2, Solid, bounds, contains, crossing, points, rectangl
 #[cfg(feature = "plans")]
 use crate::import::plan;
 use crate::import::plan::Ground;
-use crate::scene::{Area, As, Obstacle, PlanFile, Point, Scene, Shape, Walkable};
+use crate::scene::{Area, As, Obstacle, PlanFile, Point, Rectangle, Scene, Shape, Walkable};
 
 /// What went wrong: a value of the scene, or a file it names.
 pub(super) enum Wrong {
@@ -41,6 +42,21 @@ pub(super) fn areas(scene: &Scene, notes: &mut Vec<String>) -> Result<Vec<throng
         Some(Walkable::Rectangle(r)) => {
             check_rectangle(&path.key("rectangle"), r)?;
             Ok(vec![throng::Walkable { outer: rectangle(r), holes: vec![] }])
+        }
+        Some(Walkable::Rectangles(all)) => {
+            let path = path.key("rectangles");
+            let one = |(i, r): (usize, &Rectangle)| {
+                check_rectangle(&path.index(i), r)?;
+                Ok(throng::Walkable { outer: rectangle(r), holes: vec![] })
+            };
+            let areas = all.iter().enumerate().map(one).collect::<Result<_, Problem>>()?;
+            // as one ground: the edges of rectangles inside of others are no walls
+            let ground = throng::Walkable::union(areas);
+            Ok(ground.map_err(|error| Problem::new(&path, Kind::Geometry, error.to_string()))?)
+        }
+        Some(Walkable::Ring(ring)) => {
+            annulus::check_annulus(&path.key("ring"), ring)?;
+            Ok(vec![annulus::ground(ring)])
         }
         Some(Walkable::Polygon(area)) => Ok(vec![one(&path.key("polygon"), area)?]),
         Some(Walkable::Polygons(areas)) => {

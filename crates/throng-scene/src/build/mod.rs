@@ -1,6 +1,7 @@
 //! From what a scene says to a world: check, lay out, add.
 
 mod agents;
+mod annulus;
 mod check;
 mod count;
 mod expect;
@@ -11,6 +12,7 @@ mod limits;
 mod movers;
 mod place;
 mod plan;
+mod repulsion;
 mod rules;
 mod size;
 mod steer;

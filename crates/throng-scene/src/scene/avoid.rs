@@ -26,6 +26,18 @@ pub enum Avoid {
     RvoLab(RvoLab),
     /// Velocity obstacles (Fiorini, Shiller, 1998): everybody takes all of the avoiding, and oscillates.
     Vo(Vo),
+    /// The collision-free speed model (Tordeux, Chraibi, Seyfried, 2016), as in JuPedSim.
+    CollisionFreeSpeed(CollisionFreeSpeed),
+    /// The anticipation velocity model (Xu, Chraibi, Seyfried, 2021), as in JuPedSim.
+    AnticipationVelocity(AnticipationVelocity),
+    /// The social force model (Helbing, Molnar, 1995).
+    SocialForce(SocialForce),
+    /// The social force model measured in experiments (Moussaid and others, 2009).
+    #[serde(rename = "moussaid_2009")]
+    Moussaid2009(Moussaid2009),
+    /// The power law of human interaction with an implicit step (Karamouzas, Skinner, Guy, 2014; Karamouzas, Sohre,
+    /// Narain, Guy, 2017): accelerations by the time to a collision.
+    PowerLaw(PowerLaw),
     /// No avoidance: only the guard keeps people apart.
     None(Unavoiding),
 }
@@ -38,7 +50,7 @@ impl Default for Avoid {
 
 /// Parameters of models, each with its default; whom an agent sees is a part of all of them.
 macro_rules! parameters {
-    ($($(#[$meta:meta])* $name:ident { $($(#[$about:meta])* $key:ident: $type:ty = $default:expr,)* })*) => { $(
+    ($($(#[$meta:meta])* $name:ident $(sees $distance:literal)? { $($(#[$about:meta])* $key:ident: $type:ty = $default:expr,)* })*) => { $(
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
         #[serde(deny_unknown_fields, default)]
@@ -52,7 +64,7 @@ macro_rules! parameters {
 
         impl Default for $name {
             fn default() -> Self {
-                Self { $($key: $default,)* neighbours: 10, neighbour_distance: 5.0 }
+                Self { $($key: $default,)* neighbours: 10, neighbour_distance: [$($distance,)? 8.0][0] }
             }
         }
     )* };
@@ -124,6 +136,89 @@ parameters! {
     }
     /// Parameters of the labs' algorithm: it has none but whom an agent sees.
     RvoLab {}
+    /// Parameters of the power law. Its neighbours have to be seen as far as both walk within the time horizon.
+    PowerLaw sees 10.0 {
+        /// Strength of the interaction, m^2 (the paper's k over the mass). Limit: >= 0.
+        strength: f64 = 1.5,
+        /// Seconds beyond which collisions are screened off (the paper's tau0). Limit: > 0.
+        time_horizon: f64 = 3.0,
+        /// Seconds to come to the preferred velocity (the paper's xi). Limit: > 0.
+        relaxation_time: f64 = 0.54,
+        /// The part of the radii within which a collision counts as grazing (epsilon). Limit: 0.01 to 0.9.
+        grazing: f64 = 0.2,
+        /// Strength of the repulsion at contact, m^3/s^3 (eta). Limit: >= 0.
+        contact: f64 = 0.01,
+    }
+    /// Parameters of the social force model of 2009. Distances are between centres.
+    Moussaid2009 {
+        /// Seconds to come to the preferred velocity (the paper's tau). Limit: > 0.
+        relaxation_time: f64 = 0.54,
+        /// Greatest acceleration by one neighbour, m/s^2 (A). Limit: >= 0.
+        strength: f64 = 4.5,
+        /// Range of an interaction whose direction has length 1, metres. Limit: > 0.
+        gamma: f64 = 0.35,
+        /// Weight of the relative velocity against the direction to the neighbour, s/m. Limit: >= 0.
+        lambda: f64 = 2.0,
+        /// How narrow the angle is in which neighbours make the agent turn, 1/m (n). Limit: >= 0.
+        turning: f64 = 2.0,
+        /// How narrow the angle is in which neighbours make the agent brake, 1/m (n'). Limit: >= 0.
+        braking: f64 = 3.0,
+        /// Preference for passing on the right, 1/m (epsilon); negative: on the left.
+        side_preference: f64 = 0.005,
+        /// Acceleration at the surface of an obstacle, m/s^2 (a). Limit: >= 0.
+        strength_obstacles: f64 = 3.0,
+        /// Range of that, metres (b). Limit: > 0.
+        range_obstacles: f64 = 0.1,
+    }
+    /// Parameters of the social force model of 1995. Distances are between centres.
+    SocialForce {
+        /// Seconds to come to the preferred velocity (the paper's tau). Limit: > 0.
+        relaxation_time: f64 = 0.5,
+        /// Strength of the potential of a neighbour, m^2/s^2 (V0). Limit: >= 0.
+        strength: f64 = 2.1,
+        /// Range of that potential, metres (sigma). Limit: > 0.
+        range: f64 = 0.3,
+        /// How far ahead a neighbour needs room for its way, seconds (Delta t). Limit: >= 0.
+        anticipation_time: f64 = 2.0,
+        /// Strength of the potential of an obstacle, m^2/s^2 (U0). Limit: >= 0.
+        strength_obstacles: f64 = 10.0,
+        /// Range of that potential, metres (R). Limit: > 0.
+        range_obstacles: f64 = 0.2,
+        /// Angle of view, degrees (2 phi). Limit: 0 to 360.
+        view_angle: f64 = 200.0,
+        /// Weight of neighbours out of the angle of view (c). Limit: 0 to 1.
+        out_of_view: f64 = 0.5,
+    }
+    /// Parameters of the anticipation velocity model.
+    AnticipationVelocity {
+        /// Seconds that an agent stays behind the neighbour ahead (T). Limit: > 0.
+        time_gap: f64 = 1.06,
+        /// How far ahead positions are predicted, seconds. Limit: >= 0.
+        anticipation_time: f64 = 1.0,
+        /// Seconds in which the direction makes up all but 1/e of a change. Limit: > 0.
+        reaction_time: f64 = 0.3,
+        /// How much a neighbour at contact turns the direction, the preferred direction being 1. Limit: >= 0.
+        strength: f64 = 8.0,
+        /// Metres of predicted gap in which that falls to 1/e. Limit: > 0.
+        range: f64 = 0.1,
+        /// Gap to an obstacle, metres, within which an agent does not walk towards it. Limit: >= 0.
+        wall_buffer: f64 = 0.1,
+        /// How strongly such an agent turns away from the obstacle. Limit: >= 0.
+        wall_pushout: f64 = 0.3,
+    }
+    /// Parameters of the collision-free speed model.
+    CollisionFreeSpeed {
+        /// Seconds that an agent stays behind the neighbour ahead (T). Limit: > 0.
+        time_gap: f64 = 1.0,
+        /// How much a neighbour at contact turns the direction, the preferred direction being 1. Limit: >= 0.
+        strength: f64 = 8.0,
+        /// Metres of gap in which that falls to 1/e. Limit: > 0.
+        range: f64 = 0.1,
+        /// As `strength`, of obstacles. Limit: >= 0.
+        strength_obstacles: f64 = 5.0,
+        /// As `range`, of obstacles. Limit: > 0.
+        range_obstacles: f64 = 0.02,
+    }
     /// Parameters of velocity obstacles.
     Vo {
         /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
@@ -174,6 +269,11 @@ impl Avoid {
             Self::Clearpath(model) => (model.neighbours, model.neighbour_distance),
             Self::Rvo(model) => (model.neighbours, model.neighbour_distance),
             Self::RvoLab(model) => (model.neighbours, model.neighbour_distance),
+            Self::PowerLaw(model) => (model.neighbours, model.neighbour_distance),
+            Self::Moussaid2009(model) => (model.neighbours, model.neighbour_distance),
+            Self::SocialForce(model) => (model.neighbours, model.neighbour_distance),
+            Self::AnticipationVelocity(model) => (model.neighbours, model.neighbour_distance),
+            Self::CollisionFreeSpeed(model) => (model.neighbours, model.neighbour_distance),
             Self::Vo(model) => (model.neighbours, model.neighbour_distance),
         };
         (Neighbours::Nearest(nearest), distance)

@@ -35,6 +35,21 @@ pub struct Expect {
     /// The mean speed of those who are there at the end is at most this, m/s: whether a crowd comes to rest. Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub final_speed: Option<f64>,
+    /// Agents that wait outside the area of their journey's end because no place in it is free, at the end: at most.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub waiting_for_room: Option<u64>,
+    /// Agents that have not got on for 10 seconds, which no queue explains, at the end: at most.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub blocked: Option<u64>,
+    /// Agents that have not got on for 10 seconds and walked all the while, at the end: at most.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub oscillating: Option<u64>,
+    /// Agents that are blocked, oscillate, or whose goal is out of reach, at the end: at most.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stuck: Option<u64>,
+    /// Times an agent walked for 30 seconds without getting on: at most.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub without_progress_30s: Option<u64>,
     /// How many cross a line.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub flow: Vec<FlowExpect>,

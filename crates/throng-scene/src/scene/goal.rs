@@ -1,7 +1,7 @@
 //! Where agents go.
 
 use super::ground::is_zero;
-use super::{Number, Point, Region, Spot};
+use super::{Lap, Number, Point, Region, Spot};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
 use serde::{Deserialize, Deserializer, Serialize, de};
@@ -33,6 +33,8 @@ pub enum Goal {
     Journey(Vec<Stop>),
     /// One goal after the other, for ever.
     Cycle(Vec<Stop>),
+    /// Round a ring, for ever.
+    Lap(Lap),
     /// For each the goal that is nearest to its start, on foot.
     Nearest(Vec<Goal>),
     /// For each one of these, drawn by weight.

@@ -1,6 +1,6 @@
 //! Ground, and regions of it.
 
-use super::{Circle, Point};
+use super::{Annulus, Circle, Point};
 use crate::geometry::{points, signed_area};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -11,6 +11,10 @@ use serde::{Deserialize, Serialize};
 pub enum Walkable {
     /// A rectangle.
     Rectangle(Rectangle),
+    /// Several rectangles: what lies in any of them.
+    Rectangles(Vec<Rectangle>),
+    /// A ring: a corridor without ends.
+    Ring(Annulus),
     /// A polygon with holes.
     Polygon(Area),
     /// Several polygons with holes: what lies in any of them.

@@ -81,16 +81,23 @@ pub struct Group {
     /// `"everything"`. Without it, nothing but what `guard` keeps them off. Not with `wrap_around`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solid: Option<What>,
-    /// Degrees by which the preferred velocity is turned clockwise; negative keeps left. Without it, 5, or 0 for those
-    /// who steer. Limit: -28 to 28.
+    /// Whether agents look ahead: they go where there is room, keep a time gap to the agent ahead, and turn from agents that
+    /// come the other way. Without it, agents that do not steer do.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub look_ahead: Option<bool>,
+    /// Seconds: an agent that looks ahead walks no faster than the gap to the agent ahead divided by its time gap. Without it,
+    /// 1.06. Limit: 0.05 to 10.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time_gap: Option<f64>,
+    /// Metres that agents that look ahead like to have round their bodies; the nearer neighbours are, the less of it counts.
+    /// Without it, 0.3. Limit: 0 to 10.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub personal_space: Option<f64>,
+    /// Greatest angle by which an agent that looks ahead turns from one that comes the other way, degrees. An undecided
+    /// meeting is passed on the right; negative: on the left. Agents that do not look ahead are turned by it all the time.
+    /// Without it, 12, or 0 for agents that do not look ahead. Limit: -28 to 28.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub keep_right: Option<f64>,
-    /// Whether an agent whom others block steps aside for a moment. Without it, those who do not steer do.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub detour: Option<bool>,
-    /// Whether they go no faster than those right ahead who go the same way. Without it, those who do not steer do.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub queue: Option<bool>,
     /// Whether agents that cannot pass each other agree who steps aside. Without it, those who do not steer do.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub resolve: Option<bool>,
@@ -134,9 +141,10 @@ impl Default for Group {
             vehicle: None,
             wrap_around: None,
             solid: None,
+            look_ahead: None,
+            time_gap: None,
+            personal_space: None,
             keep_right: None,
-            detour: None,
-            queue: None,
             resolve: None,
             avoid: None,
             guard: None,

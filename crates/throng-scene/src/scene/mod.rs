@@ -1,6 +1,7 @@
 //! What a scene can say: plain data, one idea a file.
 
 mod annotate;
+mod annulus;
 mod avoid;
 mod behaviours;
 mod body;
@@ -26,7 +27,11 @@ mod vehicle;
 mod view;
 
 pub use annotate::{Annotate, Annotation};
-pub use avoid::{Avo, Avoid, BuiltFrom, Clearpath, Hrvo, Orca, Orca3d, Rvo, RvoLab, Unavoiding, Vo};
+pub use annulus::{Annulus, Lap};
+pub use avoid::{
+    AnticipationVelocity, Avo, Avoid, BuiltFrom, Clearpath, CollisionFreeSpeed, Hrvo, Moussaid2009, Orca, Orca3d,
+    PowerLaw, Rvo, RvoLab, SocialForce, Unavoiding, Vo,
+};
 pub use behaviours::Behaviours;
 pub(crate) use behaviours::Unmade;
 pub use body::{Body, Sides};

@@ -59,7 +59,7 @@ fn goal_parts(parts: &mut Parts, path: &str, goal: &Goal, owner: &Owner) {
                 goal_parts(parts, &format!("{path}.goal"), &weighted.goal, &owner);
             }
         }
-        Goal::Air(_) | Goal::Shift(_) => {}
+        Goal::Air(_) | Goal::Shift(_) | Goal::Lap(_) => {}
     }
 }
 

@@ -17,7 +17,9 @@ pub fn summary(ui: &mut Ui, shown: &Shown) {
     let rows = [
         ("agents", format!("{}", shown.frame.total), "here, gone, and yet to come"),
         ("arrived", format!("{}", shown.frame.arrived), "at the end of their journeys"),
-        ("stuck", format!("{}", summary.stuck), "cannot reach their goal, or made no progress for 10 s"),
+        ("stuck", format!("{}", summary.stuck), "cannot reach their goal, are blocked, or walk without getting on"),
+        ("queueing", format!("{}", summary.hindered.queueing), "behind others in a queue that moves"),
+        ("waiting", format!("{}", summary.hindered.waiting_for_room), "outside an area in which no place is free"),
         ("overlaps", format!("{}", summary.overlaps), "bodies and walls that overlapped by more than 1e-4 of a radius"),
         (
             "least separation",

@@ -62,7 +62,7 @@ impl Tunable {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use throng_scene::gallery;
+    use throng_scene::{Model, gallery};
 
     fn all<'a>(section: &'a Section, found: &mut Vec<&'a Parameter>) {
         found.extend(&section.parameters);
@@ -91,7 +91,10 @@ mod tests {
         assert!(matches!(of("group.0.guard").kind, Kind::Switch { .. }));
         assert!(found.iter().all(|parameter| !parameter.path.contains("place") && !parameter.path.contains("goal")));
         let Kind::Choice { value, options } = &of("group.0.avoid").kind else { panic!("a choice of models") };
-        assert!(value == "orca" && options.len() == 9 && options.iter().all(|(_, about)| about.len() > 10));
+        let names: Vec<&str> = options.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(value, "orca");
+        assert_eq!(names, Model::names());
+        assert!(options.iter().all(|(_, about)| about.len() > 10), "{options:?}");
     }
 
     /// Every number of every scene, given its own value again, is taken, and the scene says what it did.

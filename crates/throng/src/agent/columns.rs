@@ -1,6 +1,6 @@
 //! The agents' state: a column a fact, a row an agent.
 
-use super::{Agent, Column, Cycles, GroupId, JourneyId, Memory, ScriptId, Status, Value};
+use super::{Agent, Column, Cycles, GroupId, JourneyId, Memory, ProgressMark, ScriptId, Status, Value};
 use crate::motion::Attitude;
 use crate::navigate::Travel;
 use glam::{DVec2, Vec2};
@@ -114,6 +114,8 @@ columns! {
     status: Vec<Status>,
     /// How its journey goes.
     travel: Vec<Travel>,
+    /// When it last got on, and what hinders it since.
+    progress_mark: Vec<ProgressMark>,
     /// Time it entered, seconds.
     entered: Column<f64>,
     /// Time it first came to the end of its journey; infinite before.
@@ -183,6 +185,7 @@ impl Columns {
         self.script.push(agent.script);
         self.status.push(Status::Walking);
         self.travel.push(Travel::default());
+        self.progress_mark.push(ProgressMark::default());
         self.entered.push(now);
         self.arrived.push(f64::INFINITY);
         self.on_way.push(0.0);

@@ -19,13 +19,18 @@ pub struct Group {
     /// How many of the nearest it takes into account, 1 to 1000. For those who avoid nobody also [`EVERYBODY`](Self::EVERYBODY)
     /// within `neighbour_distance`; or 0, nobody, and then nobody is looked for, nor are those measured who come close.
     pub neighbours: usize,
-    /// Keep-right: the preferred velocity is turned clockwise by this angle, radians; negative keeps left. It is
-    /// what resolves symmetric meetings (MODELS 1.10). Limit: -0.5 to 0.5.
+    /// Whether agents look ahead: they go where there is room, keep a time gap to the agent ahead, and turn from agents that
+    /// come the other way. Without it they head straight along their ways, and leave all else to the local model.
+    pub look_ahead: bool,
+    /// Time gap, seconds: an agent walks no faster than the gap to the agent ahead divided by it. People in single file keep
+    /// 1.06 s (Seyfried et al. 2005). Limit: 0.05 to 10.
+    pub time_gap: f32,
+    /// Room that an agent likes to have round its body, metres; the nearer neighbours are, the less of it counts. Limit: 0 to 10.
+    pub personal_space: f32,
+    /// Greatest angle by which an agent that looks ahead turns from one that comes the other way, radians. An undecided
+    /// meeting is passed on the right; negative: on the left. Agents that do not look ahead are turned by it all the time.
+    /// Limit: -0.5 to 0.5.
     pub keep_right: f32,
-    /// Whether an agent whom others block steps aside for a moment (MODELS 1.10).
-    pub detour: bool,
-    /// Whether an agent goes no faster than those right ahead who go the same way: who queues does not push.
-    pub queue: bool,
     /// Whether agents that block each other's ways agree who steps aside (MODELS 1.10, narrow places).
     pub resolve: bool,
     /// A field that governs where its agents go, beside their own ways or in place of them. They neither make detours nor agree
@@ -65,6 +70,7 @@ impl Group {
         let limit = "from 1 to 1000, or 0 or everybody for those who avoid nobody";
         Error::unless(counts, "neighbours", count as f64, limit)?;
         Error::unless(self.keep_right.abs() <= 0.5, "keep right", self.keep_right, "from -0.5 to 0.5 rad")?;
+        self.check_look_ahead()?;
         self.model.check()?;
         self.check_field(&self.field)?;
         if let Some(steering) = &self.steering {
@@ -121,9 +127,8 @@ impl Group {
             model: Arc::new(Unavoiding),
             steering: Some(steering.into()),
             vehicle,
+            look_ahead: false,
             keep_right: 0.0,
-            detour: false,
-            queue: false,
             resolve: false,
             guard: false,
             ..Self::default()
@@ -136,11 +141,12 @@ impl Default for Group {
         Self {
             name: "agents".into(),
             model: Arc::new(Orca::default()),
-            neighbour_distance: 5.0,
+            neighbour_distance: 8.0,
             neighbours: 10,
-            keep_right: 5.0_f32.to_radians(),
-            detour: true,
-            queue: true,
+            look_ahead: true,
+            time_gap: 1.06,
+            personal_space: 0.3,
+            keep_right: 12.0_f32.to_radians(),
             resolve: true,
             field: None,
             steering: None,

@@ -23,6 +23,9 @@ pub enum Reason {
     Permits(Cause, Line),
     /// A region of forbidden velocities.
     Forbids(Cause, Forbidden),
+    /// What a neighbour or a wall adds in models of repulsion: to the acceleration, m/s^2, or to the direction, the
+    /// preferred direction being 1.
+    Push(Cause, Vec2),
     /// A velocity that was tried.
     Candidate {
         /// The velocity.

@@ -4,43 +4,56 @@
 //! the step, and answers with a velocity; it keeps no state. What it answers need not be safe: the
 //! [guard](crate::guard) makes it so.
 
+mod anticipation_velocity;
 mod avo;
 mod clearpath;
 mod collision;
+mod collision_free_speed;
+mod descent;
 mod explain;
 mod forbidden;
 mod half_plane;
 mod half_space;
 mod hrvo;
+mod imminence;
+mod moussaid;
 mod none;
 mod obstacle_lines;
 mod orca;
 mod orca_3d;
 mod orca_lanes;
 mod outline;
+mod power_law;
 mod rvo;
 mod rvo_lab;
 mod sampling;
+mod separation;
+mod social_force;
 mod turning;
 mod vo;
 
+pub use anticipation_velocity::AnticipationVelocity;
 pub use avo::Avo;
 pub use clearpath::{ClearPath, closest_outside};
 pub use collision::{time_to_disc, time_to_segment};
+pub use collision_free_speed::CollisionFreeSpeed;
 pub use explain::{Cause, Reason};
 pub use forbidden::Forbidden;
 use forbidden::Piece;
 pub use half_plane::{Line, closest_velocity, least_violation};
 pub use half_space::{Plane, closest_velocity_in_space, least_violation_in_space};
 pub use hrvo::Hrvo;
+pub use moussaid::Moussaid2009;
 pub use none::Unavoiding;
 pub use orca::{BuiltFrom, Orca};
 pub use orca_3d::Orca3d;
 pub(crate) use orca_lanes::{MOST, MOST_WALLS, MOST_WITH_WALLS, Own, Views, choose};
 pub use outline::Outline;
+pub use power_law::PowerLaw;
 pub use rvo::Rvo;
 pub use rvo_lab::RvoLab;
 pub use sampling::Search;
+pub use social_force::SocialForce;
 pub use vo::Vo;
 
 pub use crate::random::Dice;

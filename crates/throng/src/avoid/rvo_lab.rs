@@ -22,7 +22,7 @@ const WALL_RANGE: f32 = 5.0;
 ///
 /// ```
 /// use throng::{Group, avoid::RvoLab};
-/// let group = Group { model: std::sync::Arc::new(RvoLab), keep_right: 0.0, detour: false, ..Group::default() };
+/// let group = Group { model: std::sync::Arc::new(RvoLab), look_ahead: false, keep_right: 0.0, ..Group::default() };
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RvoLab;

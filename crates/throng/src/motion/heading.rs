@@ -7,11 +7,11 @@ use glam::Vec2;
 use std::f32::consts::PI;
 
 /// Seconds in which a heading makes up all but a third of the way to the direction of motion.
-const TIME: f32 = 0.3;
+const TIME: f32 = 0.5;
 /// Below this speed, m/s, the direction of motion says nothing: the heading stays.
 const REST: f32 = 0.1;
 /// Above this speed the heading follows fully; in between, in proportion.
-const WALK: f32 = 0.5;
+const WALK: f32 = 0.8;
 
 /// The heading after `step` seconds of motion at `velocity`, turning at most at `max_turn_rate`.
 pub fn turn(heading: f32, velocity: Vec2, step: f32, max_turn_rate: f32) -> f32 {

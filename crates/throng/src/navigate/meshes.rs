@@ -1,7 +1,7 @@
 //! Navigation meshes for bodies of many sizes, the areas to reach on them, and the trees of paths that lead to goals, made
 //! when first needed.
 
-use super::tree::{self, Scratch, Tree};
+use super::tree::{self, Growth, Scratch, Tree};
 use super::{Area, Goal, NavError, NavMesh, Path, Unreachable};
 use crate::agent::GoalId;
 use crate::parallel;
@@ -164,10 +164,11 @@ impl Errand<'_> {
             (Ok(mesh), Some(_), Some(area)) => mesh.area_target(area),
             _ => Err(Unreachable::GoalInWall { at: goal.middle(), distance: f64::INFINITY }),
         };
+        let growth = Growth::of(asked.len());
         for asked in asked.iter_mut() {
             let found = match &class.mesh {
                 Err(_) => Err(Unreachable::StartInWall { at: asked.from, distance: f64::INFINITY }),
-                Ok(mesh) => tree::path(tree, mesh, &target, asked.from, scratch),
+                Ok(mesh) => tree::path(tree, mesh, &target, (asked.from, growth), scratch),
             };
             asked.found = Some(found.map(|path| (path, area.map_or(0.0, Area::gap))));
         }

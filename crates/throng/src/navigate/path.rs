@@ -6,7 +6,7 @@ use super::interval::{GRAZE, SNAP};
 use super::locate::TOUCH;
 use super::mesh::NavMesh;
 use super::polyanya::Search;
-use super::tree::{self, Scratch};
+use super::tree::{self, Growth, Scratch};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -77,7 +77,8 @@ impl NavMesh {
 
     fn all_paths(&self, from: &[DVec2], target: Result<Target<'_>, Unreachable>) -> Vec<Result<Path, Unreachable>> {
         let (mut tree, mut scratch) = (None, Scratch::default());
-        from.iter().map(|&from| tree::path(&mut tree, self, &target, from, &mut scratch)).collect()
+        let growth = Growth::of(from.len());
+        from.iter().map(|&from| tree::path(&mut tree, self, &target, (from, growth), &mut scratch)).collect()
     }
 
     /// A point as what paths lead to; the lists are memory.

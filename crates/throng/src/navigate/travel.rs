@@ -1,26 +1,8 @@
-//! How an agent's journey goes: the leg it is on, and what it does when the crowd leaves it no progress.
-//!
-//! MODELS 1.9 (the stop rule) and 1.10 (deadlock): keep-right breaks the symmetry of meetings; an agent that others
-//! block for a while steps aside for a moment, to the right, by a random angle held for a random time, and to
-//! either side when that has not helped for a while; one that queues behind others who go the same way just waits.
+//! How an agent's journey goes: the leg it is on, its way, and whether it gets on.
 
 use super::Route;
-use crate::random::{Dice, Purpose};
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
-
-/// Seconds over which progress is averaged.
-pub(crate) const AVERAGE: f32 = 0.3;
-/// Part of the preferred speed below which an agent makes no progress.
-pub(crate) const NO_PROGRESS: f32 = 0.15;
-/// Seconds without progress after which an agent counts as blocked.
-const PATIENCE: f32 = 0.7;
-/// Seconds without progress after which detours go to either side: on the right there may be a wall.
-const EITHER_SIDE: f32 = 4.0;
-/// Range of the angle of a detour, radians: 30 to 120 degrees.
-const DETOUR_ANGLE: (f32, f32) = (std::f32::consts::FRAC_PI_6, 4.0 * std::f32::consts::FRAC_PI_6);
-/// Range of the time a detour is held, seconds.
-const DETOUR_TIME: (f32, f32) = (0.5, 1.5);
 
 /// Whose turn it is where people block each other's ways.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -50,8 +32,6 @@ impl Turn {
 pub struct Travel {
     /// Index of the stop it is on its way to.
     pub leg: u32,
-    /// Part of the preferred speed that it has made towards where it wants to go, averaged.
-    pub progress: f32,
     /// Metres of way that were still ahead when it last got on by a radius; infinite if it has yet to set off. Of those
     /// only who agree with others when stuck.
     pub mark: f32,
@@ -65,6 +45,8 @@ pub struct Travel {
     pub(crate) measured: bool,
     /// Whether it arrived at the very point, and so comes back to it when pushed.
     pub at_point: bool,
+    /// Metres from the point of the stop when it arrived there.
+    pub(crate) arrived_at: f32,
     /// `None`: everything in it is as at the start of a leg.
     rare: Option<Box<Rare>>,
 }
@@ -86,27 +68,38 @@ struct Rare {
     gap: f32,
     /// Seconds it still waits at the stop.
     wait: f32,
-    /// Seconds without progress.
-    blocked: f32,
-    /// Seconds without progress, detours included.
-    without_progress: f32,
-    /// Angle of the detour it makes, radians to the right; negative to the left.
-    detour: f32,
-    /// Seconds it still makes it.
-    detour_left: f32,
+    /// Where it stands in the area of the stop.
+    standing: Option<Standing>,
+    /// Whether it waits for room in the area of the stop.
+    waits_for_room: bool,
+}
+
+/// The place in a goal area that an agent has chosen to stand at.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Standing {
+    /// World coordinates.
+    pub at: DVec2,
+    /// Metres from where the area can be entered, on ways inside the area.
+    pub depth: f64,
+    /// Metres from the place when it last got nearer by a radius; 0: it stands there.
+    pub(crate) nearest: f32,
+    /// Seconds since then.
+    pub(crate) idle: f32,
+    /// How many places it did not get to before.
+    pub(crate) tries: u8,
 }
 
 impl Default for Travel {
     fn default() -> Self {
         Self {
             leg: 0,
-            progress: 0.0,
             mark: f32::INFINITY,
             stalled: 0.0,
             turn: Turn::Free,
             planned: false,
             measured: false,
             at_point: false,
+            arrived_at: 0.0,
             rare: None,
         }
     }
@@ -115,7 +108,39 @@ impl Default for Travel {
 impl Travel {
     /// Starts a leg of the journey.
     pub(crate) fn begin(&mut self, leg: u32) {
-        *self = Self { leg, progress: 1.0, ..Self::default() };
+        *self = Self { leg, ..Self::default() };
+    }
+
+    /// Sets out for the stop of this leg again.
+    pub(crate) fn set_out_again(&mut self) {
+        *self = Self { leg: self.leg, measured: self.measured, ..Self::default() };
+    }
+
+    /// The place in the area of the stop that it has chosen to stand at.
+    pub fn standing(&self) -> Option<&Standing> {
+        self.rare.as_ref()?.standing.as_ref()
+    }
+
+    pub(crate) fn standing_mut(&mut self) -> Option<&mut Standing> {
+        self.rare.as_mut()?.standing.as_mut()
+    }
+
+    /// Goes to stand at a place, on a route.
+    pub(crate) fn stand_at(&mut self, at: DVec2, depth: f64, route: Route, tries: u8) {
+        let rare = self.rare_mut();
+        rare.standing = Some(Standing { at, depth, nearest: f32::INFINITY, idle: 0.0, tries });
+        self.set_way(Some(route));
+    }
+
+    /// Whether it waits for room in the area of the stop.
+    pub fn waits_for_room(&self) -> bool {
+        self.rare.as_ref().is_some_and(|rare| rare.waits_for_room)
+    }
+
+    pub(crate) fn set_waits_for_room(&mut self, waits: bool) {
+        if waits || self.rare.is_some() {
+            self.rare_mut().waits_for_room = waits;
+        }
     }
 
     /// Metres still to rise on the way, negative to sink; 0 for those whose goal is on the ground.
@@ -131,16 +156,6 @@ impl Travel {
     /// Seconds it still waits at the stop.
     pub fn wait(&self) -> f32 {
         self.rare.as_ref().map_or(0.0, |rare| rare.wait)
-    }
-
-    /// Seconds without progress, detours included.
-    pub fn without_progress(&self) -> f32 {
-        self.rare.as_ref().map_or(0.0, |rare| rare.without_progress)
-    }
-
-    /// Angle of the detour it makes, radians to the right; negative to the left.
-    pub fn turned(&self) -> f32 {
-        self.rare.as_ref().map_or(0.0, |rare| rare.detour)
     }
 
     /// Notes how many metres it has still to rise, and to go along the ground.
@@ -247,7 +262,6 @@ impl Travel {
     /// Takes a turn, or gives it up: patience begins anew.
     pub(crate) fn take(&mut self, turn: Turn) {
         if let Some(rare) = &mut self.rare {
-            (rare.blocked, rare.without_progress, rare.detour, rare.detour_left) = (0.0, 0.0, 0.0, 0.0);
             rare.refuge = None;
         }
         (self.mark, self.stalled) = (f32::INFINITY, 0.0);
@@ -277,118 +291,6 @@ impl Travel {
             self.stalled += step;
         } else {
             (self.mark, self.stalled) = (remaining, 0.0);
-        }
-    }
-
-    /// Notes how far the agent got in the last step, and tells by what angle to the right its preferred direction
-    /// is to be turned. `made` is the part of the preferred speed it had towards `direction`; `queues`
-    /// tells whether somebody ahead goes the same way.
-    pub(crate) fn detour(
-        &mut self,
-        made: f32,
-        step: f32,
-        dice: impl FnOnce() -> Dice,
-        queues: impl FnOnce() -> bool,
-    ) -> f32 {
-        self.progress += (made - self.progress) * (step / AVERAGE).min(1.0);
-        let gets_on = self.progress >= NO_PROGRESS;
-        if gets_on && self.rare.is_none() {
-            return 0.0;
-        }
-        let rare = self.rare_mut();
-        rare.without_progress = if gets_on { 0.0 } else { rare.without_progress + step };
-        if rare.detour_left > 0.0 {
-            rare.detour_left -= step;
-            if rare.detour_left <= 0.0 {
-                rare.detour = 0.0;
-                rare.blocked = 0.0;
-            }
-            return rare.detour;
-        }
-        if gets_on {
-            rare.blocked = 0.0;
-            return 0.0;
-        }
-        rare.blocked += step;
-        if rare.blocked >= PATIENCE {
-            if queues() {
-                rare.blocked = 0.0;
-            } else {
-                let dice = dice();
-                let left = rare.without_progress > EITHER_SIDE && dice.between((0.0, 1.0), Purpose::DetourSide) < 0.5;
-                let angle = dice.between(DETOUR_ANGLE, Purpose::DetourAngle);
-                rare.detour = if left { -angle } else { angle };
-                rare.detour_left = dice.between(DETOUR_TIME, Purpose::DetourTime);
-            }
-        }
-        rare.detour
-    }
-}
-
-/// A turn to the right.
-#[derive(Clone, Debug)]
-pub(crate) struct Turned {
-    sin: f32,
-    cos: f32,
-}
-
-impl Turned {
-    /// By an angle, radians.
-    pub fn by(angle: f32) -> Self {
-        let (sin, cos) = libm::sincosf(angle);
-        Self { sin, cos }
-    }
-
-    /// Cosine and sine of the angle.
-    #[inline]
-    pub fn cos_and_sin(&self) -> Vec2 {
-        Vec2::new(self.cos, self.sin)
-    }
-
-    /// A direction after it.
-    pub fn turned(&self, direction: Vec2) -> Vec2 {
-        let Self { sin, cos } = *self;
-        Vec2::new(cos * direction.x + sin * direction.y, cos * direction.y - sin * direction.x)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// When somebody whom others block begins detours, seconds after it was stopped, and their angles.
-    fn detours(number: u32, seconds: f32, queues: bool) -> Vec<(f32, f32)> {
-        const STEP: f32 = 0.02;
-        let mut travel = Travel::default();
-        let (mut begun, mut before) = (Vec::new(), 0.0);
-        for step in 0..(seconds / STEP) as u64 {
-            let angle = travel.detour(0.0, STEP, || Dice { seed: 3, number, step }, || queues);
-            if angle != 0.0 && before == 0.0 {
-                begun.push((step as f32 * STEP, angle));
-            }
-            before = angle;
-        }
-        begun
-    }
-
-    #[test]
-    fn detours_go_to_the_right_first_and_later_to_either_side() {
-        let all: Vec<(f32, f32)> = (0..300).flat_map(|number| detours(number, 20.0, false)).collect();
-        let (early, late): (Vec<_>, Vec<_>) = all.iter().partition(|(time, _)| *time < EITHER_SIDE - 0.1);
-        assert!(early.len() > 400 && early.iter().all(|(_, angle)| *angle > 0.0), "the right first");
-        let lefts = late.iter().filter(|(time, angle)| *time > EITHER_SIDE + 0.1 && *angle < 0.0).count();
-        let share = lefts as f64 / late.len() as f64;
-        assert!(late.len() > 1000 && (share - 0.5).abs() < 0.05, "{share} of {} to the left", late.len());
-        assert!(all.iter().all(|(_, angle)| (DETOUR_ANGLE.0..=DETOUR_ANGLE.1).contains(&angle.abs())));
-    }
-
-    #[test]
-    fn who_queues_makes_no_detour_and_who_gets_on_neither() {
-        assert_eq!(detours(1, 60.0, true), []);
-        let mut travel = Travel::default();
-        travel.begin(0);
-        for step in 0..1000 {
-            assert_eq!(travel.detour(0.5, 0.05, || Dice { seed: 1, number: 1, step }, || false), 0.0);
         }
     }
 }

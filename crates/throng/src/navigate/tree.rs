@@ -5,9 +5,10 @@
 //! paths in the plane with convex polygonal obstacles, Inf. Process. Lett. 23, 1986). A path from anywhere else leads by
 //! one of the corners in its own sight.
 //!
-//! The tree grows as far as it is asked for. What it tells does not depend on what it was asked before: lengths are
-//! sums from the target on, the same in any order, and of equal ones the vertex with the lower number is taken; from a point
-//! all ways on are compared.
+//! The tree grows as far as it is asked for: to all sides, the nearest first, for many starts; towards the start (A*: Hart, Nilsson,
+//! Raphael: A formal basis for the heuristic determination of minimum cost paths, IEEE Trans. SSC 4, 1968) for few, which leaves out most
+//! of the ground. What it tells depends neither on that nor on what it was asked before: lengths are sums from the target on, the same in
+//! any order, and of equal ones the vertex with the lower number is taken; from a point all ways on are compared.
 
 use super::area::Target;
 use super::error::Unreachable;
@@ -33,6 +34,25 @@ pub(super) struct Tree {
     open: BinaryHeap<Reverse<(u64, u32)>>,
 }
 
+/// How a tree grows when the path from a start is not known yet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Growth {
+    /// To all sides.
+    Around,
+    /// Towards the start.
+    Toward,
+}
+
+impl Growth {
+    /// The faster one for so many starts at once.
+    pub fn of(starts: usize) -> Self {
+        if starts > FEW { Self::Around } else { Self::Toward }
+    }
+}
+
+/// For so many starts at most a tree grows towards each: every time that takes a look at all open vertices.
+const FEW: usize = 4;
+
 /// Memory of questions.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
@@ -40,6 +60,10 @@ pub(super) struct Scratch {
     around: Vec<u32>,
     seen: Vec<(u32, f64)>,
     polygons: [Vec<DVec2>; 2],
+    /// Bits of the least length of a path from the start through an open vertex, bits of the length of that vertex, and the vertex.
+    front: BinaryHeap<Reverse<(u64, u64, u32)>>,
+    /// Vertices that may see the target.
+    candidates: Vec<u32>,
 }
 
 /// The shortest way to go on from a point.
@@ -56,12 +80,12 @@ pub(super) fn path(
     tree: &mut Option<Tree>,
     mesh: &NavMesh,
     target: &Result<Target<'_>, Unreachable>,
-    from: DVec2,
+    (from, growth): (DVec2, Growth),
     scratch: &mut Scratch,
 ) -> Result<Path, Unreachable> {
     let start = mesh.start_point(from)?;
     let target = target.as_ref().map_err(|&why| why)?;
-    tree.get_or_insert_with(|| Tree::new(mesh, target, scratch)).path(mesh, target, start, scratch)
+    tree.get_or_insert_with(|| Tree::new(mesh, target, scratch)).path(mesh, target, (start, growth), scratch)
 }
 
 impl Tree {
@@ -69,11 +93,14 @@ impl Tree {
     fn new(mesh: &NavMesh, target: &Target<'_>, scratch: &mut Scratch) -> Self {
         let count = mesh.vertices.len();
         let mut tree = Self { lengths: vec![f64::INFINITY; count], next: vec![NONE; count], open: BinaryHeap::new() };
-        for vertex in 0..count as u32 {
+        let mut candidates = std::mem::take(&mut scratch.candidates);
+        in_view(mesh, target, &mut scratch.sweep, &mut candidates);
+        for &vertex in &candidates {
             if let Some(way) = straight(mesh, target, vertex, scratch) {
                 tree.offer(vertex, way.length, NONE);
             }
         }
+        scratch.candidates = candidates;
         tree
     }
 
@@ -87,13 +114,13 @@ impl Tree {
         &mut self,
         mesh: &NavMesh,
         target: &Target<'_>,
-        start: DVec2,
+        (start, growth): (DVec2, Growth),
         scratch: &mut Scratch,
     ) -> Result<Path, Unreachable> {
         let mut around = std::mem::take(&mut scratch.around);
         mesh.touching(start, TOUCH, &mut around);
         let reached = target.check_island(mesh, &around);
-        let found = reached.map(|()| self.go_on(mesh, target, (start, &around), scratch));
+        let found = reached.map(|()| self.go_on(mesh, target, (start, &around, growth), scratch));
         scratch.around = around;
         let Some((length, on)) = found? else {
             // on one island there is a way; only rounding at a needle-thin triangle could hide it
@@ -121,7 +148,7 @@ impl Tree {
         &mut self,
         mesh: &NavMesh,
         target: &Target<'_>,
-        (start, around): (DVec2, &[u32]),
+        (start, around, growth): (DVec2, &[u32], Growth),
         scratch: &mut Scratch,
     ) -> Option<(f64, On)> {
         let Scratch { sweep, seen, polygons, .. } = scratch;
@@ -137,9 +164,7 @@ impl Tree {
             let offset = offset(vertex);
             if mesh.bends_along(vertex, offset) {
                 seen.push((vertex, offset.length()));
-                if self.is_done(vertex) {
-                    *shortest = shortest.min(offset.length() + self.lengths[vertex as usize]);
-                }
+                *shortest = shortest.min(offset.length() + self.lengths[vertex as usize]);
             }
         };
         for &triangle in around {
@@ -158,15 +183,22 @@ impl Tree {
         let open = seen.iter().filter(|&&(vertex, _)| !self.is_done(vertex));
         let nearest = open.fold(f64::INFINITY, |least, &(_, distance)| least.min(distance));
         // the paths of those seen that are not done are at least as long as the first that is open
-        while let Some(&Reverse((bits, _))) = self.open.peek()
-            && nearest + f64::from_bits(bits) <= shortest + GRAZE
-        {
-            if let Some(grown) = self.grow(mesh, target, scratch)
-                && let Ok(place) = scratch.seen.binary_search_by_key(&grown, |&(vertex, _)| vertex)
-            {
-                shortest = shortest.min(scratch.seen[place].1 + self.lengths[grown as usize]);
+        let lacks = |tree: &Self, shortest: f64| {
+            tree.open.peek().is_some_and(|&Reverse((bits, _))| nearest + f64::from_bits(bits) <= shortest + GRAZE)
+        };
+        if growth == Growth::Toward && lacks(self, shortest) {
+            self.grow_toward(mesh, target, (start, shortest), scratch);
+        } else {
+            while lacks(self, shortest) {
+                if let Some(grown) = self.grow(mesh, target, scratch)
+                    && let Some(length) = self.by_way_of(grown, &scratch.seen)
+                {
+                    shortest = shortest.min(length);
+                }
             }
         }
+        let seen = scratch.seen.iter().map(|&(vertex, distance)| distance + self.lengths[vertex as usize]);
+        shortest = seen.fold(shortest, f64::min);
         if let Some(Way { length, end, .. }) = straight.filter(|way| way.length <= shortest + GRAZE) {
             return Some((length, On::Straight(end)));
         }
@@ -187,17 +219,66 @@ impl Tree {
         length.is_finite() && self.open.peek().is_none_or(|&Reverse(first)| (length.to_bits(), vertex) < first)
     }
 
+    /// The length of the path by way of a vertex, if that is among those seen, which are given with their distances.
+    fn by_way_of(&self, vertex: u32, seen: &[(u32, f64)]) -> Option<f64> {
+        let place = seen.binary_search_by_key(&vertex, |&(vertex, _)| vertex).ok()?;
+        Some(seen[place].1 + self.lengths[vertex as usize])
+    }
+
     /// Finishes the path from one more vertex, the one that has the shortest, and tells which; `None` where another path
     /// was shorter.
     fn grow(&mut self, mesh: &NavMesh, target: &Target<'_>, scratch: &mut Scratch) -> Option<u32> {
         let Reverse((bits, vertex)) = self.open.pop()?;
-        let length = self.lengths[vertex as usize];
-        if bits != length.to_bits() {
+        if bits != self.lengths[vertex as usize].to_bits() {
             return None;
         }
-        let at = mesh.vertices[vertex as usize];
+        self.expand(mesh, target, vertex, scratch);
+        Some(vertex)
+    }
+
+    /// Grows by the vertices through which a path from `start` may be no longer than `shortest`, or than what is found on the way: an open
+    /// vertex is as far from the start as the crow flies, or farther.
+    fn grow_toward(
+        &mut self,
+        mesh: &NavMesh,
+        target: &Target<'_>,
+        (start, mut shortest): (DVec2, f64),
+        scratch: &mut Scratch,
+    ) {
+        let mut front = std::mem::take(&mut scratch.front);
+        let through = |length: f64, vertex: u32| length + mesh.vertices[vertex as usize].distance(start);
+        let enter = |tree: &mut Self, front: &mut BinaryHeap<Reverse<(u64, u64, u32)>>| {
+            front.extend(tree.open.drain().map(|Reverse((bits, vertex))| {
+                Reverse((through(f64::from_bits(bits), vertex).to_bits(), bits, vertex))
+            }));
+        };
+        enter(self, &mut front);
+        // twice, so that all vertices of paths that are compared below have all their ways on
+        while let Some(&Reverse((least, bits, vertex))) = front.peek()
+            && f64::from_bits(least) <= shortest + 2.0 * GRAZE
+        {
+            front.pop();
+            if bits != self.lengths[vertex as usize].to_bits() {
+                continue;
+            }
+            if let Some(length) = self.by_way_of(vertex, &scratch.seen) {
+                shortest = shortest.min(length);
+            }
+            self.expand(mesh, target, vertex, scratch);
+            enter(self, &mut front);
+        }
+        self.open.extend(front.drain().map(|Reverse((_, bits, vertex))| Reverse((bits, vertex))));
+        scratch.front = front;
+    }
+
+    /// Offers the path from a vertex to all that its tangents lead to.
+    fn expand(&mut self, mesh: &NavMesh, target: &Target<'_>, vertex: u32, scratch: &mut Scratch) {
+        let (length, at) = (self.lengths[vertex as usize], mesh.vertices[vertex as usize]);
         let on = match self.next[vertex as usize] {
-            NONE => straight(mesh, target, vertex, scratch)?.end,
+            NONE => match straight(mesh, target, vertex, scratch) {
+                Some(way) => way.end,
+                None => return,
+            },
             next => mesh.vertices[next as usize],
         };
         for &other in mesh.tangents(vertex, &mut scratch.sweep) {
@@ -206,7 +287,6 @@ impl Tree {
                 self.offer(other, length + offset.length(), vertex);
             }
         }
-        Some(vertex)
     }
 
     /// Notes a path from a vertex.
@@ -220,6 +300,24 @@ impl Tree {
             self.next[vertex as usize] = self.next[vertex as usize].min(next);
         }
     }
+}
+
+/// The vertices that may be in sight of the target, in order: of a point the corners of what it sees, of an area all.
+fn in_view(mesh: &NavMesh, target: &Target<'_>, sweep: &mut Sweep, out: &mut Vec<u32>) {
+    out.clear();
+    let Target::Point { at, triangles, .. } = *target else {
+        out.extend(0..mesh.vertices.len() as u32);
+        return;
+    };
+    let mut see = |triangle: u32| out.extend(mesh.triangles[triangle as usize]);
+    triangles.iter().copied().for_each(&mut see);
+    sweep.look_from(mesh, at, triangles);
+    sweep.follow(mesh, |triangle, _, _| {
+        see(triangle);
+        true
+    });
+    out.sort_unstable();
+    out.dedup();
 }
 
 /// The shorter of two ways, or the first.

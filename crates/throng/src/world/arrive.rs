@@ -1,8 +1,8 @@
 //! Arriving: who is there, who waits, who goes on, who leaves.
 
 use super::World;
-use crate::agent::{GroupId, JourneyId, Status};
-use crate::navigate::{Goal, nearest_on_ring};
+use crate::agent::{GroupId, JourneyId, ProgressMark, Status};
+use crate::navigate::{Goal, Travel, nearest_on_ring};
 use crate::summary::Ended;
 use glam::DVec2;
 
@@ -97,8 +97,20 @@ impl World {
                     }
                 }
                 Status::Walking if before == Status::Waiting => self.next_leg(row),
+                // pushed out of its place
+                Status::Walking if before == Status::Arrived => {
+                    self.agents.travel[row].set_out_again();
+                    self.agents.progress_mark[row] = ProgressMark::default();
+                    Status::Walking
+                }
                 status => status,
             };
+            if status == Status::Arrived && before != Status::Arrived {
+                let distance = self.distance_to_point(row);
+                let travel = &mut self.agents.travel[row];
+                travel.set_waits_for_room(false);
+                travel.arrived_at = distance.unwrap_or(0.0);
+            }
             if status == Status::Arrived && self.agents.arrived[row].is_infinite() {
                 self.agents.arrived.set(row, now);
                 // whoever arrives by contact has not the whole way to go
@@ -106,6 +118,7 @@ impl World {
             }
             self.agents.status[row] = status;
         }
+        self.fill_areas(&changes, seconds);
         self.step.changes = changes;
         for &row in gone.iter().rev() {
             let ended = Ended { trip: self.agents.trip(row), preferred_speed: self.agents.preferred_speed[row] };
@@ -117,6 +130,7 @@ impl World {
     fn next_leg(&mut self, row: usize) -> Status {
         let journey = &self.journeys[self.agents.journey[row].index()];
         let leg = self.agents.travel[row].leg + 1;
+        self.agents.progress_mark[row] = ProgressMark::default();
         let travel = &mut self.agents.travel[row];
         if (leg as usize) < journey.stops.len() {
             travel.begin(leg);
@@ -138,20 +152,33 @@ impl World {
                     return self.status_without_stop(agents.group[row], agents.journey[row]);
                 };
                 let (place, goal) = (self.world_place(row), &self.goals[stop.goal.index()]);
-                let near = || match (goal.offset(place), goal.corners()) {
-                    (Some((offset, _)), _) => {
+                let near = || match goal.offset(place) {
+                    Some((offset, _)) => {
                         self.arrives_by_contact(row, stop.goal, offset.length(), self.step.arrivals[stop.goal.index()])
                     }
-                    (None, Some(corners)) => {
-                        let (at, gap) = (place.truncate(), f64::from(agents.travel[row].gap()));
-                        gap > 0.0 && nearest_on_ring(corners, at).distance(at) <= gap + GAP_TOLERANCE
-                    }
-                    (None, None) => false,
+                    None => self.is_at_area(row, &agents.travel[row], goal),
                 };
                 if goal.holds(place) || near() { Status::Arrived } else { Status::Walking }
             }
+            Status::Arrived if self.is_out_of_place(row, &agents.travel[row]) => Status::Walking,
             status => status,
         }
+    }
+
+    /// Whether an agent is in an area, or as near as it gets to one that is in a wall.
+    pub(super) fn is_at_area(&self, row: usize, travel: &Travel, goal: &Goal) -> bool {
+        let (place, gap) = (self.world_place(row), f64::from(travel.gap()));
+        let beside = |corners| {
+            let at = place.truncate();
+            gap > 0.0 && nearest_on_ring(corners, at).distance(at) <= gap + GAP_TOLERANCE
+        };
+        goal.holds(place) || goal.corners().is_some_and(beside)
+    }
+
+    /// Metres to the point of the stop; `None` if it is an area.
+    fn distance_to_point(&self, row: usize) -> Option<f32> {
+        let goal = &self.goals[self.goal_of(row)?.index()];
+        goal.offset(self.world_place(row)).map(|(offset, _)| offset.length() as f32)
     }
 
     /// Whether an agent is at the very point it was on its way to.
@@ -166,7 +193,7 @@ impl World {
         let agents = &self.agents;
         let radius = f64::from(agents.radius[row]);
         let enough = 1.25 * radius * f64::from(arrived + 1).sqrt() + 2.0 * radius;
-        let patience = agents.travel[row].without_progress() / CONTENT_TIME;
+        let patience = self.without_progress(row) / CONTENT_TIME;
         if arrived == 0 || distance > enough * f64::from(1.0 + patience) {
             return false;
         }

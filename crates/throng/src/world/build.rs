@@ -1,7 +1,9 @@
 //! Adding and removing: groups, goals, journeys, agents, obstacles. Everything can be done while the world runs.
 
 use super::{Asked, Settings, Slots, StepMemory, SubSteps, World};
-use crate::agent::{Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ScriptId, Status};
+use crate::agent::{
+    Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ProgressMark, ScriptId, Status,
+};
 use crate::field::Governed;
 use crate::guard::Solids;
 use crate::motion::{Attitude, Basis};
@@ -361,11 +363,13 @@ impl World {
     pub(super) fn place_changed(&mut self) {
         self.walls = Walls::new(&self.place.areas, self.place.obstacles(), self.settings.origin);
         self.meshes = Meshes::default();
+        self.step.lattices.clear();
         self.extent = None;
         for travel in &mut self.agents.travel {
             travel.lose_way();
             travel.set_gap(0.0);
         }
+        self.agents.progress_mark.fill(ProgressMark::default());
         // who could not get there may now
         for status in &mut self.agents.status {
             if *status == Status::Stranded {

@@ -177,12 +177,12 @@ impl Explanation {
 }
 
 impl Reason {
-    /// How deep a velocity lies in what this forbids, m/s, at most 0 outside, and the cause; `None` for a candidate.
+    /// How deep a velocity lies in what this forbids, m/s, at most 0 outside, and the cause; `None` for what forbids none.
     pub fn depth(&self, velocity: Vec2) -> Option<(Cause, f32)> {
         match *self {
             Self::Permits(cause, line) => Some((cause, line.violation(velocity))),
             Self::Forbids(cause, region) => Some((cause, region.depth(velocity))),
-            Self::Candidate { .. } => None,
+            Self::Push(..) | Self::Candidate { .. } => None,
         }
     }
 }

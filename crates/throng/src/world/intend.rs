@@ -1,33 +1,26 @@
 //! 2. What would I like: the preferred velocity of everybody.
 
 use super::World;
+use super::fill::RETURN_TIME;
 use super::velocities::set;
 use crate::agent::{Group, Status};
-use crate::navigate::{Goal, Keyframe, Travel, Turn, Turned};
+use crate::navigate::{Goal, Keyframe, Travel, Turn};
 use crate::parallel;
 use glam::{Vec2, Vec3};
-
-/// Seconds in which an agent that was pushed off its goal comes back.
-const RETURN_TIME: f32 = 0.5;
 
 /// What the agents of a group do alike.
 #[derive(Clone, Debug)]
 pub(super) struct Manners {
-    pub detour: bool,
     pub resolve: bool,
     /// Whether a field has a say.
     pub governed: bool,
-    bias: f32,
-    pub keep_right: Turned,
 }
 
 impl Manners {
     fn of(group: &Group) -> Self {
-        let keep_right = Turned::by(group.keep_right);
         let governed = group.field.is_some();
         // whom a field leads elsewhere is not blocked
-        let (detour, resolve) = (group.detour && !governed, group.resolve && !governed);
-        Self { detour, resolve, governed, bias: group.keep_right, keep_right }
+        Self { resolve: group.resolve && !governed, governed }
     }
 }
 
@@ -35,7 +28,7 @@ impl World {
     /// 2. What would I like: the preferred velocity of everybody in the sub-step that ends at `now`.
     pub(super) fn intend(&mut self, seconds: f32, now: f64) {
         self.plan(seconds);
-        self.follow_others();
+        self.look_ahead();
         self.resolve(seconds);
         self.note_sources();
         let mut travels = std::mem::take(&mut self.agents.travel);
@@ -82,28 +75,29 @@ impl World {
         let agents = &self.agents;
         let way = &self.step.shown[row].way;
         if !way.walks() {
-            return if agents.status[row] == Status::Arrived { self.back_to_goal(row, travel) } else { Vec3::ZERO };
+            return if agents.status[row] == Status::Arrived {
+                self.back_to_goal(row, travel, seconds)
+            } else {
+                Vec3::ZERO
+            };
         }
-        if !way.has_goal() {
+        if !way.has_goal() || travel.waits_for_room() {
             return Vec3::ZERO;
         }
         // who waits aside has no direction that others should see
         let waits = travel.turn == Turn::Aside;
         let shown = !waits && way.direction != Vec2::ZERO;
-        let direction = if shown { way.direction } else { self.towards(row, travel).normalize_or_zero() };
+        let mut direction = if shown { way.direction } else { self.towards(row, travel).normalize_or_zero() };
+        let mut slope = travel.slope();
+        if direction == Vec2::ZERO && slope.y != 0.0 && self.without_progress(row) > 0.0 {
+            // straight up or down no side is the right one
+            (direction, slope) = (self.any_side(row), Vec2::new(0.5, slope.y));
+        }
         let radius = agents.radius[row];
-        let slope = travel.slope();
         let speed = agents.preferred_speed[row];
-        let onwards = agents.velocity[row].dot(direction) * slope.x + agents.climb[row] * slope.y;
-        let made = if speed > 0.0 { onwards / speed } else { 1.0 };
         if manners.resolve {
             travel.stall(way.remaining, radius, seconds * speed / radius);
         }
-        let detour = if manners.detour && travel.turn == Turn::Free {
-            travel.detour(made, seconds, || self.dice(row), || self.queues(row, direction))
-        } else {
-            0.0
-        };
         // coming to a point: as slow as stopping there takes, half of the acceleration left to turn with, and never
         // past it
         let arriving = if way.stops() || waits {
@@ -111,15 +105,9 @@ impl World {
         } else {
             f32::INFINITY
         };
-        // who heads straight for what is far needs no second look
-        let is_far = way.remaining > 4.0 * radius && travel.is_straight() && travel.rise() == 0.0;
-        let keeps_right = is_far || self.towards(row, travel).length() > 2.0 * radius;
-        let following = if detour == 0.0 { self.following_speed(row) } else { f32::INFINITY };
-        let speed = speed.min(arriving).min(following);
-        let turned = match (keeps_right, detour == 0.0) {
-            (true, true) => manners.keep_right.turned(direction),
-            (_, _) => Turned::by(detour + if keeps_right { manners.bias } else { 0.0 }).turned(direction),
-        };
+        let ahead = self.ahead(row);
+        let speed = speed.min(arriving).min(ahead.speed);
+        let turned = ahead.turned(direction);
         (turned * (speed * slope.x)).extend(speed * slope.y)
     }
 
@@ -129,9 +117,15 @@ impl World {
         (aim - self.world_position(row)).as_vec2()
     }
 
-    /// What an agent would like that has arrived: to rest, or to come gently back to its point if it was pushed away
-    /// and nobody else has taken it.
-    fn back_to_goal(&self, row: usize, travel: &Travel) -> Vec3 {
+    /// The preferred velocity of an agent that has arrived. In an area it goes to its place and stays there; at a point
+    /// it rests, and comes gently back if it was pushed away and no other agent has taken the point.
+    fn back_to_goal(&self, row: usize, travel: &mut Travel, seconds: f32) -> Vec3 {
+        if travel.standing().is_some() {
+            let towards = self.towards(row, travel);
+            let left = travel.standing().map_or(towards, |standing| (standing.at - self.world_position(row)).as_vec2());
+            let speed = travel.standing_mut().map_or(0.0, |to| self.speed_to_place(row, to, left.length(), seconds));
+            return (towards.normalize_or_zero() * speed).extend(0.0);
+        }
         let goal = self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]);
         match goal.and_then(|goal| Some((goal, goal.offset(self.world_place(row))?))) {
             Some((goal, (offset, tolerance))) if travel.at_point && !self.is_taken(row, goal) => {

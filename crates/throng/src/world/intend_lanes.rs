@@ -4,7 +4,7 @@
 use super::World;
 use super::intend::Manners;
 use crate::lanes::{LANES, Vec2s, load, ones, set};
-use crate::navigate::{AVERAGE, NO_PROGRESS, Travel};
+use crate::navigate::Travel;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use glam::{Vec2, Vec3};
@@ -63,26 +63,23 @@ impl World {
         let everybody = (1 << rows.len()) - 1;
         let mut fits = 0;
         let (mut direction, mut remaining) = ([[0.0; LANES]; 2], [0.0; LANES]);
-        let (mut mark, mut stalled, mut progress) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-        let (mut following, mut stops, mut detours, mut resolve) = ([f32::INFINITY; LANES], 0, 0, 0);
-        let mut keep_right = [[0.0; LANES]; 2];
+        let (mut mark, mut stalled) = ([0.0; LANES], [0.0; LANES]);
+        let (mut gap_speed, mut stops, mut resolve) = ([f32::INFINITY; LANES], 0, 0);
+        let mut turn = [[0.0; LANES]; 2];
         for ((lane, row), travel) in rows.clone().enumerate().zip(&*travels) {
             let way = &self.step.shown[row].way;
             let manners = &manners[agents.group[row].index()];
             let mut fit = way.is_plain() && way.direction != Vec2::ZERO && !manners.governed;
-            // who neither agrees with others nor steps aside leaves its journey as it is
-            if manners.detour || manners.resolve {
-                fit &= travel.is_plain();
-                (mark[lane], stalled[lane], progress[lane]) = (travel.mark, travel.stalled, travel.progress);
-                detours |= u64::from(manners.detour) << lane;
-                resolve |= u64::from(manners.resolve) << lane;
-            }
+            fit &= travel.is_plain();
+            (mark[lane], stalled[lane]) = (travel.mark, travel.stalled);
+            resolve |= u64::from(manners.resolve) << lane;
             fits |= u64::from(fit) << lane;
             set(&mut direction, lane, way.direction);
             stops |= u64::from(way.stops()) << lane;
             remaining[lane] = way.remaining;
-            following[lane] = self.following_speed(row);
-            set(&mut keep_right, lane, manners.keep_right.cos_and_sin());
+            let ahead = self.ahead(row);
+            gap_speed[lane] = ahead.speed;
+            set(&mut turn, lane, ahead.turn);
         }
         if fits == 0 {
             return everybody;
@@ -100,32 +97,17 @@ impl World {
         let walked = splat(seconds) * preferred_speed / radius;
         let stalled = waits.select(stalled + walked, zero);
         let mark = waits.select(mark, remaining);
-        // as `Travel::detour`
-        let mut progress = load(simd, &progress);
-        let mut gets_on = everybody;
-        if detours != 0 {
-            let velocity = Vec2s::from_side_by_side(simd, &agents.velocity[rows.clone()]);
-            // on the ground all of the way is along it
-            let onwards = velocity.dot(direction) + zero;
-            let made = preferred_speed.simd_gt(zero).select(onwards / preferred_speed, splat(1.0));
-            progress = progress + (made - progress) * splat((seconds / AVERAGE).min(1.0));
-            gets_on = progress.simd_ge(splat(NO_PROGRESS)).to_bitmask() | !detours;
-        }
-        let is_far = remaining.simd_gt(splat(4.0) * radius).to_bitmask();
         let max_acceleration = agents.max_acceleration.lanes(simd, rows.clone());
         let stopping = (max_acceleration * remaining).sqrt().min(remaining / splat(seconds));
         let arriving = mask(stops).select(stopping, splat(f32::INFINITY));
-        let speed = preferred_speed.min(arriving).min(load(simd, &following));
-        let [cos, sin] = [&keep_right[0], &keep_right[1]].map(|all| load(simd, all));
+        let speed = preferred_speed.min(arriving).min(load(simd, &gap_speed));
+        let [cos, sin] = [&turn[0], &turn[1]].map(|all| load(simd, all));
         let turned: Vec2s<S> =
             Vec2s { x: cos * direction.x + sin * direction.y, y: cos * direction.y - sin * direction.x };
         (turned * speed).put_side_by_side(preferred);
-        let fits = fits & gets_on & is_far & everybody;
+        let fits = fits & everybody;
         for lane in ones(fits & resolve) {
             (travels[lane].mark, travels[lane].stalled) = (mark[lane], stalled[lane]);
-        }
-        for lane in ones(fits & detours) {
-            travels[lane].progress = progress[lane];
         }
         !fits & everybody
     }

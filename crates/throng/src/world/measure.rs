@@ -71,7 +71,9 @@ impl World {
             }
             for row in ones(contacts.touching(part)).map(|at| first + at) {
                 contacts.of(row).iter().for_each(|&other| measured.pair(agents, row, other as usize, discs_only));
-                if !contacts.is_off_walls(row) {
+                // a script without guard may lead through walls and off the ground
+                let counts = agents.script[row].is_none() || step.guarded[row];
+                if counts && !contacts.is_off_walls(row) {
                     measured.walls(agents, row, walls, (contacts.edges_of(row), contacts.discs_of(row)));
                 }
             }

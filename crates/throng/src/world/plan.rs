@@ -127,7 +127,9 @@ impl World {
         let status = self.agents.status[row];
         if status != Status::Walking {
             let comes = status == Status::Arrived && self.agents.arrived[row].is_infinite();
-            return Way::at_rest(id, remaining).changing(comes || status == Status::Waiting);
+            let moves = || self.is_out_of_place(row, travel) || self.wants_place(row, travel, seconds);
+            let changes = comes || status == Status::Waiting || status == Status::Arrived && moves();
+            return Way::at_rest(id, remaining).changing(changes);
         }
         let waits = travel.turn == Turn::Aside && along < self.agents.radius[row];
         let direction = if waits { Vec2::ZERO } else { towards.normalize_or_zero() };
@@ -137,7 +139,7 @@ impl World {
         let counts = |leg: &Leg| leg.reach + travel.gap() + GAP_TOLERANCE as f32;
         let is_far = |leg: &Leg| distance * 0.9999 > counts(leg) + self.agents.max_speed[row] * seconds * 1.01;
         let taken = id.is_some_and(|id| self.step.arrivals[id.index()] > 0);
-        let may_arrive = taken || !leg.is_some_and(is_far);
+        let may_arrive = taken || travel.waits_for_room() || !leg.is_some_and(is_far);
         let is_plain = travel.is_plain() && tolerance.is_some();
         Way::walking(id, direction, remaining).stopping(stops).changing(may_arrive).plain(is_plain)
     }

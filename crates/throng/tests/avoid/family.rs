@@ -54,7 +54,7 @@ proptest! {
 /// all, radians.
 fn turning(model: Arc<dyn LocalModel>) -> Result<f64, throng::Error> {
     let mut world = World::new(Settings { step: 0.04, ..Settings::default() })?;
-    let group = world.add_group(Group { model, keep_right: 0.0, detour: false, ..Group::default() })?;
+    let group = world.add_group(Group { model, look_ahead: false, keep_right: 0.0, ..Group::default() })?;
     for side in [-1.0, 1.0] {
         let goal = world.add_goal(Goal::Point { at: glam::DVec2::new(5.0 * side, 0.05 * side), tolerance: 0.1 })?;
         let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })?;

@@ -1,13 +1,18 @@
 //! The local models against their papers' definitions and against independent searches.
 
+mod anticipation_velocity;
 mod avo;
 mod clearpath;
 mod collision;
+mod collision_free_speed;
 mod common;
 mod family;
 mod hrvo;
 mod orca;
 mod outline;
+mod power_law;
+mod repulsion;
 mod rvo;
 mod rvo_lab;
+mod social_force;
 mod space;

@@ -48,7 +48,7 @@ fn assert_everybody_arrives(case: u64) {
     let agents = world.agents();
     let left: Vec<_> = (0..agents.len())
         .filter(|&row| agents.status[row] != Status::Arrived)
-        .map(|row| (agents.number[row], agents.position[row], agents.travel[row].progress))
+        .map(|row| (agents.number[row], agents.position[row], agents.travel[row].mark))
         .collect();
     assert!(left.is_empty(), "case {case}: not there after 90 s: {left:?}");
 }

@@ -241,7 +241,7 @@ fn the_unguarded_overlap_each_other_and_are_seen_to_the_guarded_are_not() {
     for guard in [false, true] {
         let mut world = with_settings(0.04, SubSteps::Auto, DVec2::ZERO);
         let model = Arc::new(throng::avoid::Unavoiding);
-        let group = Group { guard: false, model, keep_right: 0.0, detour: false, ..Group::default() };
+        let group = Group { guard: false, model, look_ahead: false, keep_right: 0.0, ..Group::default() };
         let ghosts = world.add_group(group.clone()).unwrap();
         let other = if guard { world.add_group(Group { guard: true, ..group }).unwrap() } else { ghosts };
         let wall = vec![DVec2::new(2.0, -3.0), DVec2::new(2.0, 3.0)];

@@ -4,19 +4,27 @@ use crate::common::{Draw, with_settings};
 use crate::scenes::{Kind, clutter, packed, populate};
 use glam::{DVec2, Vec2};
 use std::sync::Arc;
-use throng::avoid::{Avo, Cause, ClearPath, Hrvo, LocalModel, Orca, Reason, Rvo, RvoLab, Unavoiding, Vo};
+use throng::avoid::{
+    AnticipationVelocity, Avo, Cause, ClearPath, CollisionFreeSpeed, Hrvo, LocalModel, Moussaid2009, Orca, PowerLaw,
+    Reason, Rvo, RvoLab, SocialForce, Unavoiding, Vo,
+};
 use throng::{Agent, AgentId, Group, Settings, SubSteps, World};
 
 fn everybody(world: &World) -> Vec<AgentId> {
     (0..world.agents().len()).map(|row| world.id(row)).collect()
 }
 
-fn models() -> [Arc<dyn LocalModel>; 8] {
+fn models() -> [Arc<dyn LocalModel>; 13] {
     [
         Arc::new(Orca::default()),
         Arc::new(Avo::default()),
         Arc::new(ClearPath::default()),
         Arc::new(RvoLab),
+        Arc::new(CollisionFreeSpeed::default()),
+        Arc::new(AnticipationVelocity::default()),
+        Arc::new(SocialForce::default()),
+        Arc::new(Moussaid2009::default()),
+        Arc::new(PowerLaw::default()),
         Arc::new(Hrvo::default()),
         Arc::new(Rvo::default()),
         Arc::new(Vo::default()),

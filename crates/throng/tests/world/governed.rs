@@ -10,7 +10,14 @@ use throng::perceive::Instructions;
 use throng::{Agent, Error, Group, GroupId, JourneyId, Status, SubSteps, World};
 
 fn led(world: &mut World, field: impl Field + 'static, ratio: f32) -> GroupId {
-    world.add_group(Group { field: Some(Governed::new(field, ratio)), keep_right: 0.0, ..Group::default() }).unwrap()
+    world
+        .add_group(Group {
+            field: Some(Governed::new(field, ratio)),
+            look_ahead: false,
+            keep_right: 0.0,
+            ..Group::default()
+        })
+        .unwrap()
 }
 
 /// Round the origin, counter-clockwise, at 1.2 m/s.
@@ -151,7 +158,7 @@ fn ratios_out_of_their_limits_and_fields_for_who_steers_are_refused() {
 /// Nothing but fields about others.
 fn around(world: &mut World, around: Interaction) -> GroupId {
     let field = Governed { around: vec![around], ..Governed::new(Uniform(Vec3::ZERO), 1.0) };
-    world.add_group(Group { field: Some(field), keep_right: 0.0, ..Group::default() }).unwrap()
+    world.add_group(Group { field: Some(field), look_ahead: false, keep_right: 0.0, ..Group::default() }).unwrap()
 }
 
 /// How much is said is a matter of the group, of where one is, and of who one is.
@@ -163,7 +170,9 @@ fn ratios_are_those_of_the_place_and_of_the_agent() {
     for (y, governed, expected) in [(10.0, 1.0, 0.5), (10.0, 0.5, 0.25), (10.0, 0.0, 0.0), (-10.0, 1.0, 0.0)] {
         let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
         let field = Governed { map: Some(Arc::new(map.clone())), ..Governed::new(Uniform(Vec3::Y), 1.0) };
-        let group = world.add_group(Group { field: Some(field), keep_right: 0.0, ..Group::default() }).unwrap();
+        let group = world
+            .add_group(Group { field: Some(field), look_ahead: false, keep_right: 0.0, ..Group::default() })
+            .unwrap();
         let position = DVec2::new(0.0, y);
         let journey = journey_to(&mut world, DVec2::new(1e4, y));
         world
@@ -184,7 +193,7 @@ fn fields_go_with_their_sources() {
     for heading in [0.0, 2.0, -3.0] {
         let origin = DVec2::new(400.0, -90.0);
         let mut world = with_settings(0.04, SubSteps::Auto, origin);
-        let leaders = world.add_group(Group { keep_right: 0.0, ..Group::default() }).unwrap();
+        let leaders = world.add_group(Group { look_ahead: false, keep_right: 0.0, ..Group::default() }).unwrap();
         let way = DVec2::from_angle(heading);
         let journey = journey_to(&mut world, origin + way * 1e4);
         world.add_agent(Agent { position: origin, group: leaders, journey, ..Agent::default() }).unwrap();
@@ -211,7 +220,9 @@ fn the_mean_of_all_that_is_said_counts() {
         }
         let about = Interaction { reach, weight, ..Interaction::new(posts.index(), Uniform(Vec3::Y)) };
         let field = Governed { around: vec![about], ..Governed::new(Uniform(base), 1.0) };
-        let group = world.add_group(Group { field: Some(field), keep_right: 0.0, ..Group::default() }).unwrap();
+        let group = world
+            .add_group(Group { field: Some(field), look_ahead: false, keep_right: 0.0, ..Group::default() })
+            .unwrap();
         let id = world.add_agent(Agent { group, ..Agent::default() }).unwrap();
         run_for(&mut world, 1.0, |_| {});
         world.agents().velocity[world.row(id).unwrap()]
@@ -235,7 +246,9 @@ fn people_look_where_a_field_says() {
         let looks: Arc<dyn Field> = Arc::new(to_it);
         let about = Interaction { looks: Some(looks), ..Interaction::new(posts.index(), Uniform(Vec3::ZERO)) };
         let field = Governed { around: vec![about], ..Governed::new(Uniform(flow), 1.0) };
-        let group = world.add_group(Group { field: Some(field), keep_right: 0.0, ..Group::default() }).unwrap();
+        let group = world
+            .add_group(Group { field: Some(field), look_ahead: false, keep_right: 0.0, ..Group::default() })
+            .unwrap();
         let id = world.add_agent(Agent { group, heading: Some(-1.0), ..Agent::default() }).unwrap();
         run_for(&mut world, 3.0, |_| {});
         let row = world.row(id).unwrap();
@@ -250,7 +263,7 @@ fn people_look_where_a_field_says() {
 #[test]
 fn fields_can_be_changed_on_the_way() {
     let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
-    let group = world.add_group(Group { keep_right: 0.0, ..Group::default() }).unwrap();
+    let group = world.add_group(Group { look_ahead: false, keep_right: 0.0, ..Group::default() }).unwrap();
     world.add_agent(Agent { group, ..Agent::default() }).unwrap();
     run_for(&mut world, 1.0, |_| {});
     assert_eq!(only(&world).0, Vec2::ZERO);

@@ -1,6 +1,7 @@
 //! The world as a whole: its promises, on scenes that nothing was tuned to, against checks of their own.
 
 mod anywhere;
+mod arriving;
 mod bad_starts;
 mod bodies;
 mod calm;
@@ -10,8 +11,10 @@ mod determinism;
 mod doors;
 mod entry;
 mod explain;
+mod filling;
 mod flocks;
 mod governed;
+mod hindrance;
 mod instructions;
 mod journeys;
 mod limits;

@@ -11,7 +11,7 @@ fn meeting(change: impl Fn(usize, Agent) -> Agent) -> ([f64; 2], f64) {
     let angle = 0.9;
     let origin = DVec2::new(-5200.0, 310.0);
     let mut world = with_settings(0.04, SubSteps::Fixed(2), origin);
-    let group = world.add_group(Group { keep_right: 0.0, detour: false, ..Group::default() }).unwrap();
+    let group = world.add_group(Group { look_ahead: false, keep_right: 0.0, ..Group::default() }).unwrap();
     let along = DVec2::from_angle(angle);
     for (index, side) in [1.0, -1.0].into_iter().enumerate() {
         let off = along.perp() * (0.03 * side);

@@ -2,7 +2,10 @@
 
 use glam::DVec2;
 use std::sync::Arc;
-use throng::avoid::{Avo, BuiltFrom, ClearPath, Hrvo, LocalModel, Orca, Orca3d, Rvo, Search, Unavoiding, Vo};
+use throng::avoid::{
+    AnticipationVelocity, Avo, BuiltFrom, ClearPath, CollisionFreeSpeed, Hrvo, LocalModel, Moussaid2009, Orca, Orca3d,
+    PowerLaw, Rvo, Search, SocialForce, Unavoiding, Vo,
+};
 use throng::{Agent, Goal, Group, Journey, Obstacle, Settings, Stop, World};
 
 /// Every model that gets everybody through, with some of its ways.
@@ -19,6 +22,11 @@ fn models() -> Vec<Arc<dyn LocalModel>> {
         Arc::new(Rvo::default()),
         Arc::new(Rvo { kinodynamic: true, ..Rvo::default() }),
         Arc::new(Rvo { search: Search::Random { candidates: 100 }, time_horizon_obstacles: None, ..Rvo::default() }),
+        Arc::new(PowerLaw::default()),
+        Arc::new(Moussaid2009::default()),
+        Arc::new(SocialForce::default()),
+        Arc::new(AnticipationVelocity::default()),
+        Arc::new(CollisionFreeSpeed::default()),
         Arc::new(Unavoiding),
     ]
 }

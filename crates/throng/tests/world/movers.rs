@@ -1,9 +1,9 @@
 //! Moving obstacles: they keep to their scripts, wait for who is in their way, and catch up.
 
-use crate::common::{journey_to, run, run_for, with_settings};
+use crate::common::{journey_to, rectangle, run, run_for, with_settings};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use throng::{Agent, AgentId, Body, Error, Keyframe, Script, SubSteps, World};
+use throng::{Agent, AgentId, Body, Error, Group, Keyframe, Script, SubSteps, World};
 
 fn keyframe(time: f64, (x, y): (f64, f64), heading: f64) -> Keyframe {
     Keyframe { time, at: DVec2::new(x, y), heading }
@@ -101,6 +101,35 @@ fn doors_that_turn_crush_nobody() {
         let summary = world.summary();
         assert_eq!((summary.arrived, summary.overlaps), (14, 0), "step {step}: {summary:?}");
     }
+}
+
+/// Walls do not count for a mover without guard: the figures are those of the walker that is there as well.
+#[test]
+fn a_mover_that_leaves_the_ground_is_in_no_wall_figure() {
+    let summary = |moves: bool, guard: bool| {
+        let mut world = with_settings(0.05, SubSteps::Fixed(4), DVec2::ZERO);
+        let ground = rectangle(DVec2::ZERO, DVec2::new(20.0, 30.0), 0.0);
+        world.set_walkable(vec![throng::Walkable { outer: ground, holes: vec![] }]).unwrap();
+        // it passes a corner as close as its body lets it
+        world.add_obstacle(throng::Obstacle::rectangle(DVec2::new(0.0, -3.0), DVec2::splat(2.0), 0.0)).unwrap();
+        let journey = journey_to(&mut world, DVec2::new(8.0, -3.0));
+        world.add_agent(Agent { position: DVec2::new(-8.0, -3.0), journey, ..Agent::default() }).unwrap();
+        if moves {
+            let group = world.add_group(Group { guard, ..Group::default() }).unwrap();
+            let path = [keyframe(0.0, (-8.0, 12.0), 0.0), keyframe(10.0, (14.0, 12.0), 0.0)];
+            let id = mover(&mut world, Body::rectangle(1.0, 0.6), &path, false);
+            let agent = world.agent(id).unwrap();
+            world.replace(id, Agent { group, ..agent }).unwrap();
+        }
+        run_for(&mut world, 15.0, |_| ());
+        world.summary()
+    };
+    let (alone, beside) = (summary(false, true), summary(true, false));
+    assert!(alone.least_wall_separation < 2.0 && alone.overlaps == 0, "{alone:?}");
+    assert_eq!((beside.least_wall_separation, beside.overlaps), (alone.least_wall_separation, 0));
+    // one that is guarded is held up at the wall, and counts
+    let held = summary(true, true);
+    assert!((0.9999..1.01).contains(&held.least_wall_separation) && held.overlaps == 0, "{held:?}");
 }
 
 #[test]

@@ -399,7 +399,7 @@ fn walkers_go_round_what_is_solid_to_their_group_only() {
             let settings = Settings { step: 0.05, ..Settings::default() };
             let mut world = World::new(settings).unwrap();
             world.use_instructions(lanes);
-            let group = Group { solid: cage.barriers(), guard, keep_right: 0.0, detour: false, ..Group::default() };
+            let group = Group { solid: cage.barriers(), guard, look_ahead: false, keep_right: 0.0, ..Group::default() };
             let group = world.add_group(group).unwrap();
             let to = glam::DVec2::new(6.0, 0.0);
             let journey = crate::common::journey_to(&mut world, to);

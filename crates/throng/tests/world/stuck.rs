@@ -182,12 +182,34 @@ fn a_crowd_arrives_in_a_dead_end_too() {
             let position = turn(-2.0 - 0.35 * f64::from(k) + draw.between(-0.1, 0.1), y);
             world.add_agent(Agent { position, journey, ..Agent::default() }).unwrap();
         }
-        assert_all_arrive(&mut world, 60.0, &format!("a passage of {width} m"));
+        assert_all_arrive(&mut world, 160.0, &format!("a passage of {width} m"));
     }
 }
 
-/// A ring-shaped way full of people: everybody follows the next, nobody is first. Gaps are between centres, in diameters:
-/// with less than 4.5 % between bodies who follows the next at its speed only creeps for ever.
+/// A ring-shaped way between walls, one body wide, and agents that go round it one after the other: so many of a radius, and
+/// a gap between their centres in diameters.
+fn roundabout((gap, count, body, step, side): (f64, u32, f64, f64, f64), group: Group) -> World {
+    let mut world = world(step, DVec2::new(-800.0, 70.0));
+    let group = world.add_group(group).unwrap();
+    let origin = world.settings().origin;
+    let spoke = |part: f64| DVec2::from_angle(0.3 + side * part * std::f64::consts::TAU);
+    let radius = body * gap / (std::f64::consts::PI / f64::from(count)).sin();
+    world.add_obstacle(Obstacle::Circle { center: origin, radius: radius - 1.25 * body }).unwrap();
+    let points = (0..=64).map(|k| origin + spoke(f64::from(k) / 64.0) * (radius + 1.5 * body)).collect();
+    world.add_obstacle(Obstacle::Wall { points }).unwrap();
+    let goal = |k: usize| Goal::Point { at: origin + spoke(k as f64 / 8.0) * radius, tolerance: 1.5 * body as f32 };
+    let goals = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| world.add_goal(goal(k)).unwrap());
+    for k in 0..count {
+        let eighth = (8 * k / count) as usize;
+        let stops = (1..9).map(|stop| Stop { goal: goals[(eighth + stop) % 8], wait: 0.0 }).collect();
+        let journey = world.add_journey(Journey { stops, repeat: true }).unwrap();
+        let position = origin + spoke(f64::from(k) / f64::from(count)) * radius;
+        world.add_agent(Agent { position, journey, group, radius: body as f32, ..Agent::default() }).unwrap();
+    }
+    world
+}
+
+/// A full ring, where nobody is first, with the local model alone.
 #[test]
 fn a_full_roundabout_turns() {
     for (gap, count, body, step, side) in [
@@ -200,26 +222,27 @@ fn a_full_roundabout_turns() {
         (1.038, 33, 0.25, 0.05, -1.0),
         (1.1, 40, 0.2, 0.04, 1.0),
     ] {
-        let mut world = world(step, DVec2::new(-800.0, 70.0));
-        let origin = world.settings().origin;
-        let spoke = |part: f64| DVec2::from_angle(0.3 + side * part * std::f64::consts::TAU);
-        let radius = body * gap / (std::f64::consts::PI / f64::from(count)).sin();
-        world.add_obstacle(Obstacle::Circle { center: origin, radius: radius - 1.25 * body }).unwrap();
-        let points = (0..=64).map(|k| origin + spoke(f64::from(k) / 64.0) * (radius + 1.5 * body)).collect();
-        world.add_obstacle(Obstacle::Wall { points }).unwrap();
-        let goal = |k: usize| Goal::Point { at: origin + spoke(k as f64 / 8.0) * radius, tolerance: 1.5 * body as f32 };
-        let goals = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| world.add_goal(goal(k)).unwrap());
-        for k in 0..count {
-            let eighth = (8 * k / count) as usize;
-            let stops = (1..9).map(|stop| Stop { goal: goals[(eighth + stop) % 8], wait: 0.0 }).collect();
-            let journey = world.add_journey(Journey { stops, repeat: true }).unwrap();
-            let position = origin + spoke(f64::from(k) / f64::from(count)) * radius;
-            world.add_agent(Agent { position, journey, radius: body as f32, ..Agent::default() }).unwrap();
-        }
+        let group = Group { look_ahead: false, keep_right: 0.0, ..Group::default() };
+        let mut world = roundabout((gap, count, body, step, side), group);
         run(&mut world, 30.0, assert_free);
         let walked = world.agents().walked.iter().sum::<f64>() / f64::from(count);
         let label = format!("{count} of {body} m, {gap} apart");
         // 26 m and more; 39 m at preferred speed
         assert!(world.summary().stuck == 0 && walked > 20.0, "{label}: {walked} m in 30 s, {:?}", world.summary());
+    }
+}
+
+/// Seyfried, Steffen, Klingsch, Boltes 2005: in single file people need 0.36 m and 1.06 s of their speed each. Where there is
+/// more room, agents on a curve are too fast: the agent ahead is aside of their way.
+#[test]
+fn a_roundabout_turns_as_fast_as_people_walk_in_single_file() {
+    for (each, side) in [(0.6, 1.0), (0.8, -1.0), (1.04, 1.0)] {
+        let mut world = roundabout((each / 0.4, 40, 0.2, 0.04, side), Group::default());
+        run(&mut world, 20.0, assert_free);
+        let before = world.agents().walked.iter().sum::<f64>();
+        run(&mut world, 50.0, assert_free);
+        let speed = (world.agents().walked.iter().sum::<f64>() - before) / (40.0 * 30.0);
+        let people = (each - 0.36) / 1.06;
+        assert!((speed - people).abs() < 0.15, "{each} m each: {speed} m/s, people {people}");
     }
 }

@@ -30,7 +30,7 @@ fn crossing(group: Group) -> (World, GroupId) {
 #[test]
 fn a_group_goes_on_as_if_it_had_always_been_so() {
     let looks =
-        Group { neighbour_distance: 2.0, neighbours: 4, keep_right: -0.1, queue: false, ..with(Orca::default()) };
+        Group { neighbour_distance: 2.0, neighbours: 4, keep_right: -0.1, look_ahead: false, ..with(Orca::default()) };
     for other in [with(Hrvo::default()), looks, Group { guard: false, ..with(Unavoiding) }] {
         let (mut changed, group) = crossing(with(Orca::default()));
         run_for(&mut changed, 2.0, |_| {});

@@ -17,7 +17,7 @@ pub fn player(tracks: &Tracks, question: &Question, counts: impl Fn(&Spot) -> bo
         dense.entry(spot.number).or_insert(next);
     }
     spots.iter_mut().for_each(|spot| spot.number = dense[&spot.number]);
-    let moments = Moments::of(Tracks { setting: tracks.setting.clone(), spots, unit: None });
+    let moments = Moments::of(Tracks { setting: tracks.setting.clone(), spots, ..Tracks::default() });
     let mut setting = moments.setting.clone();
     if setting.walkable.is_empty() {
         setting.walkable.clone_from(&question.ground.walkable);

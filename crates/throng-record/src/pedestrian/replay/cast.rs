@@ -1,17 +1,18 @@
 //! Who was recorded, and what each is taken to want.
 
-use crate::pedestrian::{Border, People, Walk, velocities};
+use super::pause::{Pause, pauses};
+use crate::pedestrian::{Border, People, Velocities, Walk};
 use glam::DVec2;
 
 /// Who is slower stands, m/s: noise of recordings is up to about this.
 const STANDS: f64 = 0.1;
-/// Who is slower when seen last has come to stay, m/s.
-const STAYS: f64 = 0.2;
+/// A person that is slower stands: it pauses, or when seen last has come to stay, m/s.
+pub(super) const STAYS: f64 = 0.2;
 
 /// How fast somebody is taken to walk when nothing hinders them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pace {
-    /// The mean of their own speeds while they walk (faster than 0.1 m/s).
+    /// The mean of their own speeds while they walk (faster than 0.1 m/s, and in no pause).
     Mean,
     /// What this part of their own speeds while they walk is below, 0 to 1: 0.5 for the median.
     Quantile(f64),
@@ -20,7 +21,7 @@ pub enum Pace {
 }
 
 /// What somebody recorded is taken to want.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Walker {
     /// Preferred speed, m/s.
     pub speed: f64,
@@ -28,6 +29,31 @@ pub struct Walker {
     pub goal: DVec2,
     /// Whether they stood when they were seen last, and so stay at the goal until then.
     pub stays: bool,
+    /// Where and until when they stand on the way, in order.
+    pub pauses: Vec<Pause>,
+}
+
+impl Walker {
+    /// The pauses that are not over at a time.
+    pub fn pauses_after(&self, time: f64) -> &[Pause] {
+        &self.pauses[self.pauses.partition_point(|pause| pause.until <= time)..]
+    }
+
+    /// The place at `time` of a person that goes straight on from `place` at `start`: at preferred speed to each pause, where it stands until
+    /// the pause is over, then to the goal. A person that is not there when a pause is over goes on from where it is.
+    pub fn straight(&self, place: DVec2, start: f64, time: f64) -> DVec2 {
+        let toward = |from: DVec2, to: DVec2, seconds: f64| from + (to - from).clamp_length_max(self.speed * seconds);
+        let (mut place, mut now) = (place, start);
+        for pause in self.pauses_after(start) {
+            if now >= time {
+                break;
+            }
+            let until = pause.until.min(time);
+            place = toward(place, pause.place, until - now);
+            now = until;
+        }
+        if now < time { toward(place, self.goal, time - now) } else { place }
+    }
 }
 
 /// Who was recorded.
@@ -83,18 +109,31 @@ impl Cast {
             back: whole((interval / seen.interval()).round()),
             people: seen,
         };
-        let walkers = (0..cast.people.walks.len()).map(|index| {
+        let velocities = Velocities::of(&cast.people, rows, Border::OneSided);
+        let speed = |velocity: &Option<DVec2>| velocity.map_or(0.0, DVec2::length);
+        let speeds = velocities.walks().iter().map(|rows| rows.iter().map(speed).collect()).collect::<Vec<Vec<f64>>>();
+        let pauses = pauses(&cast.people, &speeds);
+        let walkers = pauses.into_iter().zip(speeds).enumerate().map(|(index, (pauses, speeds))| {
             let walk = &cast.people.walks[index];
-            let speeds = velocities(walk, rows, Border::OneSided).into_iter().flatten().map(DVec2::length);
+            let paused = |time: f64| pauses.iter().any(|pause| (pause.from..=pause.until).contains(&time));
+            let walking = speeds.into_iter().zip(&walk.times).filter(|(_, time)| !paused(**time));
             let last = walk.places.len() - 1;
             Walker {
-                speed: pace.of(speeds.collect()),
+                speed: pace.of(walking.map(|(speed, _)| speed).collect()),
                 goal: walk.places[last],
                 stays: cast.velocity(index, last).length() < STAYS,
+                pauses,
             }
         });
         cast.walkers = walkers.collect();
         cast
+    }
+
+    /// The same people with goals and speeds alone: none of them pauses.
+    #[must_use]
+    pub fn without_pauses(mut self) -> Self {
+        self.walkers.iter_mut().for_each(|walker| walker.pauses.clear());
+        self
     }
 
     /// The velocity that somebody goes on with at one of its rows, m/s: that up to then; at its first rows, that of those.

@@ -5,8 +5,8 @@ use crate::pedestrian::Walk;
 use glam::DVec2;
 use throng::{Error, World};
 
-/// What people are predicted by: the replay; going on with the velocity at the beginning; going straight to the goal at preferred speed.
-/// The last two know nothing of others, nor of walls: what a model is worth is what it adds to them.
+/// What people are predicted by: the replay; going on with the velocity at the beginning; going straight to the goal at preferred speed,
+/// by way of the pauses. The last two know nothing of others, nor of walls: what a model is worth is what it adds to them.
 pub const PREDICTORS: [&str; 3] = ["replay", "constant velocity", "straight to the goal"];
 
 /// Rounding of times, seconds.
@@ -31,11 +31,10 @@ impl Sample {
         let (start, there) = (walk.at(from)?, walk.at(end)?);
         let row = walk.times.partition_point(|&time| time <= from + ROUNDING) - 1;
         let velocity = cast.velocity(index, row);
-        let way = walker.goal - start;
         let predicted = |time: f64| {
             let since = time - from;
-            let straight = way.clamp_length_max(walker.speed * since);
-            [replayed.held(index, time).unwrap_or(start), start + velocity * since, start + straight]
+            let straight = walker.straight(start, from, time);
+            [replayed.held(index, time).unwrap_or(start), start + velocity * since, straight]
         };
         let off = |time: f64, place: DVec2| predicted(time).map(|there| there.distance(place));
         let rows = walk.times.iter().zip(&walk.places).skip(row + 1).take_while(|(time, _)| **time <= end + ROUNDING);

@@ -5,7 +5,7 @@ use super::{Cast, Stage};
 use crate::Frame;
 use crate::pedestrian::{People, Walk};
 use glam::{DVec2, Vec2};
-use throng::{Agent, AgentId, Error, Goal, GroupId, Journey, Status, Stop, Summary, World};
+use throng::{Agent, AgentId, Error, Goal, GroupId, Journey, JourneyId, Status, Stop, Summary, World};
 
 /// Rounding of times, seconds.
 const ROUNDING: f64 = 1e-9;
@@ -13,7 +13,8 @@ const ROUNDING: f64 = 1e-9;
 /// Recorded people walk once more.
 ///
 /// Everybody enters with the first step that ends when they had come, where they were then; who overlaps somebody there is parted from
-/// them by the [guard](throng::guard), who would stand in something solid enters beside it. Who has arrived leaves, at once or with the
+/// them by the [guard](throng::guard), who would stand in something solid enters beside it. On its way an agent stands at every
+/// [pause](super::Pause) until that is over; an agent that has not come there by then goes on. Who has arrived leaves, at once or with the
 /// recorded one ([`Stage::stay`], [`Walker::stays`](super::Walker::stays)).
 #[derive(Debug)]
 pub struct Replay<'a> {
@@ -38,6 +39,8 @@ struct Here {
     walk: usize,
     id: AgentId,
     place: DVec2,
+    /// When the pause is over that the agent goes to or stands at; `None`: it goes to its goal.
+    pauses_until: Option<f64>,
 }
 
 /// What came of a replay.
@@ -158,6 +161,9 @@ impl<'a> Replay<'a> {
                 walk.places.push(one.place.lerp(place, share));
             }
             one.place = place;
+            if one.pauses_until.is_some() {
+                return true;
+            }
             let arrived = status == Status::Arrived;
             if arrived {
                 self.out.arrived[one.walk].get_or_insert(now);
@@ -174,8 +180,38 @@ impl<'a> Replay<'a> {
             }
             !leaves
         });
+        for one in &mut here {
+            if one.pauses_until.is_some_and(|until| until <= now + ROUNDING) {
+                let (agent, pauses_until) = (self.world.agent(one.id).ok_or(Error::Gone)?, self.pauses_until(one.walk));
+                let journey = self.journey(one.walk)?;
+                self.world.replace(one.id, Agent { journey, ..agent })?;
+                one.pauses_until = pauses_until;
+            }
+        }
         self.here = here;
         self.enter(first)
+    }
+
+    /// When the pause is over that is next for a walk.
+    fn pauses_until(&self, walk: usize) -> Option<f64> {
+        self.cast.walkers[walk].pauses_after(self.time() + ROUNDING).first().map(|pause| pause.until)
+    }
+
+    /// The journey of a walk from now on: to the next pause, where the agent waits at least until that is over, or to the goal. A place in
+    /// something solid is moved to the nearest free one.
+    fn journey(&mut self, walk: usize) -> Result<JourneyId, Error> {
+        let now = self.time();
+        let walker = &self.cast.walkers[walk];
+        let next = walker.pauses_after(now + ROUNDING).first();
+        let (at, wait) = next.map_or((walker.goal, 0.0), |pause| (pause.place, (pause.until - now) as f32));
+        let at = self.free(walk, at);
+        let goal = self.world.add_goal(Goal::Point { at, tolerance: self.stage.near as f32 })?;
+        self.world.add_journey(Journey { stops: vec![Stop { goal, wait }], repeat: false })
+    }
+
+    /// The place nearest to another at which the body of a walk has room; that itself where there is none.
+    fn free(&self, walk: usize, at: DVec2) -> DVec2 {
+        room(&self.world, at, self.cast.people.walks[walk].radius).unwrap_or(at)
     }
 
     /// How many of the times have come.
@@ -205,7 +241,7 @@ impl<'a> Replay<'a> {
                     out.places.push(place);
                 }
             }
-            self.here.push(Here { walk: index, id, place });
+            self.here.push(Here { walk: index, id, place, pauses_until: self.pauses_until(index) });
         }
         Ok(())
     }
@@ -218,11 +254,9 @@ impl<'a> Replay<'a> {
             return Ok(None);
         };
         let radius = walk.radius as f32;
-        let goal = room(&self.world, walker.goal, walk.radius).unwrap_or(walker.goal);
+        let goal_moved = self.free(index, walker.goal) != walker.goal;
         let alone = self.world.is_free(position.extend(0.0), radius);
-        let goal_moved = goal != walker.goal;
-        let goal = self.world.add_goal(Goal::Point { at: goal, tolerance: self.stage.near as f32 })?;
-        let journey = self.world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })?;
+        let journey = self.journey(index)?;
         let speed = walker.speed as f32;
         let velocity: Vec2 = velocity.as_vec2();
         let heading = (velocity.length() > 0.1).then(|| velocity.y.atan2(velocity.x));

@@ -3,6 +3,7 @@
 use super::xml::Xml;
 use crate::error::{Error, Kind};
 use crate::file::read_text;
+use crate::import::short;
 use std::path::{Path, PathBuf};
 
 /// The texts of a project, and where they are from.
@@ -53,7 +54,7 @@ pub(super) fn find(path: &Path) -> Result<Project, Error> {
             read(scene, path)
         }
         other => {
-            let shown: String = other.chars().take(30).collect();
+            let shown = short(other);
             Err(Error::new(Kind::NotAScene, format!("this XML has the root <{shown}>: it is no project of Menge's"))
                 .hint("a project is a <Project>, a scene (<Experiment>) or a behaviour (<BFSM>)")
                 .file(path.display().to_string()))

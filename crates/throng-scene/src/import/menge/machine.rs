@@ -274,7 +274,7 @@ fn when(xml: &Xml, node: Node) -> Result<When, Error> {
             let size = DVec2::new(xml.needed(node, "width")?, xml.needed(node, "height")?);
             When::In(turned(xml, node, ["pivot_x", "pivot_y"], size)?)
         }
-        other => When::Other(other.chars().take(30).collect()),
+        other => When::Other(short(other)),
     })
 }
 

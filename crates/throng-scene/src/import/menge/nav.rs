@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
+use crate::import::short;
 
 /// Numbers beyond this are mistakes.
 const FARTHEST: f64 = 1e7;
@@ -68,12 +69,7 @@ impl<'t> Lines<'t> {
     fn count(&mut self, what: &str) -> Result<usize, Error> {
         let (words, at) = self.words(what)?;
         let count = words[0].parse().ok().filter(|_| words.len() == 1);
-        count.ok_or_else(|| {
-            self.wrong(
-                at,
-                format!("{what} should be here, not `{}`", words.join(" ").chars().take(30).collect::<String>()),
-            )
-        })
+        count.ok_or_else(|| self.wrong(at, format!("{what} should be here, not `{}`", short(&words.join(" ")))))
     }
 
     fn number(&self, words: &[&str], k: usize, at: usize) -> Result<f64, Error> {

@@ -6,6 +6,7 @@ use super::profile::Profile;
 use super::xml::{Xml, children};
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
+use crate::import::short;
 use crate::random::{Purpose, Random};
 use roxmltree::Node;
 
@@ -110,7 +111,7 @@ fn generate(xml: &Xml, node: Node, out: &mut Vec<DVec2>, notes: &mut Notes) -> R
         }
         "hex_lattice" => out.extend(lattice::places(xml, node, MOST - out.len() as f64)?),
         other => {
-            let shown: String = other.chars().take(30).collect();
+            let shown = short(other);
             let error = xml.wrong(node, Kind::UnknownKey, format!("generators of the kind `{shown}` are not read"));
             return Err(error.hint("write its agents as a generator `explicit`, or `rect_grid`"));
         }

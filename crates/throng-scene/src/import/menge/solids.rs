@@ -7,6 +7,7 @@ use super::xml::{Xml, children};
 use crate::error::{Error, Kind};
 use crate::file::read_text;
 use crate::geometry::{DVec2, contains, crossing, signed_area};
+use crate::import::short;
 use crate::scene::{Area, Obstacle, Shape};
 use std::path::Path;
 
@@ -64,7 +65,7 @@ pub(super) fn read(
                 notes.whole("the navigation mesh is the ground; its heights are left out");
             }
             other => {
-                let shown: String = other.chars().take(30).collect();
+                let shown = short(other);
                 return Err(xml.wrong(node, Kind::UnknownKey, format!("obstacles of the kind `{shown}` are not read")));
             }
         }

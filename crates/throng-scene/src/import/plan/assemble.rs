@@ -26,6 +26,8 @@ pub(super) struct Parts {
     pub exits: Vec<Vec<DVec2>>,
     pub starts: Vec<Start>,
     pub notes: Notes,
+    /// Why its unit is likely wrong, if it is.
+    pub doubt: Option<String>,
 }
 
 /// Where people start.
@@ -84,6 +86,7 @@ impl Parts {
         if free.is_empty() {
             let hint =
                 "name the layer of the ground, drawn as closed shapes, by a word such as `walkable`, `floor` or `room`";
+            let hint = self.doubt.as_deref().unwrap_or(hint);
             return Err(Error::new(Kind::Geometry, "nothing of this plan can be walked on").hint(hint));
         }
         Ok(Ground { areas: free.iter().map(Area::walkable).collect(), notes: self.notes.lines() })

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 /// What was drawn in a file.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Drawing {
     pub items: Vec<Item>,
     /// Texts, and where they stand.
@@ -16,6 +16,8 @@ pub(super) struct Drawing {
     pub notes: Notes,
     /// Whether polygons that nothing is known of are ground.
     pub plain: bool,
+    /// The length of the unit that the file was read in, metres; 1 where it has none.
+    pub unit: f64,
     /// How many points were added.
     points: usize,
 }
@@ -75,6 +77,12 @@ pub(super) const UNIT: &str = "say how long its unit is: --plan-unit METRES, or 
 
 /// The most points of a drawing.
 const MOST: usize = 4_000_000;
+
+impl Default for Drawing {
+    fn default() -> Self {
+        Self { items: vec![], labels: vec![], notes: Notes::default(), plain: false, unit: 1.0, points: 0 }
+    }
+}
 
 impl Drawing {
     /// An empty one in which polygons that nothing is known of are ground.

@@ -20,6 +20,7 @@ mod geojson;
 mod layer;
 mod levels;
 mod overlay;
+mod scale;
 #[cfg(feature = "svg")]
 mod svg;
 mod walk;
@@ -101,7 +102,13 @@ pub fn load(path: impl AsRef<Path>, ask: &Ask) -> Result<Imported, Error> {
 /// # Errors
 /// As [`load`].
 pub fn from_text(name: &str, text: &str, ask: &Ask) -> Result<Imported, Error> {
-    evacuation::scene(name, parts(name, text, ask)?, ask)
+    let parts = parts(name, text, ask)?;
+    let doubt = parts.doubt.clone();
+    // where nothing fits into a plan, the unit is what to change first
+    evacuation::scene(name, parts, ask).map_err(|error| match doubt {
+        Some(doubt) if matches!(error.kind, Kind::Geometry | Kind::GoalInWall) => error.hint(doubt),
+        _ => error,
+    })
 }
 
 /// Reads a file, of which errors say the name.
@@ -127,7 +134,7 @@ fn parts(name: &str, text: &str, ask: &Ask) -> Result<Parts, Error> {
         return Err(Error::new(Kind::Conflict, "this plan has no levels to choose from: only meshes (.obj) do")
             .hint("leave out the level"));
     }
-    let drawing = match ending.as_str() {
+    let mut drawing = match ending.as_str() {
         "wkt" => wkt(text, ask.unit.unwrap_or(1.0))?,
         "geojson" | "json" => geojson::read(text, ask.unit)?,
         "dxf" => dxf::read(text, ask.unit)?,
@@ -139,7 +146,14 @@ fn parts(name: &str, text: &str, ask: &Ask) -> Result<Parts, Error> {
                 .hint("plans end in .wkt, .geojson, .dxf, .svg or .obj"));
         }
     };
-    Parts::of(drawing)
+    if let Some(unit) = ask.unit {
+        drawing.unit = unit;
+    }
+    let doubt = scale::doubt(&drawing);
+    if let Some(doubt) = &doubt {
+        drawing.notes.whole(doubt.clone());
+    }
+    Ok(Parts { doubt, ..Parts::of(drawing)? })
 }
 
 /// The polygons of a text: all that can be walked on.

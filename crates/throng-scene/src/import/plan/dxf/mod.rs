@@ -35,6 +35,7 @@ pub(super) fn read(text: &str, unit: Option<f64>) -> Result<Drawing, Error> {
     };
     Shapes::new(&pairs, unit).read(&mut drawing)?;
     drawing.map(|p: DVec2| p * unit);
+    drawing.unit = unit;
     Ok(drawing)
 }
 

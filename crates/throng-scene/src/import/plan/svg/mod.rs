@@ -43,5 +43,6 @@ pub(super) fn read(text: &str, unit: Option<f64>) -> Result<Drawing, Error> {
     let [corner, size] = elements.view()?;
     let bottom = corner.y + size.y;
     drawing.map(|p| DVec2::new(p.x, bottom - p.y) * unit);
+    drawing.unit = unit;
     Ok(drawing)
 }

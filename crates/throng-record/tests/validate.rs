@@ -1,0 +1,82 @@
+//! The experiments and the random families are scenes that can be run and measured.
+
+use throng_record::validate::families::{FAMILIES, Flaw, Trial};
+use throng_record::validate::{EXPERIMENTS, Run};
+
+#[test]
+fn every_case_can_be_run_and_measured() {
+    for experiment in EXPERIMENTS {
+        let cases = experiment.cases();
+        assert!(cases.iter().any(|case| case.quick), "{}", experiment.name);
+        for case in &cases {
+            let mut scene = case.scene(3).unwrap_or_else(|error| panic!("{} {}: {error}", experiment.name, case.name));
+            scene.time.limit = 0.4;
+            let run = Run::of(&scene, case.interval, |_| true);
+            let run = run.unwrap_or_else(|error| panic!("{} {}: {error}", experiment.name, case.name)).unwrap();
+            assert_eq!(case.measure(&run).len(), case.figures.len(), "{} {}", experiment.name, case.name);
+        }
+        if let Some(overall) = &experiment.overall {
+            let values: Vec<Vec<f64>> = cases.iter().map(|case| vec![1.0; case.figures.len()]).collect();
+            assert_eq!(overall.measure(&values).len(), overall.figures().len(), "{}", experiment.name);
+        }
+    }
+}
+
+/// A tolerance that people do not meet would be a mistake. Ranges have to meet; 2 % is rounding.
+#[test]
+fn tolerances_hold_what_people_did() {
+    let mut compared = 0;
+    for experiment in EXPERIMENTS {
+        for figure in experiment.cases().iter().flat_map(|case| &case.figures) {
+            let (from, to) = figure.people.split_once('–').unwrap_or((figure.people, figure.people));
+            let (Some([low, high]), Ok(from), Ok(to)) = (figure.tolerance, from.parse::<f64>(), to.parse::<f64>())
+            else {
+                continue;
+            };
+            let meet = from <= 1.02 * high && to >= 0.98 * low || from.abs() < 0.05;
+            assert!(meet, "{} {}: {from} to {to}", experiment.name, figure.name);
+            compared += 1;
+        }
+    }
+    assert!(compared > 12, "{compared}");
+}
+
+#[test]
+fn trials_follow_from_their_seed_and_index() {
+    assert_eq!(Trial::new(7, 12), Trial::new(7, 12));
+    assert!(Trial::new(7, 12).text != Trial::new(7, 20).text && Trial::new(7, 12).text != Trial::new(8, 12).text);
+    for index in 0..8 * FAMILIES.len() as u64 {
+        let trial = Trial::new(1, index);
+        let plan = trial.scene().and_then(|scene| scene.plan());
+        let plan = plan.unwrap_or_else(|error| panic!("{}: {error}\n{}", trial.name(), trial.text));
+        assert!(plan.agents.len() > 1, "{}", trial.name());
+    }
+}
+
+/// What does not hold in trials, a line each.
+fn flaws(seed: u64, indices: std::ops::Range<u64>, counts: impl Fn(&Flaw) -> bool) -> String {
+    let flaws = |index: u64| {
+        let trial = Trial::new(seed, index);
+        let found = trial
+            .scene()
+            .and_then(|scene| Trial::check(&scene, |_| true))
+            .unwrap_or_else(|error| panic!("{}: {error}", trial.name()));
+        let found: Vec<String> = found.unwrap().iter().filter(|flaw| counts(flaw)).map(ToString::to_string).collect();
+        (!found.is_empty()).then(|| format!("{}: {}\n", trial.name(), found.join(", ")))
+    };
+    indices.filter_map(flaws).collect()
+}
+
+#[test]
+fn bodies_overlap_in_no_family() {
+    let found = flaws(1, 0..FAMILIES.len() as u64, |flaw| matches!(flaw, Flaw::Overlaps(_)));
+    assert!(found.is_empty(), "{found}");
+}
+
+/// `cargo test -p throng-record --test validate -- --ignored` at night.
+#[test]
+#[ignore = "takes many minutes"]
+fn everything_holds_in_500_random_scenes() {
+    let found = flaws(1, 0..500, |_| true);
+    assert!(found.is_empty(), "{} of 500 failed:\n{found}", found.lines().count());
+}

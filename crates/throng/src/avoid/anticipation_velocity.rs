@@ -1,0 +1,146 @@
+//! The anticipation velocity model: Xu, Chraibi, Seyfried, Anticipation in a velocity-based model for pedestrian
+//! dynamics, Transportation Research Part C 133, 2021, with the walls of JuPedSim's `AnticipationVelocityModel`.
+//!
+//! As the [collision-free speed model](super::CollisionFreeSpeed) a direction, and a speed along it from the gap ahead.
+//! The direction anticipates:
+//!
+//! - Neighbours in front of the preferred or of the present direction count (eq. 1).
+//! - Each pushes across the preferred direction `e0`, away from the side on which it will be after the anticipation time
+//!   `ta` (eq. 5), with the strength `A (1 + (1 - e0 . ej) / 2) exp(-max(0, gap - c ta) / B)` (eq. 3, 4), `ej` the
+//!   neighbour's direction and `c` the speed at which both approach.
+//! - The direction relaxes towards the sum within the reaction time (eq. 7).
+//! - Along walls within `wall_buffer` the direction glides.
+//!
+//! Faults: discs arch at doors up to 1.3 m wide; a neighbour that changes sides in the prediction turns the push over at
+//! once.
+
+use super::collision_free_speed::{optimal_speed, speed_limit};
+use super::separation::exponential;
+use super::{Cause, LocalModel, Neighbour, Reason, View, Workspace};
+use crate::Error;
+use glam::Vec2;
+
+/// The anticipation velocity model.
+///
+/// ```
+/// use throng::avoid::AnticipationVelocity;
+/// let farsighted = AnticipationVelocity { anticipation_time: 2.0, ..AnticipationVelocity::default() };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AnticipationVelocity {
+    /// Seconds that an agent stays behind the neighbour ahead: its speed is the gap over this, the paper's T. Limit: > 0.
+    pub time_gap: f32,
+    /// How far ahead positions are predicted, seconds, the paper's t^a. Limit: >= 0.
+    pub anticipation_time: f32,
+    /// Seconds in which the direction makes up all but 1/e of a change, the paper's tau. Limit: > 0.
+    pub reaction_time: f32,
+    /// How much a neighbour at contact that walks the same way turns the direction, the preferred direction being 1; the
+    /// paper's k. One that comes the other way turns it twice as much. Limit: >= 0.
+    pub strength: f32,
+    /// Metres of predicted gap in which that falls to 1/e, the paper's D. Limit: > 0.
+    pub range: f32,
+    /// Gap to a wall, metres, within which an agent does not walk towards it. Limit: >= 0.
+    pub wall_buffer: f32,
+    /// How strongly such an agent turns away from the wall, the component along it being 1 at most. Limit: >= 0.
+    pub wall_pushout: f32,
+}
+
+impl Default for AnticipationVelocity {
+    /// JuPedSim's.
+    fn default() -> Self {
+        Self {
+            time_gap: 1.06,
+            anticipation_time: 1.0,
+            reaction_time: 0.3,
+            strength: 8.0,
+            range: 0.1,
+            wall_buffer: 0.1,
+            wall_pushout: 0.3,
+        }
+    }
+}
+
+/// Speed from which the velocity, and not the heading, is the present direction, m/s.
+const WALKING: f32 = 0.05;
+
+impl LocalModel for AnticipationVelocity {
+    fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
+        let direction = self.direction(view);
+        let gap = view.headway(direction).map_or(f32::INFINITY, |(_, gap)| gap);
+        self.glide(view, direction) * optimal_speed(view, gap, self.time_gap)
+    }
+
+    fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
+        let mut reasons: Vec<Reason> = self.pushes(view).map(|(cause, push)| Reason::Push(cause, push)).collect();
+        reasons.extend(speed_limit(view, self.direction(view), self.time_gap));
+        reasons
+    }
+
+    fn wall_range(&self, radius: f32, _: f32) -> f32 {
+        radius + self.wall_buffer
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("time gap", self.time_gap)?;
+        Error::unless_not_negative("anticipation time", self.anticipation_time)?;
+        Error::unless_positive("reaction time", self.reaction_time)?;
+        Error::unless_not_negative("strength", self.strength)?;
+        Error::unless_positive("range", self.range)?;
+        Error::unless_not_negative("wall buffer", self.wall_buffer)?;
+        Error::unless_not_negative("wall pushout", self.wall_pushout)
+    }
+}
+
+impl AnticipationVelocity {
+    /// What each neighbour adds to the direction.
+    fn pushes(&self, view: &View<'_>) -> impl Iterator<Item = (Cause, Vec2)> {
+        let (ahead, present) = (view.preferred.normalize_or_zero(), present(view));
+        view.others().filter_map(move |(cause, other)| Some((cause, self.push(view, &other, ahead, present)?)))
+    }
+
+    fn push(&self, view: &View<'_>, other: &Neighbour, ahead: Vec2, present: Vec2) -> Option<Vec2> {
+        let (distance, away) = other.separation();
+        if ahead.dot(away) > 0.0 && present.dot(away) > 0.0 {
+            return None;
+        }
+        let approach = (other.velocity - view.velocity).dot(away);
+        let gap = (distance - other.radii - approach * self.anticipation_time).max(0.0);
+        let theirs = other.velocity.try_normalize().unwrap_or(other.preferred.normalize_or_zero());
+        let strength = 2.0 * other.share * self.strength * (1.0 + 0.5 * (1.0 - ahead.dot(theirs)));
+        let predicted = away * -distance + other.velocity * self.anticipation_time;
+        let left = ahead.perp();
+        let side = if left.dot(predicted) >= 0.0 { -left } else { left };
+        Some(side * exponential(strength, gap, self.range))
+    }
+
+    /// The new direction, walls left aside.
+    fn direction(&self, view: &View<'_>) -> Vec2 {
+        let (ahead, present) = (view.preferred.normalize_or_zero(), present(view));
+        let wanted = (ahead + self.pushes(view).map(|(_, push)| push).sum::<Vec2>()).normalize_or(ahead);
+        if ahead.dot(wanted) * ahead.dot(present) < 0.0 {
+            return wanted;
+        }
+        let part = 1.0 - libm::expf(-view.step / self.reaction_time);
+        present.lerp(wanted, part).normalize_or(wanted)
+    }
+
+    /// The direction, turned along the walls that are near.
+    fn glide(&self, view: &View<'_>, direction: Vec2) -> Vec2 {
+        let near = view.walls().filter(|&(_, distance, _)| distance <= view.radius + self.wall_buffer);
+        let gliding = near.fold(direction, |direction, (_, _, away)| {
+            let towards = -direction.dot(away);
+            if towards > 0.0 { direction + away * (towards + self.wall_pushout) } else { direction }
+        });
+        gliding.normalize_or_zero()
+    }
+}
+
+/// The direction that the agent walks or faces.
+fn present(view: &View<'_>) -> Vec2 {
+    let speed = view.velocity.length();
+    if speed >= WALKING {
+        return view.velocity / speed;
+    }
+    let (sin, cos) = libm::sincosf(view.heading);
+    Vec2::new(cos, sin)
+}

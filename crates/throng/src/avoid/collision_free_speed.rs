@@ -1,0 +1,105 @@
+//! The collision-free speed model: Tordeux, Chraibi, Seyfried, Collision-free speed model for pedestrian dynamics,
+//! Traffic and Granular Flow '15, 2016 (arXiv 1512.05597), as JuPedSim's `CollisionFreeSpeedModel` has it.
+//!
+//! Of first order: a direction, and a speed along it.
+//!
+//! - Direction: `e = normalise(e0 + sum A exp(-gap / B) n)` over neighbours and walls, `e0` the direction of the preferred
+//!   velocity, `n` the unit vector away from the other.
+//! - Speed: `v = clamp(s / T, 0, v0)`, `s` the gap to the nearest neighbour ahead within the width of both bodies.
+//!
+//! In single file this is the fundamental diagram: density 1 / (2 r + v T). Faults: a neighbour abreast at contact counts
+//! as ahead, so doors narrower than two bodies arch; directions turn at once; two that meet come to a stop before they
+//! turn.
+
+use super::separation::exponential;
+use super::{Cause, Line, LocalModel, Reason, View, Workspace};
+use crate::Error;
+use glam::Vec2;
+
+/// The collision-free speed model.
+///
+/// ```
+/// use throng::avoid::CollisionFreeSpeed;
+/// let hasty = CollisionFreeSpeed { time_gap: 0.5, ..CollisionFreeSpeed::default() };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CollisionFreeSpeed {
+    /// Seconds that an agent stays behind the neighbour ahead: its speed is the gap over this, the paper's T. Limit: > 0.
+    pub time_gap: f32,
+    /// How much a neighbour at contact turns the direction, the preferred direction being 1; the paper's a. Limit: >= 0.
+    pub strength: f32,
+    /// Metres of gap in which that falls to 1/e, the paper's D. Limit: > 0.
+    pub range: f32,
+    /// As `strength`, of walls. Limit: >= 0.
+    pub strength_obstacles: f32,
+    /// As `range`, of walls. Limit: > 0.
+    pub range_obstacles: f32,
+}
+
+impl Default for CollisionFreeSpeed {
+    /// JuPedSim's.
+    fn default() -> Self {
+        Self { time_gap: 1.0, strength: 8.0, range: 0.1, strength_obstacles: 5.0, range_obstacles: 0.02 }
+    }
+}
+
+impl LocalModel for CollisionFreeSpeed {
+    fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
+        let direction = self.direction(view);
+        let gap = view.headway(direction).map_or(f32::INFINITY, |(_, gap)| gap);
+        direction * optimal_speed(view, gap, self.time_gap)
+    }
+
+    fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
+        let mut reasons: Vec<Reason> = self.pushes(view).map(|(cause, push)| Reason::Push(cause, push)).collect();
+        reasons.extend(speed_limit(view, self.direction(view), self.time_gap));
+        reasons
+    }
+
+    fn wall_range(&self, radius: f32, _: f32) -> f32 {
+        radius + RANGES * self.range_obstacles
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("time gap", self.time_gap)?;
+        Error::unless_not_negative("strength", self.strength)?;
+        Error::unless_positive("range", self.range)?;
+        Error::unless_not_negative("strength of obstacles", self.strength_obstacles)?;
+        Error::unless_positive("range of obstacles", self.range_obstacles)
+    }
+}
+
+/// Ranges of an exponential beyond which a wall is not looked at: there it has fallen to 5e-5.
+pub(super) const RANGES: f32 = 10.0;
+
+impl CollisionFreeSpeed {
+    /// What each neighbour and each wall adds to the direction.
+    fn pushes(&self, view: &View<'_>) -> impl Iterator<Item = (Cause, Vec2)> {
+        let neighbours = view.others().map(|(cause, other)| {
+            let (distance, away) = other.separation();
+            let strength = 2.0 * other.share * self.strength;
+            (cause, away * exponential(strength, distance - other.radii, self.range))
+        });
+        let walls = view.walls().map(|(cause, distance, away)| {
+            (cause, away * exponential(self.strength_obstacles, distance - view.radius, self.range_obstacles))
+        });
+        neighbours.chain(walls)
+    }
+
+    fn direction(&self, view: &View<'_>) -> Vec2 {
+        let ahead = view.preferred.normalize_or_zero();
+        (ahead + self.pushes(view).map(|(_, push)| push).sum::<Vec2>()).normalize_or(ahead)
+    }
+}
+
+/// The speed of an agent with this gap ahead, metres, and time gap, seconds.
+pub(super) fn optimal_speed(view: &View<'_>, gap: f32, time_gap: f32) -> f32 {
+    (gap / time_gap).clamp(0.0, view.preferred.length().min(view.max_speed))
+}
+
+/// The half-plane of velocities that the neighbour ahead leaves to an agent that walks along `direction`.
+pub(super) fn speed_limit(view: &View<'_>, direction: Vec2, time_gap: f32) -> Option<Reason> {
+    let (cause, gap) = view.headway(direction)?;
+    let point = direction * (gap / time_gap).max(0.0);
+    Some(Reason::Permits(cause, Line { point, direction: direction.perp() }))
+}

@@ -1,0 +1,123 @@
+//! The social force model: Helbing, Molnar, Social force model for pedestrian dynamics, Physical Review E 51, 1995
+//! (arXiv cond-mat/9805244).
+//!
+//! Accelerations, m/s^2:
+//!
+//! - to the preferred velocity `p`: `(p - v) / tau` (eq. 2);
+//! - from a neighbour: minus the gradient of `V0 exp(-b / sigma)` (eq. 3, 13), `b` the semi-minor axis of the ellipse that
+//!   has as foci the neighbour's centre and where that will be after `anticipation_time` (eq. 4), times `out_of_view` if
+//!   the neighbour is out of the angle of view round the preferred direction (eq. 7, 8);
+//! - from a wall: minus the gradient of `U0 exp(-d / R)` (eq. 5, 13), `d` the distance of the centre.
+//!
+//! The fluctuations and attractions of the paper are left out. Distances are between centres, whatever the radii. Faults:
+//! forces do not know whether a collision is ahead; two that meet push each other back before they turn.
+
+use super::collision_free_speed::RANGES;
+use super::separation::exponential;
+use super::{Cause, LocalModel, Neighbour, Reason, View, Workspace};
+use crate::Error;
+use glam::Vec2;
+use std::f32::consts::TAU;
+
+/// The social force model of 1995. [`Moussaid2009`](super::Moussaid2009) is that measured in experiments.
+///
+/// ```
+/// use throng::avoid::SocialForce;
+/// let all_round = SocialForce { out_of_view: 1.0, ..SocialForce::default() };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SocialForce {
+    /// Seconds to come to the preferred velocity, the paper's tau. Limit: > 0.
+    pub relaxation_time: f32,
+    /// Strength of the potential of a neighbour, m^2/s^2, the paper's V0. Limit: >= 0.
+    pub strength: f32,
+    /// Range of that potential, metres, the paper's sigma. Limit: > 0.
+    pub range: f32,
+    /// How far ahead a neighbour needs room for its way, seconds, the paper's Delta t. Limit: >= 0.
+    pub anticipation_time: f32,
+    /// Strength of the potential of a wall, m^2/s^2, the paper's U0. Limit: >= 0.
+    pub strength_obstacles: f32,
+    /// Range of that potential, metres, the paper's R. Limit: > 0.
+    pub range_obstacles: f32,
+    /// Angle of view, radians, the paper's 2 phi. Limit: 0 to 2 pi.
+    pub view_angle: f32,
+    /// Weight of neighbours out of the angle of view, the paper's c. Limit: 0 to 1.
+    pub out_of_view: f32,
+}
+
+impl Default for SocialForce {
+    /// The paper's.
+    fn default() -> Self {
+        Self {
+            relaxation_time: 0.5,
+            strength: 2.1,
+            range: 0.3,
+            anticipation_time: 2.0,
+            strength_obstacles: 10.0,
+            range_obstacles: 0.2,
+            view_angle: 200.0 / 360.0 * TAU,
+            out_of_view: 0.5,
+        }
+    }
+}
+
+/// The least semi-minor axis, metres: on the way of a neighbour it is zero.
+const LEAST_AXIS: f32 = 1e-3;
+
+impl LocalModel for SocialForce {
+    fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
+        view.relaxed(self.pushes(view).map(|(_, push)| push).sum(), self.relaxation_time)
+    }
+
+    fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
+        self.pushes(view).map(|(cause, push)| Reason::Push(cause, push)).collect()
+    }
+
+    fn wall_range(&self, radius: f32, _: f32) -> f32 {
+        radius.max(RANGES * self.range_obstacles)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("relaxation time", self.relaxation_time)?;
+        Error::unless_not_negative("strength", self.strength)?;
+        Error::unless_positive("range", self.range)?;
+        Error::unless_not_negative("anticipation time", self.anticipation_time)?;
+        Error::unless_not_negative("strength of obstacles", self.strength_obstacles)?;
+        Error::unless_positive("range of obstacles", self.range_obstacles)?;
+        let angle = self.view_angle;
+        Error::unless((0.0..=TAU).contains(&angle), "angle of view", angle, "from 0 to 2 pi")?;
+        let weight = self.out_of_view;
+        Error::unless((0.0..=1.0).contains(&weight), "weight out of view", weight, "from 0 to 1")
+    }
+}
+
+impl SocialForce {
+    /// The acceleration by each neighbour and each wall.
+    fn pushes(&self, view: &View<'_>) -> impl Iterator<Item = (Cause, Vec2)> {
+        let ahead = view.preferred.normalize_or_zero();
+        let least_cosine = libm::cosf(0.5 * self.view_angle);
+        let neighbours = view.others().map(move |(cause, other)| {
+            let push = self.repulsion(&other);
+            let seen = ahead.dot(-push) >= push.length() * least_cosine;
+            let weight = if seen { 1.0 } else { self.out_of_view };
+            (cause, push * (2.0 * other.share * weight))
+        });
+        let walls = view.walls().map(|(cause, distance, away)| {
+            let strength = self.strength_obstacles / self.range_obstacles;
+            (cause, away * exponential(strength, distance, self.range_obstacles))
+        });
+        neighbours.chain(walls)
+    }
+
+    /// Minus the gradient of a neighbour's potential.
+    fn repulsion(&self, other: &Neighbour) -> Vec2 {
+        let (distance, away) = other.separation();
+        let (place, way) = (away * distance, other.velocity * self.anticipation_time);
+        let to_end = place - way;
+        let sum = distance.abs() + to_end.length();
+        let axis = 0.5 * (sum * sum - way.length_squared()).max(0.0).sqrt();
+        let axis = axis.max(LEAST_AXIS);
+        let gradient = (away + to_end.normalize_or_zero()) * (sum / (4.0 * axis));
+        gradient * exponential(self.strength / self.range, axis, self.range)
+    }
+}

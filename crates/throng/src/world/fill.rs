@@ -1,0 +1,328 @@
+//! Filling goal areas: an agent that enters the area at the end of its journey walks on to a free place in it, the
+//! deepest first, and makes room for the agents behind it. An agent for which no place is free waits outside.
+
+use super::World;
+use crate::agent::{GoalId, Status};
+use crate::navigate::{Goal, Path, Route, Search, Standing, StandingPlaces, Travel};
+use glam::DVec2;
+use std::collections::BTreeMap;
+
+/// Seconds in which an agent comes back to its place.
+pub(super) const RETURN_TIME: f32 = 0.5;
+/// An agent within this part of its radius of its place stands there, until it is moved this part away.
+const AT_PLACE: f32 = 0.25;
+const OFF_PLACE: f32 = 0.45;
+/// Seconds without getting nearer to its place by a radius after which an agent chooses another one, so many radii away
+/// at most.
+const BLOCKED: f32 = 2.0;
+const CLOSE: f64 = 4.0;
+/// Places that an agent tries to get to before it stands where it is.
+const TRIES: u8 = 3;
+/// Seconds between two looks whether there is room.
+const LOOK: f32 = 1.0;
+/// Distance over the sum of the radii within which a walking agent asks a standing one to make room.
+const PRESSES: f32 = 1.3;
+/// Agents that have gathered at a point are at most this multiple of the sum of their radii apart: a little more than
+/// what arrival by contact takes for touching.
+const GATHERS: f32 = 1.6;
+/// Two places are free of each other at this multiple of the sum of the radii.
+const APART: f64 = 1.05;
+/// An agent whose remaining way is less than so many radii waits there for room, and so does one that has less than
+/// `BEHIND` of the sum of radii to an agent that waits.
+const NEAR: f32 = 6.0;
+const BEHIND: f32 = 3.0;
+/// Places of a lattice, at least, where the area has room for so many.
+const PLACES: usize = 4096;
+
+/// Places to stand, by goal, class of radius, and number of places at most.
+pub(super) type Lattices = BTreeMap<(GoalId, u32, usize), StandingPlaces>;
+
+/// The class of a radius, as its upper bound and its lower one: 16 classes an octave.
+fn class_of(radius: f32) -> (f32, f32) {
+    const BELOW: u32 = (1 << 19) - 1;
+    let up = (radius.to_bits() + BELOW) & !BELOW;
+    (f32::from_bits(up), f32::from_bits(up - BELOW - 1))
+}
+
+/// Ground that an agent has taken: its row, where, and the radius.
+type TakenDisc = (usize, DVec2, f64);
+
+/// The places that agents have taken in one area, by square.
+#[derive(Default)]
+struct Taken {
+    width: f64,
+    squares: BTreeMap<(i64, i64), Vec<TakenDisc>>,
+}
+
+impl Taken {
+    fn square(&self, at: DVec2) -> (i64, i64) {
+        ((at.x / self.width).floor() as i64, (at.y / self.width).floor() as i64)
+    }
+
+    fn put(&mut self, row: usize, at: DVec2, radius: f64) {
+        self.squares.entry(self.square(at)).or_default().push((row, at, radius));
+    }
+
+    fn remove(&mut self, row: usize, at: DVec2) {
+        if let Some(taken) = self.squares.get_mut(&self.square(at)) {
+            taken.retain(|&(other, ..)| other != row);
+        }
+    }
+
+    /// Whether no agent but `row` has taken ground within a radius of a point.
+    fn is_free(&self, row: usize, at: DVec2, radius: f64) -> bool {
+        let (x, y) = self.square(at);
+        let near = (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (x + dx, y + dy)));
+        let mut taken = near.filter_map(|square| self.squares.get(&square)).flatten();
+        taken.all(|&(other, there, theirs)| other == row || there.distance(at) >= APART * (radius + theirs))
+    }
+}
+
+impl World {
+    /// The goal that an agent stays at once it has arrived: that of the last stop of its journey.
+    fn last_goal(&self, row: usize, leg: u32) -> Option<(GoalId, &Goal)> {
+        let agents = &self.agents;
+        let leg = self.legs.of(agents.journey[row], leg).filter(|leg| leg.is_last)?;
+        let stays = agents.script[row].is_none() && self.groups[agents.group[row].index()].steering.is_none();
+        stays.then(|| (leg.goal, &self.goals[leg.goal.index()]))
+    }
+
+    /// The area that an agent fills: agents in the air fill none.
+    fn filled_area(&self, row: usize, leg: u32) -> Option<(GoalId, &[DVec2])> {
+        match self.last_goal(row, leg)? {
+            (id, Goal::Area { corners }) if self.agents.altitude[row] == 0.0 => Some((id, corners)),
+            _ => None,
+        }
+    }
+
+    /// Whether an agent that has arrived is no longer where it arrived: pushed out of its area, or off its point and
+    /// the agents that have gathered there.
+    pub(super) fn is_out_of_place(&self, row: usize, travel: &Travel) -> bool {
+        let Some((_, goal)) = self.last_goal(row, travel.leg) else { return false };
+        let (place, radius) = (self.world_place(row), self.agents.radius[row]);
+        let Some((offset, tolerance)) = goal.offset(place) else {
+            return goal.corners().is_some() && !self.is_at_area(row, travel, goal);
+        };
+        let distance = offset.length() as f32;
+        distance > tolerance.max(travel.arrived_at) + 2.0 * radius
+            || distance > tolerance + 2.0 * radius && !self.is_in_gathering(row, goal, distance)
+    }
+
+    /// The goal where the journey of an agent ends.
+    fn end_of_journey(&self, row: usize) -> Option<GoalId> {
+        self.journeys[self.agents.journey[row].index()].stops.last().map(|stop| stop.goal)
+    }
+
+    /// Whether an agent touches, or nearly does, another one that has arrived at its goal, or has arrived elsewhere and
+    /// is nearer to the point than the `distance` of the agent: it holds the place.
+    fn is_in_gathering(&self, row: usize, point: &Goal, distance: f32) -> bool {
+        let agents = &self.agents;
+        let holds = |other: usize| {
+            let offset = point.offset(self.world_place(other));
+            offset.is_some_and(|(offset, _)| (offset.length() as f32) < distance)
+        };
+        self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
+            let touch = GATHERS * (agents.radius[row] + agents.radius[other]);
+            agents.status[other] == Status::Arrived
+                && agents.offset_in_space(row, other).length() <= touch
+                && (self.end_of_journey(other) == self.end_of_journey(row) || holds(other))
+        })
+    }
+
+    /// Whether it is this agent's turn to look whether there is room.
+    fn looks_for_room(&self, row: usize, seconds: f32) -> bool {
+        let every = (LOOK / seconds).round().max(1.0) as u64;
+        (self.tally.sub_steps + u64::from(self.agents.number[row])).is_multiple_of(every)
+    }
+
+    /// Whether an agent that has arrived in an area is to choose a place there: it has none, does not get to it, or
+    /// another agent presses.
+    pub(super) fn wants_place(&self, row: usize, travel: &Travel, seconds: f32) -> bool {
+        if self.filled_area(row, travel.leg).is_none() {
+            return false;
+        }
+        travel.standing().is_none_or(|standing| !travel.has_way() || standing.idle > BLOCKED)
+            || self.looks_for_room(row, seconds) && self.is_pressed(row)
+    }
+
+    /// Whether an agent on its way to the same goal stands close by and does not get on.
+    fn is_pressed(&self, row: usize) -> bool {
+        let agents = &self.agents;
+        self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
+            let touch = PRESSES * (agents.radius[row] + agents.radius[other]);
+            agents.status[other] == Status::Walking
+                && self.end_of_journey(other) == self.end_of_journey(row)
+                && agents.speed(other) < 0.3 * agents.preferred_speed[other]
+                && agents.offset(row, other).length() <= touch
+        })
+    }
+
+    /// Lets the agents of these rows that have arrived in an area choose places, and those on their way there find out
+    /// whether they have to wait for room.
+    pub(super) fn fill_areas(&mut self, rows: &[(usize, Status)], seconds: f32) {
+        let chooses = |&row: &usize| {
+            let travel = &self.agents.travel[row];
+            match self.agents.status[row] {
+                Status::Arrived => self.wants_place(row, travel, seconds),
+                Status::Walking => self.looks_for_room(row, seconds) && self.filled_area(row, travel.leg).is_some(),
+                Status::Waiting | Status::Stranded => false,
+            }
+        };
+        let rows = rows.iter().map(|&(row, _)| row).filter(chooses);
+        let mut rows: Vec<(GoalId, u32, usize)> =
+            rows.filter_map(|row| Some((self.goal_of(row)?, self.agents.number[row], row))).collect();
+        rows.sort_unstable();
+        for rows in rows.chunk_by(|a, b| a.0 == b.0) {
+            self.fill_area(rows[0].0, rows.iter().map(|&(.., row)| row));
+        }
+    }
+
+    /// The same for the agents of one area, in the order of their numbers.
+    fn fill_area(&mut self, goal: GoalId, rows: impl Iterator<Item = usize>) {
+        let (mut taken, demand) = self.taken(goal);
+        for row in rows {
+            let bound = self.agents.body(row).bound();
+            let key = (goal, class_of(bound).0.to_bits(), PLACES.max(2 * demand.next_power_of_two()));
+            if !self.step.lattices.contains_key(&key) {
+                let lattice = self.new_lattice(goal, bound, key.2);
+                self.step.lattices.insert(key, lattice);
+            }
+            let lattice = &self.step.lattices[&key];
+            if lattice.is_empty() {
+                // the area is in a wall, or too small: agents stand where they arrive
+                if self.agents.status[row] == Status::Arrived {
+                    self.stand_here(row, 0.0);
+                }
+                continue;
+            }
+            let (from, radius) = (self.world_position(row), f64::from(bound));
+            let is_free = |at: DVec2| taken.is_free(row, at, radius);
+            if self.agents.status[row] == Status::Walking {
+                let waits = self.is_near_area(row) && lattice.choose(from, f64::MIN, 1, is_free).is_none();
+                self.agents.travel[row].set_waits_for_room(waits);
+                continue;
+            }
+            let before = self.agents.travel[row].standing().copied();
+            let never_walked = self.agents.walked[row] == 0.0;
+            let mut tries = 0;
+            let found = match before {
+                None if never_walked && is_free(from) => None,
+                None => lattice.choose(from, f64::MIN, demand, is_free),
+                // the nearest instead of one it does not get to
+                Some(before) if before.idle > BLOCKED => {
+                    let place = lattice.choose(from, f64::MIN, 1, is_free);
+                    tries = before.tries.saturating_add(1);
+                    let is_close = |at: DVec2| at != before.at && at.distance(from) <= CLOSE * radius;
+                    place.filter(|place| is_close(place.at) && tries < TRIES)
+                }
+                Some(before) if !self.agents.travel[row].has_way() => {
+                    lattice.choose(from, f64::MIN, demand, is_free).filter(|_| before.nearest > 0.0)
+                }
+                // makes room
+                Some(before) => match lattice.choose(from, before.depth + 0.5 * radius, demand, is_free) {
+                    Some(place) => Some(place),
+                    None => continue,
+                },
+            };
+            let depth_here = lattice.depth_near(from);
+            if let Some(before) = before {
+                taken.remove(row, before.at);
+            }
+            match found {
+                Some(place) => {
+                    let route = self.route_to(row, place.at);
+                    self.agents.travel[row].stand_at(place.at, place.depth, route, tries);
+                    taken.put(row, place.at, radius);
+                }
+                None => {
+                    self.stand_here(row, depth_here);
+                    taken.put(row, from, radius);
+                }
+            }
+        }
+    }
+
+    /// Lets an agent stand where it is.
+    fn stand_here(&mut self, row: usize, depth: f64) {
+        let at = self.world_position(row);
+        let route = Route::new(&Path { start: at, corners: vec![at], length: 0.0 });
+        self.agents.travel[row].stand_at(at, depth, route, 0);
+    }
+
+    /// The places taken in an area, and the number of agents that stand in it or are on their way there to stay.
+    fn taken(&self, goal: GoalId) -> (Taken, usize) {
+        let agents = &self.agents;
+        let largest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max);
+        let mut taken = Taken { width: 2.0 * APART * f64::from(largest), ..Taken::default() };
+        let mut demand = 0;
+        for row in 0..agents.len() {
+            let travel = &agents.travel[row];
+            if self.filled_area(row, travel.leg).is_none_or(|(id, _)| id != goal) {
+                continue;
+            }
+            demand += usize::from(agents.status[row] != Status::Stranded);
+            if let Some(standing) = travel.standing().filter(|_| agents.status[row] == Status::Arrived) {
+                taken.put(row, standing.at, f64::from(agents.body(row).bound()));
+            }
+        }
+        (taken, demand)
+    }
+
+    fn new_lattice(&self, goal: GoalId, bound: f32, most: usize) -> StandingPlaces {
+        let (radius, body) = class_of(bound);
+        let corners = self.goals[goal.index()].corners().unwrap_or_default();
+        StandingPlaces::new(corners, f64::from(radius), most, |at| self.no_room(at, body).is_none())
+    }
+
+    /// The way of an agent to a place.
+    fn route_to(&self, row: usize, to: DVec2) -> Route {
+        let from = self.world_position(row);
+        let mesh = self.meshes.mesh(self.agents.body(row).girth());
+        let path = mesh.and_then(|mesh| mesh.path(&mut Search::default(), from, to).ok());
+        Route::new(&path.unwrap_or_else(|| Path { start: from, corners: vec![to], length: from.distance(to) }))
+    }
+
+    /// Whether an agent on its way is so near to its area, or to agents that wait before it, that it waits there too.
+    fn is_near_area(&self, row: usize) -> bool {
+        let (agents, shown) = (&self.agents, &self.step.shown);
+        shown[row].way.remaining <= NEAR * agents.radius[row]
+            || self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
+                let close = BEHIND * (agents.radius[row] + agents.radius[other]);
+                agents.travel[other].waits_for_room()
+                    && shown[other].way.same_goal(&shown[row].way)
+                    && agents.offset(row, other).length() <= close
+            })
+    }
+
+    /// The speed of an agent towards its place in an area, where `distance` metres are left.
+    pub(super) fn speed_to_place(&self, row: usize, standing: &mut Standing, distance: f32, seconds: f32) -> f32 {
+        let agents = &self.agents;
+        let radius = agents.radius[row];
+        // it rests where it is, or was pushed off
+        let near = if standing.nearest == 0.0 { OFF_PLACE } else { AT_PLACE };
+        if distance <= near * radius {
+            (standing.nearest, standing.idle) = (0.0, 0.0);
+            return 0.0;
+        }
+        if standing.nearest == 0.0 || distance < standing.nearest - radius {
+            (standing.nearest, standing.idle) = (distance, 0.0);
+        } else {
+            standing.idle += seconds;
+        }
+        let stopping = (agents.max_acceleration[row] * distance).sqrt().min(distance / RETURN_TIME.max(seconds));
+        agents.preferred_speed[row].min(stopping)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_class_holds_its_radii_and_is_narrow() {
+        for radius in [0.001f32, 0.15, 0.2, 0.25, 0.3, 1.0, 1000.0] {
+            let (up, down) = class_of(radius);
+            assert!(down < radius && radius <= up && up <= 1.07 * radius, "{down} {radius} {up}");
+        }
+    }
+}

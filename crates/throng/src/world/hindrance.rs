@@ -1,0 +1,144 @@
+//! Whether agents get on, and what hinders those that do not: looked at twice a second, from how far they have come.
+
+use super::World;
+use crate::agent::{Hindrance, ProgressMark, Status};
+use crate::navigate::Turn;
+use glam::Vec2;
+
+/// Seconds from one look to the next.
+const TICK: f64 = 0.5;
+/// Half seconds without getting on after which an agent may be queueing, and after which it is blocked.
+const SLOW: u16 = 2;
+const BLOCKED: u16 = 20;
+/// Half seconds that a walk without getting on lasts before the summary counts it.
+const FAILED: u16 = 60;
+/// Part of its preferred speed at which an agent is slow: one that walks its radius in more than half a second at its
+/// preferred speed is given time in proportion.
+const RADIUS_TIME: f32 = 0.5;
+/// Radii a second: an agent that walks less is at rest rather than oscillating.
+const RESTLESS: f32 = 1.0;
+/// Cosine of the angle within which another agent is ahead, and within which it goes the same way.
+const AHEAD: f32 = 0.3;
+const SAME_WAY: f32 = 0.3;
+/// Gap to the agent ahead in a queue, at most, in radii.
+const CLOSE: f32 = 3.0;
+
+impl World {
+    /// What hinders the agent of a row of [`agents`](Self::agents), as it was found within the last half second.
+    pub fn hindrance(&self, row: usize) -> Hindrance {
+        self.agents.progress_mark[row].hindrance
+    }
+
+    /// Brings the progress of all agents up to date, in the step that ends at `end` seconds.
+    pub(super) fn note_progress(&mut self, end: f64) {
+        let half_seconds = |time: f64| (time / TICK + 1e-6).floor();
+        let passed = half_seconds(end) - half_seconds(end - self.settings.step);
+        if passed < 1.0 {
+            return;
+        }
+        let passed = passed.min(f64::from(u16::MAX)) as u16;
+        let mut marks = std::mem::take(&mut self.step.progress_marks);
+        marks.clear();
+        marks.extend((0..self.agents.len()).map(|row| self.progress(row, passed)));
+        let failed =
+            |row: usize| self.has_failed(&marks[row], row) && !self.has_failed(&self.agents.progress_mark[row], row);
+        self.tally.without_progress_30s += (0..marks.len()).filter(|&row| failed(row)).count() as u64;
+        std::mem::swap(&mut self.agents.progress_mark, &mut marks);
+        self.step.progress_marks = marks;
+    }
+
+    /// Seconds since an agent last got on.
+    pub(super) fn without_progress(&self, row: usize) -> f32 {
+        f32::from(self.agents.progress_mark[row].ticks) * TICK as f32
+    }
+
+    /// Whether an agent has walked without getting on for 30 seconds.
+    fn has_failed(&self, mark: &ProgressMark, row: usize) -> bool {
+        mark.hindrance == Hindrance::Oscillating && mark.ticks >= self.patience(row, FAILED)
+    }
+
+    /// So many half seconds, more for an agent that is slow.
+    fn patience(&self, row: usize, ticks: u16) -> u16 {
+        let agents = &self.agents;
+        let slow = agents.radius[row] / (agents.preferred_speed[row] * RADIUS_TIME);
+        (f32::from(ticks) * slow.max(1.0)) as u16
+    }
+
+    /// Whether the progress of an agent is judged.
+    fn is_judged(&self, row: usize) -> bool {
+        let agents = &self.agents;
+        let group = &self.groups[agents.group[row].index()];
+        agents.status[row] == Status::Walking
+            && self.step.shown[row].way.has_goal()
+            && agents.preferred_speed[row] > 0.0
+            && agents.script[row].is_none()
+            && group.steering.is_none()
+            && group.field.is_none()
+    }
+
+    /// The progress of an agent, so many half seconds after the last look.
+    fn progress(&self, row: usize, passed: u16) -> ProgressMark {
+        let agents = &self.agents;
+        let before = agents.progress_mark[row];
+        if !self.is_judged(row) {
+            return ProgressMark::default();
+        }
+        let (remaining, walked) = (self.step.shown[row].way.remaining, agents.walked[row] as f32);
+        // what is left of the way aside is another way
+        let gets_on = remaining <= before.remaining - agents.radius[row] && agents.travel[row].turn != Turn::Aside;
+        let ticks = before.ticks.saturating_add(passed);
+        // an agent that queues goes on doing so until it gets on without delay
+        let is_slow = ticks >= self.patience(row, SLOW) || !gets_on && before.hindrance == Hindrance::Queueing;
+        let mark = if before.remaining == f32::INFINITY {
+            return ProgressMark { remaining, walked, ..before };
+        } else if gets_on {
+            ProgressMark { remaining, walked, ticks: 0, ..before }
+        } else {
+            ProgressMark { ticks, ..before }
+        };
+        ProgressMark { hindrance: self.hindrance_of(row, &mark, is_slow), ..mark }
+    }
+
+    fn hindrance_of(&self, row: usize, mark: &ProgressMark, is_slow: bool) -> Hindrance {
+        let agents = &self.agents;
+        let seconds = f32::from(mark.ticks) * TICK as f32;
+        let is_late = mark.ticks >= self.patience(row, BLOCKED);
+        let walked = agents.walked[row] as f32 - mark.walked;
+        if is_late && walked >= RESTLESS * agents.radius[row] * seconds {
+            return Hindrance::Oscillating;
+        }
+        if agents.travel[row].waits_for_room() {
+            return Hindrance::WaitingForRoom;
+        }
+        if !is_slow {
+            return Hindrance::None;
+        }
+        let ahead = self.ahead_in_queue(row).map(|other| (other, agents.progress_mark[other]));
+        match ahead {
+            Some((_, ahead)) if ahead.hindrance == Hindrance::WaitingForRoom => Hindrance::WaitingForRoom,
+            Some((other, ahead)) if ahead.ticks < self.patience(other, BLOCKED) => Hindrance::Queueing,
+            _ if is_late => Hindrance::Blocked,
+            _ => Hindrance::None,
+        }
+    }
+
+    /// The nearest agent close ahead that goes the same way.
+    fn ahead_in_queue(&self, row: usize) -> Option<usize> {
+        let (agents, shown) = (&self.agents, &self.step.shown);
+        let way = &shown[row].way;
+        self.neighbours(row).iter().map(|&other| other as usize).find(|&other| {
+            let theirs = &shown[other].way;
+            let offset = agents.offset(row, other);
+            let distance = offset.length();
+            let direction = if way.direction == Vec2::ZERO { theirs.direction } else { way.direction };
+            let goes_along = theirs.same_goal(way) || theirs.direction.dot(direction) > SAME_WAY;
+            let leads = !theirs.same_goal(way) || theirs.remaining < way.remaining;
+            let gap = distance - agents.radius[row] - agents.radius[other];
+            theirs.walks()
+                && goes_along
+                && leads
+                && gap < CLOSE * agents.radius[row]
+                && offset.dot(direction) > AHEAD * distance
+        })
+    }
+}

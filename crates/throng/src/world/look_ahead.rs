@@ -1,0 +1,327 @@
+//! Looking ahead: in which direction there is room, and how fast an agent can walk there.
+//!
+//! After the vision heuristics of Moussaïd, Helbing, Theraulaz, How simple rules determine pedestrian behavior and crowd
+//! disasters, PNAS 108:6884 (2011), with the speed of Seyfried, Steffen, Klingsch, Boltes, The fundamental diagram of
+//! pedestrian movement revisited (2005):
+//!
+//! 1. *Direction.* An agent compares directions round its way. In each it sees as far as it could walk, at its preferred
+//!    speed, until it meets a neighbour that keeps its velocity, or a wall. It takes the direction that brings it nearest to a
+//!    point straight ahead at the end of its sight.
+//! 2. *Speed.* It walks no faster than the gap to the agent ahead, divided by its time gap.
+//! 3. *Side.* It turns a little from agents that come the other way, to the side on which they pass, to the right if that is
+//!    undecided.
+//!
+//! Only what stands or goes the same way counts for the direction: streams that cross or meet are the local model's. Agents
+//! whose model looks up and down only turn from what comes the other way: all else is its own.
+
+use super::World;
+use crate::agent::Group;
+use crate::avoid::{MARGIN, time_to_disc, time_to_segment};
+use crate::parallel;
+use crate::random::{Purpose, unit};
+use crate::space::{NearWalls, Walls};
+use glam::{DVec2, Vec2};
+
+/// Cosine of the angle within which two agents go the same way; beyond its negative they go opposite ways.
+const SAME_WAY: f32 = 0.3;
+/// Angles between the way and the directions that are compared, degrees. Only impatience leads an agent back.
+const ANGLES: [f32; 7] = [10.0, 20.0, 35.0, 50.0, 70.0, 85.0, 115.0];
+/// Seconds that an agent sees ahead, and that it sees agents ahead that come the other way.
+const SIGHT: f32 = 3.0;
+const SIGHT_ONCOMING: f32 = 4.0;
+/// Metres from the wall of sight beyond which walls are not looked for.
+const SIGHT_WALLS: f32 = 3.0;
+/// Part of the sum of the radii that an agent ahead may be aside: one that walks abreast is not ahead.
+const STRIP: f32 = 0.9;
+/// Gap at which all of the personal space is kept, metres: the nearer two agents are, the less of it they claim.
+const ROOMY: f32 = 1.5;
+/// Speed that a gap never takes, m/s: without it the last agents of an arch before a door wait for each other.
+const LEAST_SPEED: f32 = 0.05;
+/// Cost of a direction at a right angle to the present one, in lengths of sight.
+const TURNING: f32 = 0.3;
+/// Greatest cost, in lengths of sight, that an agent adds at random to directions when it does not get on, and the seconds
+/// without progress after which it does: an agent whose way is blocked tries others.
+const IMPATIENCE: f32 = 0.5;
+const PATIENCE: f32 = 5.0;
+/// Seconds that it keeps them.
+const WHIM: f64 = 1.0;
+/// Seconds in which an agent that moves beside a queue can come to rest.
+const STOPPING: f32 = 0.4;
+/// Part of what it sees to its right that an agent sees to its left: a tie is decided to the right.
+const LEFT: f32 = 0.98;
+/// Metres to the side within which it is undecided on which side an agent that comes the other way passes.
+const UNDECIDED: f32 = 0.3;
+/// Least time in which an agent makes room for one that comes the other way, seconds.
+const SOONEST: f32 = 0.1;
+/// Speed below which an agent stands, m/s: it is in the way, wherever it wants to go.
+const STANDS: f32 = 0.1;
+/// Neighbours that an agent takes into account, at most.
+const MOST: usize = 16;
+
+/// What an agent found when it looked ahead.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Ahead {
+    /// Cosine and sine of the angle by which it turns from its way to the right.
+    pub turn: Vec2,
+    /// Speed that the gap ahead allows; infinite if there is no agent ahead.
+    pub speed: f32,
+}
+
+impl Ahead {
+    /// Straight on.
+    pub const FREE: Self = Self { turn: Vec2::X, speed: f32::INFINITY };
+
+    /// As fast as it likes, turned to the right by an angle.
+    fn turned_by(angle: f32) -> Self {
+        let (sin, cos) = libm::sincosf(angle);
+        Self { turn: Vec2::new(cos, sin), ..Self::FREE }
+    }
+
+    /// A direction after the turn.
+    pub fn turned(&self, direction: Vec2) -> Vec2 {
+        let Vec2 { x: cos, y: sin } = self.turn;
+        Vec2::new(cos * direction.x + sin * direction.y, cos * direction.y - sin * direction.x)
+    }
+}
+
+/// A neighbour that stands or goes the same way.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    offset: Vec2,
+    velocity: Vec2,
+    /// Sum of the radii, with the margin of the local models.
+    radii: f32,
+    /// The same with the personal space that is left.
+    wanted: f32,
+    /// Where it wants to go; zero if it stands.
+    direction: Vec2,
+}
+
+impl Seen {
+    /// Speed that the gap to it allows an agent that walks in `direction`. The time gap counts as far as the two bodies
+    /// overlap across the direction.
+    fn speed(&self, direction: Vec2, time_gap: f32) -> f32 {
+        let along = self.offset.dot(direction);
+        let aside = self.offset.perp_dot(direction).abs();
+        let strip = STRIP * self.radii;
+        if self.direction.dot(direction) < SAME_WAY || along <= 0.0 || aside >= strip {
+            return f32::INFINITY;
+        }
+        let gap = along - (self.radii * self.radii - aside * aside).sqrt();
+        gap.max(0.0) / (time_gap * (1.0 - aside / strip))
+    }
+}
+
+/// The walls near an agent: what a thread keeps from agent to agent.
+#[derive(Clone, Debug, Default)]
+pub(super) struct WallsAhead {
+    near: NearWalls,
+    /// Ends of the edges, from the agent's centre.
+    edges: Vec<(Vec2, Vec2)>,
+    /// Centres of the discs, from the agent's centre, and their radii with the agent's.
+    discs: Vec<(Vec2, f32)>,
+}
+
+impl WallsAhead {
+    /// Finds the walls within `range` of an agent at `at`.
+    fn find(&mut self, walls: &Walls, at: DVec2, radius: f32, range: f32) {
+        let Self { near, edges, discs } = self;
+        walls.near(at, f64::from(range + radius), near);
+        edges.clear();
+        edges.extend(near.edges.iter().map(|&(_, index)| {
+            let edge = &walls.edges()[index as usize];
+            ((edge.start - at).as_vec2(), (edge.end - at).as_vec2())
+        }));
+        discs.clear();
+        discs.extend(near.discs.iter().map(|&(_, index)| {
+            let disc = &walls.discs()[index as usize];
+            ((disc.center - at).as_vec2(), disc.radius as f32 + radius)
+        }));
+    }
+
+    /// Seconds until an agent with this velocity meets a wall.
+    fn time(&self, velocity: Vec2, radius: f32) -> f32 {
+        let edges = self.edges.iter().map(|&(start, end)| time_to_segment(start, end, velocity, radius));
+        let discs = self.discs.iter().map(|&(center, radii)| time_to_disc(center, velocity, radii));
+        edges.chain(discs).fold(f32::INFINITY, f32::min)
+    }
+}
+
+/// What an agent looks at, and how.
+struct Sight<'a> {
+    seen: &'a [Seen],
+    /// Preferred speed.
+    speed: f32,
+    time_gap: f32,
+    /// Seconds that it sees ahead.
+    seconds: f32,
+}
+
+impl Sight<'_> {
+    /// Seconds until an agent with this velocity meets a neighbour.
+    fn time(&self, velocity: Vec2) -> f32 {
+        let times = self.seen.iter().map(|n| time_to_disc(n.offset, velocity - n.velocity, n.wanted));
+        times.fold(f32::INFINITY, f32::min)
+    }
+
+    /// Speed that the gaps ahead allow in a direction.
+    fn gap_speed(&self, direction: Vec2) -> f32 {
+        let speeds = self.seen.iter().map(|n| n.speed(direction, self.time_gap));
+        speeds.fold(f32::INFINITY, f32::min).max(LEAST_SPEED)
+    }
+}
+
+impl World {
+    /// Lets all agents look ahead.
+    pub(super) fn look_ahead(&mut self) {
+        let mut ahead = std::mem::take(&mut self.step.ahead);
+        let mut scratch = std::mem::take(&mut self.step.looking);
+        let looks = self.groups_in_use().any(|group| group.look_ahead || group.keep_right != 0.0);
+        ahead.resize(if looks { self.agents.len() } else { 0 }, Ahead::FREE);
+        let world = &*self;
+        parallel::ranges_with(&mut ahead[..], &mut scratch, |walls, rows, ahead| {
+            rows.zip(ahead).for_each(|(row, ahead)| *ahead = world.ahead_of(row, walls));
+        });
+        (self.step.ahead, self.step.looking) = (ahead, scratch);
+    }
+
+    /// What an agent found.
+    #[inline]
+    pub(super) fn ahead(&self, row: usize) -> Ahead {
+        self.step.ahead.get(row).copied().unwrap_or(Ahead::FREE)
+    }
+
+    fn ahead_of(&self, row: usize, walls: &mut WallsAhead) -> Ahead {
+        let agents = &self.agents;
+        let group = &self.groups[agents.group[row].index()];
+        let (way, speed) = (&self.step.shown[row].way, agents.preferred_speed[row]);
+        if !group.look_ahead {
+            return Ahead::turned_by(group.keep_right);
+        }
+        if way.direction == Vec2::ZERO || speed <= 0.0 || self.neighbours(row).is_empty() {
+            return Ahead::FREE;
+        }
+        // nothing beyond its goal concerns it
+        let to_goal = way.remaining / speed;
+        let (mut seen, mut count) = ([Seen::default(); MOST], 0);
+        let mut oncoming = Oncoming { time: SIGHT_ONCOMING.min(to_goal), turn: 0.0, any: false };
+        let in_space = agents.anybody_flies() && self.model(row).looks_in_space();
+        let level = |other: &usize| !in_space || !agents.passes_clear(row, *other);
+        for other in self.neighbours(row).iter().map(|&other| other as usize).filter(level).take(MOST) {
+            let their = &self.step.shown[other].way;
+            let offset = agents.offset(row, other);
+            let radii = (agents.radius[row] + agents.radius[other]) * (1.0 + MARGIN);
+            let gap = (offset.length() - radii).max(0.0);
+            let wanted = radii + 2.0 * group.personal_space * (gap / ROOMY).min(1.0);
+            let same = their.direction.dot(way.direction);
+            let velocity = agents.velocity[other];
+            if !their.walks() || same > SAME_WAY || velocity.length_squared() < STANDS * STANDS {
+                seen[count] = Seen { offset, velocity, radii, wanted, direction: their.direction };
+                count += 1;
+            } else if same < -SAME_WAY && offset.dot(way.direction) > 0.0 {
+                let share = if agents.avoids(other, row) { self.share(row, other, 0.0) } else { 1.0 };
+                oncoming.meet((offset, way.direction * speed - velocity), wanted, speed, share, group.keep_right);
+            }
+        }
+        let sight = Sight { seen: &seen[..count], speed, time_gap: group.time_gap, seconds: SIGHT.min(to_goal) };
+        let straight = Ahead::turned_by(oncoming.turn);
+        let direction = straight.turned(way.direction);
+        let gap_speed = sight.gap_speed(direction);
+        if in_space || sight.time(direction * speed) >= sight.seconds && gap_speed >= speed {
+            return straight;
+        }
+        self.freest(row, &sight, (way.direction, oncoming.turn), gap_speed < speed && !oncoming.any, walls)
+    }
+
+    /// The direction in which an agent gets farthest.
+    fn freest(
+        &self,
+        row: usize,
+        sight: &Sight<'_>,
+        (way, side): (Vec2, f32),
+        queues: bool,
+        walls: &mut WallsAhead,
+    ) -> Ahead {
+        let agents = &self.agents;
+        let (at, radius, range) = (agents.position[row].as_dvec2(), agents.radius[row], sight.speed * sight.seconds);
+        walls.find(&self.walls, at, radius, range.min(SIGHT_WALLS));
+        let course = agents.velocity[row] / sight.speed;
+        let impatience = IMPATIENCE * (self.without_progress(row) / PATIENCE).min(1.0);
+        let mut tried = 0;
+        let mut best = (f32::INFINITY, Ahead::FREE);
+        let mut consider = |angle: f32| {
+            let ahead = Ahead::turned_by(angle.to_radians() + side);
+            let cos = ahead.turn.x;
+            let direction = ahead.turned(way);
+            let velocity = direction * sight.speed;
+            let seen = (sight.speed * sight.time(velocity).min(walls.time(velocity, radius))).min(range);
+            let seen = if angle < 0.0 { seen * LEFT } else { seen };
+            // what is left to the point straight ahead, from the nearest place to it that the agent sees
+            let walked = seen.min(range * cos.max(0.0));
+            let left = (range * range + walked * walked - 2.0 * range * walked * cos).max(0.0).sqrt();
+            let turning = course.length() - course.dot(direction);
+            let whim = if impatience > 0.0 { impatience * self.whim(row, tried) } else { 0.0 };
+            tried += 1;
+            let cost = left + range * (TURNING * turning + whim);
+            if cost < best.0 {
+                // beside a queue it walks as far as that helps, and no faster than it could come to rest there
+                let useful = if angle == 0.0 || !queues { f32::INFINITY } else { walked / STOPPING };
+                best = (cost, Ahead { speed: sight.gap_speed(direction).min(useful.max(LEAST_SPEED)), ..ahead });
+            }
+        };
+        consider(0.0);
+        for angle in ANGLES {
+            consider(angle);
+            consider(-angle);
+        }
+        best.1
+    }
+
+    /// A number in [0, 1) for one of the directions that an agent compares, which it keeps for a while.
+    fn whim(&self, row: usize, direction: u64) -> f32 {
+        let while_kept = (self.time() / WHIM) as u64;
+        unit(self.settings.seed, self.agents.number[row], while_kept << 8 | direction, Purpose::Whim)
+    }
+
+    /// A direction in the plane, which an agent keeps for a while.
+    pub(super) fn any_side(&self, row: usize) -> Vec2 {
+        let (sin, cos) = libm::sincosf(std::f32::consts::TAU * self.whim(row, u64::from(u8::MAX)));
+        Vec2::new(cos, sin)
+    }
+}
+
+/// The agent that comes the other way and is met first.
+struct Oncoming {
+    /// Seconds until the two are nearest to each other.
+    time: f32,
+    /// Angle that makes room for it, radians to the right.
+    turn: f32,
+    /// Whether any agent ahead comes the other way.
+    any: bool,
+}
+
+impl Oncoming {
+    /// Takes an agent into account: where it is and the relative velocity, and the distance to keep. The agent makes its
+    /// share of the room, and turns by `most` at most.
+    fn meet(&mut self, (offset, relative): (Vec2, Vec2), wanted: f32, speed: f32, share: f32, most: f32) {
+        self.any = true;
+        let closing = relative.length_squared().max(1e-6);
+        let time = offset.dot(relative) / closing;
+        // positive: it passes on the left
+        let miss = relative.perp_dot(offset) / closing.sqrt();
+        if (0.0..self.time).contains(&time) && miss.abs() < wanted {
+            let side = if miss.abs() < UNDECIDED { most.signum() } else { miss.signum() };
+            let aside = share * (wanted - miss * side) / time.max(SOONEST);
+            (self.time, self.turn) = (time, side * (aside / speed).min(most.abs()));
+        }
+    }
+}
+
+impl Group {
+    /// Whether the parameters of looking ahead are within their limits.
+    pub(crate) fn check_look_ahead(&self) -> Result<(), crate::Error> {
+        let (gap, space) = (self.time_gap, self.personal_space);
+        crate::Error::unless((0.05..=10.0).contains(&gap), "time gap", gap, "from 0.05 to 10 s")?;
+        crate::Error::unless((0.0..=10.0).contains(&space), "personal space", space, "from 0 to 10 m")
+    }
+}
