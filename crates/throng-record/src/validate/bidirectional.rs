@@ -4,7 +4,7 @@ use super::measure::{across, density_and_speed, mean, moments, steady};
 use super::place::{WEIDMANN, rectangle, until_empty};
 use super::{Case, Experiment, Figure, Run};
 use crate::pedestrian::lanes::{Directions, order};
-use crate::pedestrian::{Area, steady_flow};
+use crate::pedestrian::{Area, Moment, steady_flow};
 
 /// The experiment.
 pub const EXPERIMENT: Experiment = Experiment {
@@ -21,6 +21,9 @@ pub const EXPERIMENT: Experiment = Experiment {
 const WIDTH: f64 = 4.0;
 /// Agents of each direction.
 const AGENTS: u32 = 140;
+
+/// Lanes are looked at so far from the middle, m: the experiments' cameras saw about 8 m.
+const LANES: f64 = 4.0;
 
 fn cases() -> Vec<Case> {
     vec![
@@ -75,6 +78,9 @@ fn measure(run: &Run) -> Vec<f64> {
     let area = Area::rectangle([-2.0, -0.5 * WIDTH, 4.0, WIDTH]);
     let (rho, v) = area.map_or((f64::NAN, f64::NAN), |area| density_and_speed(run, &area, &time));
     let directions = Directions::of(&run.people);
-    let phi = mean(moments(run, &time).filter_map(|moment| order(&run.people, moment, &directions)));
+    let phi = mean(moments(run, &time).filter_map(|moment| {
+        let here = moment.here.iter().copied().filter(|&here| run.people.place(here).x.abs() <= LANES);
+        order(&run.people, &Moment { time: moment.time, here: here.collect() }, &directions)
+    }));
     vec![steady_flow(&crossings) / WIDTH, rho, v, phi, run.left as f64]
 }
