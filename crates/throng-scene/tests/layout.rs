@@ -12,9 +12,9 @@ fn drawn_places_keep_clear_of_walls_and_of_each_other() {
     let plan = gallery::scene("office").unwrap().plan().unwrap();
     for (i, a) in plan.agents.iter().enumerate() {
         let p = a.agent.position;
-        assert!(p.x.abs() <= 14.8 && p.y.abs() <= 6.8);
+        assert!(p.x.abs() <= 14.83 && p.y.abs() <= 6.83);
         for b in &plan.agents[..i] {
-            assert!(p.distance(b.agent.position) >= 0.4 + 0.3 - 1e-6);
+            assert!(p.distance(b.agent.position) >= 0.34 + 0.3 - 1e-6);
         }
     }
 }

@@ -14,6 +14,7 @@ name = \"a\"
 count = 3
 place.points = [[0.0, 0.0], [0.0, 20.0], [0.0, 40.0]]
 goal.shift = { by = [12.0, 0.0] }
+body = { radius = 0.2 }
 keep_right = 0.0
 ";
 

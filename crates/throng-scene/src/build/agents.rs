@@ -4,7 +4,7 @@ use super::size::Size;
 use super::steer::{vehicle, wrap_around};
 use crate::geometry::DVec2;
 use crate::random::{Purpose, Random};
-use crate::scene::{self, Avoid, Group, Neighbours, Number, Scene};
+use crate::scene::{self, Avoid, Group, Neighbours, Number, Preset, Scene};
 use glam::Vec2;
 use std::sync::Arc;
 use throng::Agent;
@@ -93,6 +93,9 @@ impl Draw<'_> {
     }
 }
 
+/// How far agents that imitate those of the labs turn to the right, radians.
+const ANIMATED_SIDE: f32 = 8.0_f64.to_radians() as f32;
+
 /// What the agents of a group share; those who steer have no manners but those that are said.
 #[allow(clippy::needless_update)] // The library may know more of groups and models than scenes say.
 pub(super) fn shared(
@@ -116,8 +119,13 @@ pub(super) fn shared(
         Some(reach) => (throng::Group::EVERYBODY, reach),
     };
     let usual = throng::Group::default();
-    let look_ahead = group.look_ahead.unwrap_or(walks);
-    let side = if look_ahead { usual.keep_right } else { 0.0 };
+    let animated = group.preset == Preset::Animation;
+    let look_ahead = group.look_ahead.unwrap_or(walks && !animated);
+    let side = match (animated, look_ahead) {
+        (true, _) => ANIMATED_SIDE,
+        (false, true) => usual.keep_right,
+        (false, false) => 0.0,
+    };
     throng::Group {
         name,
         model: model(&avoid),

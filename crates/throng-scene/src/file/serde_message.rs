@@ -40,9 +40,18 @@ pub(crate) fn explain(message: &str) -> Error {
     Error::new(kind, in_plain_words(message))
 }
 
+/// Keys that are no more, and the key that does what they did.
+const REPLACED: [(&str, &str); 2] = [("queue", "look_ahead"), ("detour", "look_ahead")];
+
 /// "This key does not exist", with those that do.
 pub(crate) fn unknown_key(wrong: &str, keys: &[String]) -> Error {
-    with_nearest(Error::new(Kind::UnknownKey, format!("there is no key `{wrong}` here")), wrong, keys, "the keys")
+    let error = Error::new(Kind::UnknownKey, format!("there is no key `{wrong}` here"));
+    match REPLACED.iter().find(|(old, new)| *old == wrong && keys.iter().any(|key| key == new)) {
+        Some((_, new)) => {
+            error.hint(format!("`{new}` does what it did, and is on unless it says false: leave `{wrong}` out"))
+        }
+        None => with_nearest(error, wrong, keys, "the keys"),
+    }
 }
 
 fn with_nearest(error: Error, wrong: &str, known: &[String], what: &str) -> Error {

@@ -3,6 +3,7 @@
 use super::avoid::Unavoiding;
 use super::flow::Governed;
 use super::steer::What;
+use super::surface::is_default;
 use super::{Avoid, Body, Colour, Goal, Mark, Number, Place, Source, Steer, Vehicle, WrapAround, source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -81,8 +82,11 @@ pub struct Group {
     /// `"everything"`. Without it, nothing but what `guard` keeps them off. Not with `wrap_around`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solid: Option<What>,
+    /// What `look_ahead` and `keep_right` are where they are not given.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub preset: Preset,
     /// Whether agents look ahead: they go where there is room, keep a time gap to the agent ahead, and turn from agents that
-    /// come the other way. Without it, agents that do not steer do.
+    /// come the other way. Without it, agents that do not steer do, unless their `preset` says otherwise.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub look_ahead: Option<bool>,
     /// Seconds: an agent that looks ahead walks no faster than the gap to the agent ahead divided by its time gap. Without it,
@@ -90,12 +94,12 @@ pub struct Group {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_gap: Option<f64>,
     /// Metres that agents that look ahead like to have round their bodies; the nearer neighbours are, the less of it counts.
-    /// Without it, 0.3. Limit: 0 to 10.
+    /// Without it, 0.4. Limit: 0 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub personal_space: Option<f64>,
     /// Greatest angle by which an agent that looks ahead turns from one that comes the other way, degrees. An undecided
     /// meeting is passed on the right; negative: on the left. Agents that do not look ahead are turned by it all the time.
-    /// Without it, 12, or 0 for agents that do not look ahead. Limit: -28 to 28.
+    /// Without it, what the `preset` says: 20, or 0 for agents that do not look ahead, or 8. Limit: -28 to 28.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub keep_right: Option<f64>,
     /// Whether agents that cannot pass each other agree who steps aside. Without it, those who do not steer do.
@@ -141,6 +145,7 @@ impl Default for Group {
             vehicle: None,
             wrap_around: None,
             solid: None,
+            preset: Preset::Pedestrian,
             look_ahead: None,
             time_gap: None,
             personal_space: None,
@@ -152,6 +157,18 @@ impl Default for Group {
             mark: None,
         }
     }
+}
+
+/// Which agents are imitated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Preset {
+    /// People, as they are measured in experiments: agents look ahead.
+    #[default]
+    Pedestrian,
+    /// The agents of the labs and of animation: they head straight for their goals, turned to the right by 8 degrees, and
+    /// leave all else to the local model. They are faster, and as dense as bodies can be.
+    Animation,
 }
 
 /// Speeds, metres a second.
@@ -178,9 +195,6 @@ pub(super) fn first_layer() -> Vec<u8> {
 #[allow(clippy::ptr_arg)]
 pub(super) fn is_first_layer(layers: &Vec<u8>) -> bool {
     *layers == [0]
-}
-fn is_default(x: &f64) -> bool {
-    *x == 0.0
 }
 pub(super) fn yes() -> bool {
     true

@@ -40,7 +40,7 @@ pub use expect::{Arrived, DistanceExpect, Expect, FigureExpect, FlowExpect, Grou
 pub use flow::{Field, Flow};
 pub use goal::{AirGoal, Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
 pub use ground::{Area, PlanFile, Rectangle, Region, Walkable};
-pub use group::{Group, Speed};
+pub use group::{Group, Preset, Speed};
 pub use model::Model;
 pub use mover::{Keyframe, Mover};
 pub use neighbours::Neighbours;

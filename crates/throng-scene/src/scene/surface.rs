@@ -32,7 +32,7 @@ pub struct Surface {
     pub seen_from: SeenFrom,
 }
 
-fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+pub(super) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }
 

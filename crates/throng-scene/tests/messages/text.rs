@@ -15,6 +15,15 @@ a.toml:6:16: there is no key `radus` here
   hint: did you mean `radius`? the keys here are: center, radius, start",
     );
     assert_message(
+        &group("count = 3\ndetour = false"),
+        Kind::UnknownKey,
+        r"
+a.toml:6:1: there is no key `detour` here
+  6 | detour = false
+    | ^^^^^^
+  hint: `look_ahead` does what it did, and is on unless it says false: leave `detour` out",
+    );
+    assert_message(
         "tiem = { step = 0.04 }",
         Kind::UnknownKey,
         r"

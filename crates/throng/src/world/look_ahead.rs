@@ -11,8 +11,9 @@
 //! 3. *Side.* It turns a little from agents that come the other way, to the side on which they pass, to the right if that is
 //!    undecided.
 //!
-//! Only what stands or goes the same way counts for the direction: streams that cross or meet are the local model's. Agents
-//! whose model looks up and down only turn from what comes the other way: all else is its own.
+//! Only what stands or goes the same way counts for the direction. Streams that cross or meet are the local model's: an agent
+//! that is about to meet one that crosses its way compares no directions. Agents whose model looks up and down only turn from
+//! what comes the other way: all else is its own.
 
 use super::World;
 use crate::agent::Group;
@@ -26,13 +27,18 @@ use glam::{DVec2, Vec2};
 const SAME_WAY: f32 = 0.3;
 /// Angles between the way and the directions that are compared, degrees. Only impatience leads an agent back.
 const ANGLES: [f32; 7] = [10.0, 20.0, 35.0, 50.0, 70.0, 85.0, 115.0];
-/// Seconds that an agent sees ahead, and that it sees agents ahead that come the other way.
+/// Seconds that an agent sees ahead, that it sees agents ahead that come the other way, and those that cross its way.
 const SIGHT: f32 = 3.0;
 const SIGHT_ONCOMING: f32 = 4.0;
+const SIGHT_CROSSING: f32 = 2.0;
 /// Metres from the wall of sight beyond which walls are not looked for.
 const SIGHT_WALLS: f32 = 3.0;
+/// Part of the personal space that an agent keeps clear of walls, where the gaps to other agents are no narrower.
+const BESIDE_WALLS: f32 = 0.8;
+/// Metres by which an agent may come nearer to a wall than it is, where it has less room than it likes.
+const NEARER: f32 = 0.04;
 /// Part of the sum of the radii that an agent ahead may be aside: one that walks abreast is not ahead.
-const STRIP: f32 = 0.9;
+const STRIP: f32 = 0.95;
 /// Gap at which all of the personal space is kept, metres: the nearer two agents are, the less of it they claim.
 const ROOMY: f32 = 1.5;
 /// Speed that a gap never takes, m/s: without it the last agents of an arch before a door wait for each other.
@@ -99,7 +105,7 @@ struct Seen {
 
 impl Seen {
     /// Speed that the gap to it allows an agent that walks in `direction`. The time gap counts as far as the two bodies
-    /// overlap across the direction.
+    /// overlap across the direction: nearly whole until they hardly do.
     fn speed(&self, direction: Vec2, time_gap: f32) -> f32 {
         let along = self.offset.dot(direction);
         let aside = self.offset.perp_dot(direction).abs();
@@ -108,7 +114,8 @@ impl Seen {
             return f32::INFINITY;
         }
         let gap = along - (self.radii * self.radii - aside * aside).sqrt();
-        gap.max(0.0) / (time_gap * (1.0 - aside / strip))
+        let part = aside / strip;
+        gap.max(0.0) / (time_gap * (1.0 - part * part * part))
     }
 }
 
@@ -116,34 +123,46 @@ impl Seen {
 #[derive(Clone, Debug, Default)]
 pub(super) struct WallsAhead {
     near: NearWalls,
-    /// Ends of the edges, from the agent's centre.
-    edges: Vec<(Vec2, Vec2)>,
-    /// Centres of the discs, from the agent's centre, and their radii with the agent's.
+    /// Distances of the edges, nearest first, and their ends, from the agent's centre.
+    edges: Vec<(f32, Vec2, Vec2)>,
+    /// Centres of the discs, from the agent's centre, and their radii.
     discs: Vec<(Vec2, f32)>,
+    /// Distance that the agent's centre keeps from them, metres.
+    clearance: f32,
 }
 
 impl WallsAhead {
-    /// Finds the walls within `range` of an agent at `at`.
-    fn find(&mut self, walls: &Walls, at: DVec2, radius: f32, range: f32) {
-        let Self { near, edges, discs } = self;
-        walls.near(at, f64::from(range + radius), near);
+    /// Finds the walls within `range` of an agent at `at`. It keeps `space` clear beside its body, as far as it has that now.
+    fn find(&mut self, walls: &Walls, at: DVec2, (radius, space): (f32, f32), range: f32) {
+        let Self { near, edges, discs, clearance } = self;
+        walls.near(at, f64::from(range + radius + space), near);
+        let nearest = near.edges.iter().chain(&near.discs).fold(f64::INFINITY, |least, wall| least.min(wall.0));
+        *clearance = (radius + space).min(nearest as f32 - NEARER).max(radius);
         edges.clear();
-        edges.extend(near.edges.iter().map(|&(_, index)| {
+        edges.extend(near.edges.iter().map(|&(distance, index)| {
             let edge = &walls.edges()[index as usize];
-            ((edge.start - at).as_vec2(), (edge.end - at).as_vec2())
+            (distance as f32, (edge.start - at).as_vec2(), (edge.end - at).as_vec2())
         }));
         discs.clear();
         discs.extend(near.discs.iter().map(|&(_, index)| {
             let disc = &walls.discs()[index as usize];
-            ((disc.center - at).as_vec2(), disc.radius as f32 + radius)
+            ((disc.center - at).as_vec2(), disc.radius as f32)
         }));
     }
 
-    /// Seconds until an agent with this velocity meets a wall.
-    fn time(&self, velocity: Vec2, radius: f32) -> f32 {
-        let edges = self.edges.iter().map(|&(start, end)| time_to_segment(start, end, velocity, radius));
-        let discs = self.discs.iter().map(|&(center, radii)| time_to_disc(center, velocity, radii));
-        edges.chain(discs).fold(f32::INFINITY, f32::min)
+    /// Seconds until an agent with this velocity meets a wall, `most` at most.
+    fn time(&self, velocity: Vec2, most: f32) -> f32 {
+        let (clearance, speed) = (self.clearance, velocity.length());
+        let discs = self.discs.iter().map(|&(center, radius)| time_to_disc(center, velocity, radius + clearance));
+        let mut time = discs.fold(most, f32::min);
+        for &(distance, start, end) in &self.edges {
+            // those that follow are farther
+            if distance - clearance >= speed * time {
+                break;
+            }
+            time = time.min(time_to_segment(start, end, velocity, clearance));
+        }
+        time
     }
 }
 
@@ -158,10 +177,15 @@ struct Sight<'a> {
 }
 
 impl Sight<'_> {
-    /// Seconds until an agent with this velocity meets a neighbour.
+    /// Seconds until an agent with this velocity meets a neighbour, as far as it sees.
     fn time(&self, velocity: Vec2) -> f32 {
         let times = self.seen.iter().map(|n| time_to_disc(n.offset, velocity - n.velocity, n.wanted));
-        times.fold(f32::INFINITY, f32::min)
+        times.fold(self.seconds, f32::min)
+    }
+
+    /// Gap to the nearest neighbour, metres.
+    fn least_gap(&self) -> f32 {
+        self.seen.iter().map(|n| n.offset.length() - n.radii).fold(f32::INFINITY, f32::min).max(0.0)
     }
 
     /// Speed that the gaps ahead allow in a direction.
@@ -205,6 +229,7 @@ impl World {
         let to_goal = way.remaining / speed;
         let (mut seen, mut count) = ([Seen::default(); MOST], 0);
         let mut oncoming = Oncoming { time: SIGHT_ONCOMING.min(to_goal), turn: 0.0, any: false };
+        let mut crosses = false;
         let in_space = agents.anybody_flies() && self.model(row).looks_in_space();
         let level = |other: &usize| !in_space || !agents.passes_clear(row, *other);
         for other in self.neighbours(row).iter().map(|&other| other as usize).filter(level).take(MOST) {
@@ -218,9 +243,14 @@ impl World {
             if !their.walks() || same > SAME_WAY || velocity.length_squared() < STANDS * STANDS {
                 seen[count] = Seen { offset, velocity, radii, wanted, direction: their.direction };
                 count += 1;
-            } else if same < -SAME_WAY && offset.dot(way.direction) > 0.0 {
-                let share = if agents.avoids(other, row) { self.share(row, other, 0.0) } else { 1.0 };
-                oncoming.meet((offset, way.direction * speed - velocity), wanted, speed, share, group.keep_right);
+            } else if offset.dot(way.direction) > 0.0 {
+                let relative = way.direction * speed - velocity;
+                if same < -SAME_WAY {
+                    let share = if agents.avoids(other, row) { self.share(row, other, 0.0) } else { 1.0 };
+                    oncoming.meet((offset, relative), wanted, speed, share, group.keep_right);
+                } else {
+                    crosses |= time_to_disc(offset, relative, radii) < SIGHT_CROSSING;
+                }
             }
         }
         let sight = Sight { seen: &seen[..count], speed, time_gap: group.time_gap, seconds: SIGHT.min(to_goal) };
@@ -229,6 +259,9 @@ impl World {
         let gap_speed = sight.gap_speed(direction);
         if in_space || sight.time(direction * speed) >= sight.seconds && gap_speed >= speed {
             return straight;
+        }
+        if crosses {
+            return Ahead { speed: gap_speed, ..straight };
         }
         self.freest(row, &sight, (way.direction, oncoming.turn), gap_speed < speed && !oncoming.any, walls)
     }
@@ -242,39 +275,46 @@ impl World {
         queues: bool,
         walls: &mut WallsAhead,
     ) -> Ahead {
-        let agents = &self.agents;
-        let (at, radius, range) = (agents.position[row].as_dvec2(), agents.radius[row], sight.speed * sight.seconds);
-        walls.find(&self.walls, at, radius, range.min(SIGHT_WALLS));
+        let (agents, range) = (&self.agents, sight.speed * sight.seconds);
+        let group = &self.groups[agents.group[row].index()];
+        let space = (BESIDE_WALLS * group.personal_space).min(sight.least_gap());
+        let at = agents.position[row].as_dvec2();
+        walls.find(&self.walls, at, (agents.radius[row], space), range.min(SIGHT_WALLS));
         let course = agents.velocity[row] / sight.speed;
         let impatience = IMPATIENCE * (self.without_progress(row) / PATIENCE).min(1.0);
-        let mut tried = 0;
         let mut best = (f32::INFINITY, Ahead::FREE);
-        let mut consider = |angle: f32| {
+        let sides = ANGLES.iter().flat_map(|&angle| [angle, -angle]);
+        for (index, angle) in (0..).zip([0.0].into_iter().chain(sides)) {
             let ahead = Ahead::turned_by(angle.to_radians() + side);
-            let cos = ahead.turn.x;
+            let Vec2 { x: cos, y: sin } = ahead.turn;
             let direction = ahead.turned(way);
-            let velocity = direction * sight.speed;
-            let seen = (sight.speed * sight.time(velocity).min(walls.time(velocity, radius))).min(range);
-            let seen = if angle < 0.0 { seen * LEFT } else { seen };
-            // what is left to the point straight ahead, from the nearest place to it that the agent sees
-            let walked = seen.min(range * cos.max(0.0));
-            let left = (range * range + walked * walked - 2.0 * range * walked * cos).max(0.0).sqrt();
             let turning = course.length() - course.dot(direction);
-            let whim = if impatience > 0.0 { impatience * self.whim(row, tried) } else { 0.0 };
-            tried += 1;
-            let cost = left + range * (TURNING * turning + whim);
+            let whim = if impatience > 0.0 { impatience * self.whim(row, index) } else { 0.0 };
+            let added = range * (TURNING * turning + whim);
+            // the nearest place to the point straight ahead that it reaches in a time, and what is left from there
+            let part = if angle < 0.0 { LEFT } else { 1.0 };
+            let walked = |time: f32| (part * sight.speed * time).min(range * cos.max(0.0));
+            let cost =
+                |walked: f32| added + (range * range + walked * walked - 2.0 * range * walked * cos).max(0.0).sqrt();
+            // each test is dearer than the one before
+            if added + range * (if cos > 0.0 { sin.abs() } else { 1.0 }) >= best.0 {
+                continue;
+            }
+            let velocity = direction * sight.speed;
+            let time = sight.time(velocity);
+            if cost(walked(time)) >= best.0 {
+                continue;
+            }
+            let walked = walked(walls.time(velocity, time));
+            let cost = cost(walked);
             if cost < best.0 {
                 // beside a queue it walks as far as that helps, and no faster than it could come to rest there
                 let useful = if angle == 0.0 || !queues { f32::INFINITY } else { walked / STOPPING };
-                best = (cost, Ahead { speed: sight.gap_speed(direction).min(useful.max(LEAST_SPEED)), ..ahead });
+                best = (cost, Ahead { speed: useful.max(LEAST_SPEED), ..ahead });
             }
-        };
-        consider(0.0);
-        for angle in ANGLES {
-            consider(angle);
-            consider(-angle);
         }
-        best.1
+        let ahead = best.1;
+        Ahead { speed: ahead.speed.min(sight.gap_speed(ahead.turned(way))), ..ahead }
     }
 
     /// A number in [0, 1) for one of the directions that an agent compares, which it keeps for a while.

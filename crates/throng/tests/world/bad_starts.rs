@@ -139,7 +139,7 @@ fn a_heap_in_a_corner_parts_without_entering_the_walls() {
     let mut draw = Draw::new(6);
     for _ in 0..10 {
         let position = origin + draw.point(DVec2::splat(0.4), DVec2::splat(0.9));
-        world.add_agent(Agent { position, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position, radius: 0.2, ..Agent::default() }).unwrap();
     }
     let walls = crate::oracle::obstacles(&world);
     run_for(&mut world, 20.0, |world| {

