@@ -199,7 +199,7 @@ impl World {
         let seconds = self.seconds(parts);
         for part in 0..parts {
             let now = self.time() + self.settings.step * f64::from(part + 1) / f64::from(parts);
-            self.decide(seconds, now, &mut ended);
+            self.decide(part == 0, seconds, now, &mut ended);
             if part + 1 == parts {
                 self.note_progress(now);
             }
@@ -215,12 +215,12 @@ impl World {
         (self.settings.step / f64::from(parts)) as f32
     }
 
-    /// All of a sub-step that ends at `now` but the motion.
-    fn decide(&mut self, seconds: f32, now: f64, mut ended: impl FnMut(Stage)) {
+    /// All of a sub-step, the first of a step or another, that ends at `now`, but the motion.
+    fn decide(&mut self, first: bool, seconds: f32, now: f64, mut ended: impl FnMut(Stage)) {
         self.fall_asleep(seconds);
         self.perceive(seconds);
         ended(Stage::Perceive);
-        self.intend(seconds, now);
+        self.intend(first, seconds, now);
         ended(Stage::Intend);
         self.avoid(seconds);
         ended(Stage::Avoid);

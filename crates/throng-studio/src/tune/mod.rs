@@ -85,8 +85,8 @@ mod tests {
         let horizon = of("group.0.avoid.orca.time_horizon");
         assert_eq!(horizon.about.unit, Some("s"));
         assert!(matches!(horizon.kind, Kind::Number { value: 2.0, whole: false, .. }), "{horizon:?}");
-        let keep_right = of("group.0.keep_right");
-        assert!(matches!(keep_right.kind, Kind::Number { low: -28.0, high: 28.0, .. }), "{keep_right:?}");
+        let time_gap = of("group.0.time_gap");
+        assert!(matches!(time_gap.kind, Kind::Number { low: 0.05, high: 10.0, .. }), "{time_gap:?}");
         assert!(matches!(of("group.0.avoid.orca.neighbours").kind, Kind::Number { whole: true, .. }));
         assert!(matches!(of("group.0.guard").kind, Kind::Switch { .. }));
         assert!(found.iter().all(|parameter| !parameter.path.contains("place") && !parameter.path.contains("goal")));

@@ -30,22 +30,27 @@ pub fn time_to_disc(offset: Vec2, velocity: Vec2, radii: f32) -> f32 {
 /// Seconds until a point that moves with `velocity` comes within `radius` of the segment from `start` to `end`;
 /// infinite if it never does. Who is already within and comes nearer collides now.
 pub fn time_to_segment(start: Vec2, end: Vec2, velocity: Vec2, radius: f32) -> f32 {
-    let ends = time_to_disc(start, velocity, radius).min(time_to_disc(end, velocity, radius));
     let along = end - start;
     let length = along.length();
     if length <= 0.0 {
-        return ends;
+        return time_to_disc(start, velocity, radius);
     }
     let along = along / length;
     // the side: distance of the line, and how fast it is approached
     let distance = along.perp_dot(start);
     let approach = along.perp_dot(velocity) * distance.signum();
+    let gap = distance.abs() - radius;
     if approach <= 0.0 {
-        return ends;
+        let ends = || time_to_disc(start, velocity, radius).min(time_to_disc(end, velocity, radius));
+        return if gap > 0.0 { f32::INFINITY } else { ends() };
     }
-    let time = ((distance.abs() - radius) / approach).max(0.0);
-    let reached = along.dot(velocity * time - start);
-    if (0.0..=length).contains(&reached) { ends.min(time) } else { ends }
+    // where it comes within the radius of the line: beyond an end, only that end is in the way
+    let time = (gap / approach).max(0.0);
+    match along.dot(velocity * time - start) {
+        reached if reached < 0.0 => time_to_disc(start, velocity, radius),
+        reached if reached > length => time_to_disc(end, velocity, radius),
+        _ => time,
+    }
 }
 
 impl View<'_> {

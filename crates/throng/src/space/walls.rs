@@ -256,38 +256,53 @@ impl Walls {
 
     /// Finds the walls within `range` of `from`: nearest first, ties by index. `near` is emptied first.
     pub fn near(&self, from: DVec2, range: f64, near: &mut NearWalls) {
-        near.edges.clear();
-        near.discs.clear();
-        if self.is_empty() {
+        let NearWalls { edges, discs, met } = near;
+        edges.clear();
+        discs.clear();
+        let first_disc = self.edges.len() as u32;
+        self.each_once(from, range, met, |item| {
+            if !self.may_be_near(item, from, range) {
+                return;
+            }
+            let distance = self.distance_to(item, from);
+            if distance <= range {
+                match item.checked_sub(first_disc) {
+                    None => edges.push((distance, item)),
+                    Some(disc) => discs.push((distance, disc)),
+                }
+            }
+        });
+        for list in [edges, discs].into_iter().filter(|list| list.len() > 1) {
+            list.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        }
+    }
+
+    /// Calls `see` once with every wall within `range` of `from`, and with some that are farther; always in the same order.
+    pub(crate) fn visit_once<'a>(&'a self, from: DVec2, range: f64, met: &mut Met, mut see: impl FnMut(Wall<'a>)) {
+        self.each_once(from, range, met, |item| see(self.wall(item)));
+    }
+
+    /// As [`visit_once`](Self::visit_once), by number: edges, then discs.
+    fn each_once(&self, from: DVec2, range: f64, met: &mut Met, mut see: impl FnMut(u32)) {
+        if self.is_empty() || self.are_far(from, range) {
             return;
         }
         // a cell on the way to each of them, short of it by what cells reach, lists it
         let away = range - REACH;
         if away <= 0.0 {
-            let cell = self.cells.cell_of(from);
-            if f64::from(self.clearance[cell]) <= range {
-                self.near_in(cell, from, range, near);
-            }
+            self.cells.items(self.cells.cell_of(from)).iter().for_each(|&item| see(item));
         } else {
+            met.begin(self.edges.len() + self.discs.len());
             for cell in self.cells.touched(from - away, from + away) {
-                self.near_in(cell, from, range, near);
+                self.cells.items(cell).iter().filter(|&&item| met.is_new(item)).for_each(|&item| see(item));
             }
-        }
-        for list in [&mut near.edges, &mut near.discs].into_iter().filter(|list| list.len() > 1) {
-            list.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            list.dedup();
         }
     }
 
-    fn near_in(&self, cell: usize, from: DVec2, range: f64, near: &mut NearWalls) {
-        for &item in self.cells.items(cell).iter().filter(|&&item| self.may_be_near(item, from, range)) {
-            let d = self.distance_to(item, from);
-            if d <= range {
-                match item.checked_sub(self.edges.len() as u32) {
-                    None => near.edges.push((d, item)),
-                    Some(disc) => near.discs.push((d, disc)),
-                }
-            }
+    fn wall(&self, item: u32) -> Wall<'_> {
+        match self.edges.get(item as usize) {
+            Some(edge) => Wall::Edge(edge),
+            None => Wall::Disc(&self.discs[item as usize - self.edges.len()]),
         }
     }
 
@@ -300,10 +315,7 @@ impl Walls {
         let away = (range - REACH).max(0.0);
         for cell in self.cells.touched(from - away, from + away) {
             for &item in self.cells.items(cell).iter().filter(|&&item| self.may_be_near(item, from, range)) {
-                match self.edges.get(item as usize) {
-                    Some(edge) => see(Wall::Edge(edge)),
-                    None => see(Wall::Disc(&self.discs[item as usize - self.edges.len()])),
-                }
+                see(self.wall(item));
             }
         }
     }
@@ -358,6 +370,29 @@ pub struct NearWalls {
     pub edges: Vec<(f64, u32)>,
     /// Discs; the distance is to their rim, negative inside.
     pub discs: Vec<(f64, u32)>,
+    met: Met,
+}
+
+/// Which walls a search has met: cells next to each other list the same ones.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Met {
+    /// The last search that met each wall.
+    by: Vec<u32>,
+    search: u32,
+}
+
+impl Met {
+    /// Begins a search among a number of walls.
+    fn begin(&mut self, walls: usize) {
+        self.search = self.search.wrapping_add(1);
+        if self.by.len() != walls || self.search == 0 {
+            (self.by, self.search) = (vec![0; walls], 1);
+        }
+    }
+
+    fn is_new(&mut self, wall: u32) -> bool {
+        std::mem::replace(&mut self.by[wall as usize], self.search) != self.search
+    }
 }
 
 #[cfg(test)]

@@ -92,7 +92,7 @@ impl World {
         let now = world.time() + f64::from(seconds);
         let (memory, draws) = (world.agents.memory.clone(), world.tally.sub_steps);
         world.step.rest.end();
-        world.decide(seconds, now, |_| ());
+        world.decide(true, seconds, now, |_| ());
         // deciding has changed what is remembered, and what would be drawn by chance
         (world.agents.memory, world.tally.sub_steps) = (memory, draws);
         let row = world.row(id)?;

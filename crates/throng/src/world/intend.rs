@@ -25,10 +25,13 @@ impl Manners {
 }
 
 impl World {
-    /// 2. What would I like: the preferred velocity of everybody in the sub-step that ends at `now`.
-    pub(super) fn intend(&mut self, seconds: f32, now: f64) {
+    /// 2. What would I like: the preferred velocity of everybody in the sub-step that ends at `now`. In the first of a step
+    /// agents look ahead.
+    pub(super) fn intend(&mut self, first: bool, seconds: f32, now: f64) {
         self.plan(seconds);
-        self.look_ahead();
+        if first {
+            self.look_ahead();
+        }
         self.resolve(seconds);
         self.note_sources();
         let mut travels = std::mem::take(&mut self.agents.travel);

@@ -20,7 +20,7 @@ use crate::agent::Group;
 use crate::avoid::{MARGIN, time_to_disc, time_to_segment};
 use crate::parallel;
 use crate::random::{Purpose, unit};
-use crate::space::{NearWalls, Walls};
+use crate::space::{Met, Wall, Walls};
 use glam::{DVec2, Vec2};
 
 /// Cosine of the angle within which two agents go the same way; beyond its negative they go opposite ways.
@@ -122,8 +122,8 @@ impl Seen {
 /// The walls near an agent: what a thread keeps from agent to agent.
 #[derive(Clone, Debug, Default)]
 pub(super) struct WallsAhead {
-    near: NearWalls,
-    /// Distances of the edges, nearest first, and their ends, from the agent's centre.
+    met: Met,
+    /// Distances of the edges, and their ends, from the agent's centre.
     edges: Vec<(f32, Vec2, Vec2)>,
     /// Centres of the discs, from the agent's centre, and their radii.
     discs: Vec<(Vec2, f32)>,
@@ -134,20 +134,34 @@ pub(super) struct WallsAhead {
 impl WallsAhead {
     /// Finds the walls within `range` of an agent at `at`. It keeps `space` clear beside its body, as far as it has that now.
     fn find(&mut self, walls: &Walls, at: DVec2, (radius, space): (f32, f32), range: f32) {
-        let Self { near, edges, discs, clearance } = self;
-        walls.near(at, f64::from(range + radius + space), near);
-        let nearest = near.edges.iter().chain(&near.discs).fold(f64::INFINITY, |least, wall| least.min(wall.0));
-        *clearance = (radius + space).min(nearest as f32 - NEARER).max(radius);
+        let Self { met, edges, discs, clearance } = self;
         edges.clear();
-        edges.extend(near.edges.iter().map(|&(distance, index)| {
-            let edge = &walls.edges()[index as usize];
-            (distance as f32, (edge.start - at).as_vec2(), (edge.end - at).as_vec2())
-        }));
         discs.clear();
-        discs.extend(near.discs.iter().map(|&(_, index)| {
-            let disc = &walls.discs()[index as usize];
-            ((disc.center - at).as_vec2(), disc.radius as f32)
-        }));
+        let range = range + radius + space;
+        let mut nearest = range;
+        walls.visit_once(at, f64::from(range), met, |wall| match wall {
+            Wall::Edge(edge) => {
+                let start = (edge.start - at).as_vec2();
+                // seen from behind, it is hidden by what is solid
+                if edge.direction.perp_dot(start) < 0.0 {
+                    return;
+                }
+                let distance = edge.nearest(at).distance(at) as f32;
+                if distance <= range {
+                    nearest = nearest.min(distance);
+                    edges.push((distance, start, (edge.end - at).as_vec2()));
+                }
+            }
+            Wall::Disc(disc) => {
+                let (center, radius) = ((disc.center - at).as_vec2(), disc.radius as f32);
+                let distance = center.length() - radius;
+                if distance <= range {
+                    nearest = nearest.min(distance);
+                    discs.push((center, radius));
+                }
+            }
+        });
+        *clearance = (radius + space).min(nearest - NEARER).max(radius);
     }
 
     /// Seconds until an agent with this velocity meets a wall, `most` at most.
@@ -156,11 +170,9 @@ impl WallsAhead {
         let discs = self.discs.iter().map(|&(center, radius)| time_to_disc(center, velocity, radius + clearance));
         let mut time = discs.fold(most, f32::min);
         for &(distance, start, end) in &self.edges {
-            // those that follow are farther
-            if distance - clearance >= speed * time {
-                break;
+            if distance - clearance < speed * time {
+                time = time.min(time_to_segment(start, end, velocity, clearance));
             }
-            time = time.min(time_to_segment(start, end, velocity, clearance));
         }
         time
     }
@@ -196,7 +208,7 @@ impl Sight<'_> {
 }
 
 impl World {
-    /// Lets all agents look ahead.
+    /// Lets all agents look ahead. They do so once a step.
     pub(super) fn look_ahead(&mut self) {
         let mut ahead = std::mem::take(&mut self.step.ahead);
         let mut scratch = std::mem::take(&mut self.step.looking);
