@@ -93,8 +93,8 @@ pub struct Group {
     /// 1.06. Limit: 0.05 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_gap: Option<f64>,
-    /// Metres that agents that look ahead like to have round their bodies; the nearer neighbours are, the less of it counts.
-    /// Without it, 0.4. Limit: 0 to 10.
+    /// Metres that agents that look ahead like to keep from agents that come the other way or stay where they are, and from
+    /// walls; the nearer they are, the less of it counts. Without it, 0.5. Limit: 0 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub personal_space: Option<f64>,
     /// Greatest angle by which an agent that looks ahead turns from one that comes the other way, degrees. An undecided

@@ -25,7 +25,8 @@ pub struct Group {
     /// Time gap, seconds: an agent walks no faster than the gap to the agent ahead divided by it. People in single file keep
     /// 1.06 s (Seyfried et al. 2005). Limit: 0.05 to 10.
     pub time_gap: f32,
-    /// Room that an agent likes to have round its body, metres; the nearer neighbours are, the less of it counts. Limit: 0 to 10.
+    /// Room that an agent likes to keep from agents that come the other way or stay where they are, and from walls, metres;
+    /// the nearer they are, the less of it counts. Limit: 0 to 10.
     pub personal_space: f32,
     /// Greatest angle by which an agent that looks ahead turns from one that comes the other way, radians. An undecided
     /// meeting is passed on the right; negative: on the left. Agents that do not look ahead are turned by it all the time.
@@ -145,7 +146,7 @@ impl Default for Group {
             neighbours: 10,
             look_ahead: true,
             time_gap: 1.06,
-            personal_space: 0.4,
+            personal_space: 0.5,
             keep_right: 20.0_f32.to_radians(),
             resolve: true,
             field: None,

@@ -4,10 +4,10 @@
 //! disasters, PNAS 108:6884 (2011), with the speed of Seyfried, Steffen, Klingsch, Boltes, The fundamental diagram of
 //! pedestrian movement revisited (2005):
 //!
-//! 1. *Direction.* An agent compares directions round its way. In each it sees as far as it could walk, at its preferred
-//!    speed, until it meets a neighbour that keeps its velocity, or a wall. It takes the direction that brings it nearest to a
-//!    point straight ahead at the end of its sight.
-//! 2. *Speed.* It walks no faster than the gap to the agent ahead, divided by its time gap.
+//! 1. *Speed.* An agent walks no faster than the gap to the agent ahead, divided by its time gap.
+//! 2. *Direction.* It compares directions round its way. In each it walks, at the speed that the gaps allow there, until it
+//!    meets a neighbour that keeps its velocity, or a wall. It takes the direction that brings it nearest to a point straight
+//!    ahead at the end of its sight.
 //! 3. *Side.* It turns a little from agents that come the other way, to the side on which they pass, to the right if that is
 //!    undecided.
 //!
@@ -36,9 +36,7 @@ const SIGHT_WALLS: f32 = 3.0;
 /// Part of the personal space that an agent keeps clear of walls, where the gaps to other agents are no narrower.
 const BESIDE_WALLS: f32 = 0.8;
 /// Metres by which an agent may come nearer to a wall than it is, where it has less room than it likes.
-const NEARER: f32 = 0.04;
-/// Part of the sum of the radii that an agent ahead may be aside: one that walks abreast is not ahead.
-const STRIP: f32 = 0.95;
+const NEARER: f32 = 0.02;
 /// Gap at which all of the personal space is kept, metres: the nearer two agents are, the less of it they claim.
 const ROOMY: f32 = 1.5;
 /// Speed that a gap never takes, m/s: without it the last agents of an arch before a door wait for each other.
@@ -97,7 +95,7 @@ struct Seen {
     velocity: Vec2,
     /// Sum of the radii, with the margin of the local models.
     radii: f32,
-    /// The same with the personal space that is left.
+    /// The same, with the personal space that it keeps from one that stays where it is.
     wanted: f32,
     /// Where it wants to go; zero if it stands.
     direction: Vec2,
@@ -109,12 +107,11 @@ impl Seen {
     fn speed(&self, direction: Vec2, time_gap: f32) -> f32 {
         let along = self.offset.dot(direction);
         let aside = self.offset.perp_dot(direction).abs();
-        let strip = STRIP * self.radii;
-        if self.direction.dot(direction) < SAME_WAY || along <= 0.0 || aside >= strip {
+        if self.direction.dot(direction) < SAME_WAY || along <= 0.0 || aside >= self.radii {
             return f32::INFINITY;
         }
         let gap = along - (self.radii * self.radii - aside * aside).sqrt();
-        let part = aside / strip;
+        let part = aside / self.radii;
         gap.max(0.0) / (time_gap * (1.0 - part * part * part))
     }
 }
@@ -161,7 +158,7 @@ impl WallsAhead {
                 }
             }
         });
-        *clearance = (radius + space).min(nearest - NEARER).max(radius);
+        *clearance = (radius + space).min(nearest - NEARER).max(0.0);
     }
 
     /// Seconds until an agent with this velocity meets a wall, `most` at most.
@@ -248,18 +245,21 @@ impl World {
             let their = &self.step.shown[other].way;
             let offset = agents.offset(row, other);
             let radii = (agents.radius[row] + agents.radius[other]) * (1.0 + MARGIN);
-            let gap = (offset.length() - radii).max(0.0);
-            let wanted = radii + 2.0 * group.personal_space * (gap / ROOMY).min(1.0);
+            // the nearer, the less of it they claim
+            let space = || group.personal_space * ((offset.length() - radii).max(0.0) / ROOMY).min(1.0);
             let same = their.direction.dot(way.direction);
             let velocity = agents.velocity[other];
             if !their.walks() || same > SAME_WAY || velocity.length_squared() < STANDS * STANDS {
+                // those on one journey stand close where it ends
+                let close = their.walks() || agents.journey[row] == agents.journey[other];
+                let wanted = if close { radii } else { radii + space() };
                 seen[count] = Seen { offset, velocity, radii, wanted, direction: their.direction };
                 count += 1;
             } else if offset.dot(way.direction) > 0.0 {
                 let relative = way.direction * speed - velocity;
                 if same < -SAME_WAY {
                     let share = if agents.avoids(other, row) { self.share(row, other, 0.0) } else { 1.0 };
-                    oncoming.meet((offset, relative), wanted, speed, share, group.keep_right);
+                    oncoming.meet((offset, relative), radii + 2.0 * space(), speed, share, group.keep_right);
                 } else {
                     crosses |= time_to_disc(offset, relative, radii) < SIGHT_CROSSING;
                 }
@@ -303,30 +303,35 @@ impl World {
             let turning = course.length() - course.dot(direction);
             let whim = if impatience > 0.0 { impatience * self.whim(row, index) } else { 0.0 };
             let added = range * (TURNING * turning + whim);
-            // the nearest place to the point straight ahead that it reaches in a time, and what is left from there
+            // how far towards the point straight ahead it gets if it can walk this far, and what is left from there
             let part = if angle < 0.0 { LEFT } else { 1.0 };
-            let walked = |time: f32| (part * sight.speed * time).min(range * cos.max(0.0));
-            let cost =
-                |walked: f32| added + (range * range + walked * walked - 2.0 * range * walked * cos).max(0.0).sqrt();
+            let walked = |free: f32| (part * free).min(range * cos.max(0.0));
+            let cost = |free: f32| {
+                let walked = walked(free);
+                added + (range * range + walked * walked - 2.0 * range * walked * cos).max(0.0).sqrt()
+            };
             // each test is dearer than the one before
             if added + range * (if cos > 0.0 { sin.abs() } else { 1.0 }) >= best.0 {
                 continue;
             }
             let velocity = direction * sight.speed;
             let time = sight.time(velocity);
-            if cost(walked(time)) >= best.0 {
+            if cost(sight.speed * time) >= best.0 {
                 continue;
             }
-            let walked = walked(walls.time(velocity, time));
-            let cost = cost(walked);
+            let speed = sight.gap_speed(direction).min(sight.speed);
+            if cost(speed * time) >= best.0 {
+                continue;
+            }
+            let free = sight.speed * walls.time(velocity, speed * time / sight.speed);
+            let cost = cost(free);
             if cost < best.0 {
                 // beside a queue it walks as far as that helps, and no faster than it could come to rest there
-                let useful = if angle == 0.0 || !queues { f32::INFINITY } else { walked / STOPPING };
-                best = (cost, Ahead { speed: useful.max(LEAST_SPEED), ..ahead });
+                let useful = if angle == 0.0 || !queues { f32::INFINITY } else { walked(free) / STOPPING };
+                best = (cost, Ahead { speed: speed.min(useful.max(LEAST_SPEED)), ..ahead });
             }
         }
-        let ahead = best.1;
-        Ahead { speed: ahead.speed.min(sight.gap_speed(ahead.turned(way))), ..ahead }
+        best.1
     }
 
     /// A number in [0, 1) for one of the directions that an agent compares, which it keeps for a while.
