@@ -229,7 +229,10 @@ impl World {
         let group = &self.groups[agents.group[row].index()];
         let (way, speed) = (&self.step.shown[row].way, agents.preferred_speed[row]);
         if !group.look_ahead {
-            return Ahead::turned_by(group.keep_right);
+            // one that is blocked for long tries any side
+            let blocked = group.keep_right != 0.0 && self.without_progress(row) >= PATIENCE;
+            let aside = if blocked { (self.whim(row, 0) - 0.5) * std::f32::consts::PI } else { 0.0 };
+            return Ahead::turned_by(group.keep_right + aside);
         }
         if way.direction == Vec2::ZERO || speed <= 0.0 || self.neighbours(row).is_empty() {
             return Ahead::FREE;
