@@ -1,7 +1,7 @@
 //! The experiments and the random families are scenes that can be run and measured.
 
 use throng_record::validate::families::{FAMILIES, Flaw, Trial};
-use throng_record::validate::{EXPERIMENTS, Run};
+use throng_record::validate::{Case, EXPERIMENTS, Run};
 
 #[test]
 fn every_case_can_be_run_and_measured() {
@@ -39,6 +39,31 @@ fn tolerances_hold_what_people_did() {
         }
     }
     assert!(compared > 12, "{compared}");
+}
+
+/// Figures that the engine meets with room to spare in every run; `throng validate` has all, over more runs.
+#[test]
+fn people_are_met() {
+    for (name, case, figure) in [
+        ("head-on", "0.2 m", "passes"),
+        ("single-file", "1.31", "v"),
+        ("door", "0.8 m", "J_s"),
+        ("corridor", "2.4-2.4-2.4", "J_s"),
+        ("bidirectional", "1.5 per", "phi"),
+        ("loop", "2 per", "v"),
+    ] {
+        let experiment = EXPERIMENTS.iter().find(|experiment| experiment.name == name).expect(name);
+        let cases = experiment.cases();
+        let case = cases.iter().find(|one| one.name.contains(case)).expect(case);
+        let index = case.figures.iter().position(|one| one.name == figure).expect(figure);
+        let value = measured(case, 2)[index];
+        assert_eq!(case.figures[index].is_met(value), Some(true), "{name} {}: {figure} = {value}", case.name);
+    }
+}
+
+fn measured(case: &Case, seed: u64) -> Vec<f64> {
+    let run = case.scene(seed).and_then(|scene| Run::of(&scene, case.interval, |_| true));
+    case.measure(&run.unwrap_or_else(|error| panic!("{}: {error}", case.name)).unwrap())
 }
 
 #[test]

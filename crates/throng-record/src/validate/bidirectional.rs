@@ -35,7 +35,10 @@ fn cases() -> Vec<Case> {
                     .people("1.22–1.30")
                     .reference(1.18, 1.62),
                 Figure::new("v", "m/s", "mean speed").people("0.83–0.97").reference(0.68, 1.22),
-                Figure::new("phi", "", "lane order parameter").people("0.57–0.99").reference(0.66, 0.82),
+                Figure::new("phi", "", "lane order parameter")
+                    .within(0.57, 0.99)
+                    .people("0.57–0.99")
+                    .reference(0.66, 0.82),
             ],
         ),
         case(

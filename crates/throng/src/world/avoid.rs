@@ -49,7 +49,7 @@ impl Sight {
         // walls come nearest first, and none that is farther hides anybody
         let reach = f64::from(offset.length()) * 1.001 + 0.001;
         let mut between = self.edges.iter().zip(&self.near.edges).take_while(|(_, wall)| wall.0 <= reach);
-        between.any(|(edge, _)| hides(edge, offset))
+        between.any(|(edge, _)| is_between(edge.start, edge.end, offset))
     }
 }
 
@@ -315,11 +315,10 @@ fn see_with_core(own: &Core, edges: &mut Vec<NearEdge>, discs: &mut Vec<NearDisc
     }));
 }
 
-/// Whether an edge lies between the agent and what is at `offset`.
-fn hides(edge: &NearEdge, offset: Vec2) -> bool {
-    let along = edge.end - edge.start;
-    offset.perp_dot(edge.start) * offset.perp_dot(edge.end) < 0.0
-        && along.perp_dot(-edge.start) * along.perp_dot(offset - edge.start) < 0.0
+/// Whether an edge lies between the agent and what is at `offset`; all are seen from the agent.
+pub(super) fn is_between(start: Vec2, end: Vec2, offset: Vec2) -> bool {
+    let along = end - start;
+    offset.perp_dot(start) * offset.perp_dot(end) < 0.0 && along.perp_dot(-start) * along.perp_dot(offset - start) < 0.0
 }
 
 #[cfg(test)]

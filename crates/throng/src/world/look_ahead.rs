@@ -11,11 +11,12 @@
 //! 3. *Side.* It turns a little from agents that come the other way, to the side on which they pass, to the right if that is
 //!    undecided.
 //!
-//! Only what stands or goes the same way counts for the direction. Streams that cross or meet are the local model's: an agent
-//! that is about to meet one that crosses its way compares no directions. Agents whose model looks up and down only turn from
-//! what comes the other way: all else is its own.
+//! Only agents that stand or go the same way count for the direction. An agent compares no directions while others come the
+//! other way, or are about to cross its way, as long as it gets on: so lanes form, and each keeps to its own. Agents with a
+//! model in space never compare directions.
 
 use super::World;
+use super::avoid::is_between;
 use crate::agent::Group;
 use crate::avoid::{MARGIN, time_to_disc, time_to_segment};
 use crate::parallel;
@@ -49,6 +50,8 @@ const IMPATIENCE: f32 = 0.5;
 const PATIENCE: f32 = 5.0;
 /// Seconds that it keeps them.
 const WHIM: f64 = 1.0;
+/// Seconds without progress up to which an agent keeps to its lane while streams meet.
+const GETS_ON: f32 = 1.0;
 /// Seconds in which an agent that moves beside a queue can come to rest.
 const STOPPING: f32 = 0.4;
 /// Part of what it sees to its right that an agent sees to its left: a tie is decided to the right.
@@ -103,8 +106,9 @@ struct Seen {
 
 impl Seen {
     /// Speed that the gap to it allows an agent that walks in `direction`. The time gap counts as far as the two bodies
-    /// overlap across the direction: nearly whole until they hardly do.
-    fn speed(&self, direction: Vec2, time_gap: f32) -> f32 {
+    /// overlap across the direction: nearly whole until they hardly do; among streams that meet, only where they nearly
+    /// do whole, for there agents step aside all the time.
+    fn speed(&self, direction: Vec2, time_gap: f32, streams_meet: bool) -> f32 {
         let along = self.offset.dot(direction);
         let aside = self.offset.perp_dot(direction).abs();
         if self.direction.dot(direction) < SAME_WAY || along <= 0.0 || aside >= self.radii {
@@ -112,7 +116,8 @@ impl Seen {
         }
         let gap = along - (self.radii * self.radii - aside * aside).sqrt();
         let part = aside / self.radii;
-        gap.max(0.0) / (time_gap * (1.0 - part * part * part))
+        let overlap = 1.0 - if streams_meet { part.sqrt() } else { part * part * part };
+        gap.max(0.0) / (time_gap * overlap)
     }
 }
 
@@ -120,6 +125,9 @@ impl Seen {
 #[derive(Clone, Debug, Default)]
 pub(super) struct WallsAhead {
     met: Met,
+    /// Whether the walls near the present agent were found, and the distance of the nearest from its centre.
+    found: bool,
+    nearest: f32,
     /// Distances of the edges, and their ends, from the agent's centre.
     edges: Vec<(f32, Vec2, Vec2)>,
     /// Centres of the discs, from the agent's centre, and their radii.
@@ -129,13 +137,15 @@ pub(super) struct WallsAhead {
 }
 
 impl WallsAhead {
-    /// Finds the walls within `range` of an agent at `at`. It keeps `space` clear beside its body, as far as it has that now.
-    fn find(&mut self, walls: &Walls, at: DVec2, (radius, space): (f32, f32), range: f32) {
-        let Self { met, edges, discs, clearance } = self;
+    /// Finds the walls within `range` of `at`, unless they were found since the last `forget`.
+    fn find(&mut self, walls: &Walls, at: DVec2, range: f32) {
+        let Self { met, found, nearest, edges, discs, .. } = self;
+        if std::mem::replace(found, true) {
+            return;
+        }
+        *nearest = range;
         edges.clear();
         discs.clear();
-        let range = range + radius + space;
-        let mut nearest = range;
         walls.visit_once(at, f64::from(range), met, |wall| match wall {
             Wall::Edge(edge) => {
                 let start = (edge.start - at).as_vec2();
@@ -145,7 +155,7 @@ impl WallsAhead {
                 }
                 let distance = edge.nearest(at).distance(at) as f32;
                 if distance <= range {
-                    nearest = nearest.min(distance);
+                    *nearest = nearest.min(distance);
                     edges.push((distance, start, (edge.end - at).as_vec2()));
                 }
             }
@@ -153,12 +163,27 @@ impl WallsAhead {
                 let (center, radius) = ((disc.center - at).as_vec2(), disc.radius as f32);
                 let distance = center.length() - radius;
                 if distance <= range {
-                    nearest = nearest.min(distance);
+                    *nearest = nearest.min(distance);
                     discs.push((center, radius));
                 }
             }
         });
-        *clearance = (radius + space).min(nearest - NEARER).max(0.0);
+    }
+
+    /// Forgets the walls near the last agent.
+    fn forget(&mut self) {
+        self.found = false;
+    }
+
+    /// Keeps the agent's centre this far from walls, as far as it is now.
+    fn keep(&mut self, clearance: f32) {
+        self.clearance = clearance.min(self.nearest - NEARER).max(0.0);
+    }
+
+    /// Whether an edge lies between the agent and what is at `offset`.
+    fn hide(&self, offset: Vec2) -> bool {
+        let reach = offset.length();
+        self.edges.iter().any(|&(distance, start, end)| distance < reach && is_between(start, end, offset))
     }
 
     /// Seconds until an agent with this velocity meets a wall, `most` at most.
@@ -183,6 +208,8 @@ struct Sight<'a> {
     time_gap: f32,
     /// Seconds that it sees ahead.
     seconds: f32,
+    /// Whether agents come the other way, or are about to cross its way.
+    streams_meet: bool,
 }
 
 impl Sight<'_> {
@@ -199,7 +226,7 @@ impl Sight<'_> {
 
     /// Speed that the gaps ahead allow in a direction.
     fn gap_speed(&self, direction: Vec2) -> f32 {
-        let speeds = self.seen.iter().map(|n| n.speed(direction, self.time_gap));
+        let speeds = self.seen.iter().map(|n| n.speed(direction, self.time_gap, self.streams_meet));
         speeds.fold(f32::INFINITY, f32::min).max(LEAST_SPEED)
     }
 }
@@ -237,6 +264,8 @@ impl World {
         if way.direction == Vec2::ZERO || speed <= 0.0 || self.neighbours(row).is_empty() {
             return Ahead::FREE;
         }
+        walls.forget();
+        let at = agents.position[row].as_dvec2();
         // nothing beyond its goal concerns it
         let to_goal = way.remaining / speed;
         let (mut seen, mut count) = ([Seen::default(); MOST], 0);
@@ -259,6 +288,10 @@ impl World {
                 seen[count] = Seen { offset, velocity, radii, wanted, direction: their.direction };
                 count += 1;
             } else if offset.dot(way.direction) > 0.0 {
+                walls.find(&self.walls, at, self.range_of_walls(row));
+                if walls.hide(offset) {
+                    continue;
+                }
                 let relative = way.direction * speed - velocity;
                 if same < -SAME_WAY {
                     let share = if agents.avoids(other, row) { self.share(row, other, 0.0) } else { 1.0 };
@@ -268,14 +301,16 @@ impl World {
                 }
             }
         }
-        let sight = Sight { seen: &seen[..count], speed, time_gap: group.time_gap, seconds: SIGHT.min(to_goal) };
+        let streams_meet = oncoming.any || crosses;
+        let sight =
+            Sight { seen: &seen[..count], speed, time_gap: group.time_gap, seconds: SIGHT.min(to_goal), streams_meet };
         let straight = Ahead::turned_by(oncoming.turn);
         let direction = straight.turned(way.direction);
         let gap_speed = sight.gap_speed(direction);
         if in_space || sight.time(direction * speed) >= sight.seconds && gap_speed >= speed {
             return straight;
         }
-        if crosses {
+        if streams_meet && self.without_progress(row) < GETS_ON {
             return Ahead { speed: gap_speed, ..straight };
         }
         self.freest(row, &sight, (way.direction, oncoming.turn), gap_speed < speed && !oncoming.any, walls)
@@ -294,7 +329,8 @@ impl World {
         let group = &self.groups[agents.group[row].index()];
         let space = (BESIDE_WALLS * group.personal_space).min(sight.least_gap());
         let at = agents.position[row].as_dvec2();
-        walls.find(&self.walls, at, (agents.radius[row], space), range.min(SIGHT_WALLS));
+        walls.find(&self.walls, at, self.range_of_walls(row));
+        walls.keep(agents.radius[row] + space);
         let course = agents.velocity[row] / sight.speed;
         let impatience = IMPATIENCE * (self.without_progress(row) / PATIENCE).min(1.0);
         let mut best = (f32::INFINITY, Ahead::FREE);
@@ -335,6 +371,12 @@ impl World {
             }
         }
         best.1
+    }
+
+    /// How far an agent that looks ahead sees walls, metres from its centre.
+    fn range_of_walls(&self, row: usize) -> f32 {
+        let space = BESIDE_WALLS * self.groups[self.agents.group[row].index()].personal_space;
+        SIGHT_WALLS + self.agents.radius[row] + space
     }
 
     /// A number in [0, 1) for one of the directions that an agent compares, which it keeps for a while.

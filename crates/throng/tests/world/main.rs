@@ -18,6 +18,7 @@ mod hindrance;
 mod instructions;
 mod journeys;
 mod limits;
+mod look_ahead;
 mod manners;
 mod mistakes;
 mod models;
