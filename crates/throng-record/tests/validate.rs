@@ -46,9 +46,9 @@ fn tolerances_hold_what_people_did() {
 fn people_are_met() {
     for (name, case, figure) in [
         ("head-on", "0.2 m", "passes"),
-        ("single-file", "1.31", "v"),
-        ("door", "0.8 m", "J_s"),
-        ("corridor", "2.4-2.4-2.4", "J_s"),
+        ("single-file", "1.45", "v"),
+        ("door", "0.8 m", "J/b"),
+        ("corridor", "2.4-2.4-2.4", "J"),
         ("bidirectional", "1.5 per", "phi"),
         ("loop", "2 per", "v"),
     ] {

@@ -13,7 +13,7 @@
 //!
 //! Only agents that stand or go the same way count for the direction. An agent compares no directions while others come the
 //! other way, or are about to cross its way, as long as it gets on: so lanes form, and each keeps to its own. Agents with a
-//! model in space never compare directions.
+//! model in space never compare directions. Agents that a wall hides do not count.
 
 use super::World;
 use super::avoid::is_between;
@@ -219,6 +219,11 @@ impl Sight<'_> {
         times.fold(self.seconds, f32::min)
     }
 
+    /// Whether no neighbour hinders an agent that walks this way as fast as it likes.
+    fn is_free(&self, direction: Vec2) -> bool {
+        self.time(direction * self.speed) >= self.seconds && self.gap_speed(direction) >= self.speed
+    }
+
     /// Gap to the nearest neighbour, metres.
     fn least_gap(&self) -> f32 {
         self.seen.iter().map(|n| n.offset.length() - n.radii).fold(f32::INFINITY, f32::min).max(0.0)
@@ -266,12 +271,19 @@ impl World {
         }
         walls.forget();
         let at = agents.position[row].as_dvec2();
+        let in_space = agents.anybody_flies() && self.model(row).looks_in_space();
+        let mut hidden = |offset: Vec2| {
+            if in_space {
+                return false;
+            }
+            walls.find(&self.walls, at, self.range_of_walls(row));
+            walls.hide(offset)
+        };
         // nothing beyond its goal concerns it
         let to_goal = way.remaining / speed;
         let (mut seen, mut count) = ([Seen::default(); MOST], 0);
         let mut oncoming = Oncoming { time: SIGHT_ONCOMING.min(to_goal), turn: 0.0, any: false };
         let mut crosses = false;
-        let in_space = agents.anybody_flies() && self.model(row).looks_in_space();
         let level = |other: &usize| !in_space || !agents.passes_clear(row, *other);
         for other in self.neighbours(row).iter().map(|&other| other as usize).filter(level).take(MOST) {
             let their = &self.step.shown[other].way;
@@ -288,28 +300,36 @@ impl World {
                 seen[count] = Seen { offset, velocity, radii, wanted, direction: their.direction };
                 count += 1;
             } else if offset.dot(way.direction) > 0.0 {
-                walls.find(&self.walls, at, self.range_of_walls(row));
-                if walls.hide(offset) {
-                    continue;
-                }
                 let relative = way.direction * speed - velocity;
                 if same < -SAME_WAY {
-                    let share = if agents.avoids(other, row) { self.share(row, other, 0.0) } else { 1.0 };
-                    oncoming.meet((offset, relative), radii + 2.0 * space(), speed, share, group.keep_right);
-                } else {
-                    crosses |= time_to_disc(offset, relative, radii) < SIGHT_CROSSING;
+                    if !hidden(offset) {
+                        let share = if agents.avoids(other, row) { self.share(row, other, 0.0) } else { 1.0 };
+                        oncoming.meet((offset, relative), radii + 2.0 * space(), speed, share, group.keep_right);
+                    }
+                } else if !crosses {
+                    crosses = time_to_disc(offset, relative, radii) < SIGHT_CROSSING && !hidden(offset);
                 }
             }
         }
         let streams_meet = oncoming.any || crosses;
-        let sight =
-            Sight { seen: &seen[..count], speed, time_gap: group.time_gap, seconds: SIGHT.min(to_goal), streams_meet };
         let straight = Ahead::turned_by(oncoming.turn);
         let direction = straight.turned(way.direction);
-        let gap_speed = sight.gap_speed(direction);
-        if in_space || sight.time(direction * speed) >= sight.seconds && gap_speed >= speed {
+        let seconds = SIGHT.min(to_goal);
+        let sight = Sight { seen: &seen[..count], speed, time_gap: group.time_gap, seconds, streams_meet };
+        if in_space || sight.is_free(direction) {
             return straight;
         }
+        // walls are looked at only where an agent would hinder it
+        let (mut clear, mut kept) = ([Seen::default(); MOST], 0);
+        for one in seen[..count].iter().filter(|one| !hidden(one.offset)) {
+            clear[kept] = *one;
+            kept += 1;
+        }
+        let sight = Sight { seen: &clear[..kept], ..sight };
+        if kept < count && sight.is_free(direction) {
+            return straight;
+        }
+        let gap_speed = sight.gap_speed(direction);
         if streams_meet && self.without_progress(row) < GETS_ON {
             return Ahead { speed: gap_speed, ..straight };
         }
