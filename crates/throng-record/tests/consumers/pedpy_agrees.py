@@ -47,7 +47,10 @@ voronoi, inside = pedpy.compute_voronoi_density(individual_voronoi_data=cells, m
 voronoi_speed = pedpy.compute_voronoi_speed(
     traj_data=traj, individual_speed=speed, individual_voronoi_intersection=inside, measurement_area=area
 )
-n_t, crossings = pedpy.compute_n_t(traj_data=traj, measurement_line=line)
+# PedPy leaves out movements that end with the last frame: a frame in which all agents stand makes it the last but one
+after = rows[rows.frame == rows.frame.max()].assign(frame=rows.frame.max() + 1)
+longer = pedpy.TrajectoryData(data=pandas.concat([rows, after])[["id", "frame", "x", "y"]], frame_rate=rate)
+n_t, crossings = pedpy.compute_n_t(traj_data=longer, measurement_line=line)
 frames = crossings.frame.sort_values()
 
 
