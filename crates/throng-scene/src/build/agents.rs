@@ -133,6 +133,7 @@ pub(super) fn shared(
         neighbours,
         look_ahead,
         time_gap: group.time_gap.map_or(usual.time_gap, |seconds| seconds as f32),
+        shoulders: group.shoulders.map_or(usual.shoulders, |metres| metres as f32),
         personal_space: group.personal_space.map_or(usual.personal_space, |metres| metres as f32),
         keep_right: group.keep_right.map_or(side, |degrees| degrees.to_radians() as f32),
         resolve: group.resolve.unwrap_or(walks),

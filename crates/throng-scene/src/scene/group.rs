@@ -90,9 +90,13 @@ pub struct Group {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub look_ahead: Option<bool>,
     /// Seconds: an agent that looks ahead walks no faster than the gap to the agent ahead divided by its time gap. Without it,
-    /// 1.06. Limit: 0.05 to 10.
+    /// 1.1. Limit: 0.05 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_gap: Option<f64>,
+    /// Breadth across its way, metres, within which an agent that looks ahead has another ahead of it; no less than that of
+    /// its body. Without it, 0.44. Limit: 0 to 10.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shoulders: Option<f64>,
     /// Metres that agents that look ahead like to keep from agents that come the other way or stay where they are, and from
     /// walls; the nearer they are, the less of it counts. Without it, 0.5. Limit: 0 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -148,6 +152,7 @@ impl Default for Group {
             preset: Preset::Pedestrian,
             look_ahead: None,
             time_gap: None,
+            shoulders: None,
             personal_space: None,
             keep_right: None,
             resolve: None,

@@ -117,7 +117,7 @@ impl Default for Agent {
             group: GroupId(0),
             journey: JourneyId::STAY,
             script: None,
-            radius: 0.17,
+            radius: 0.14,
             core: Vec2::ZERO,
             preferred_speed: 1.3,
             max_speed: 1.8,

@@ -17,6 +17,7 @@ mod locate;
 mod mesh;
 mod meshes;
 mod outline;
+mod passage;
 mod path;
 mod polyanya;
 mod refuge;

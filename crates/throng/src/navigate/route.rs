@@ -1,6 +1,7 @@
 //! An agent on its way: the corners of its path that are still ahead, kept up to date at little cost.
 
 use super::mesh::NavMesh;
+use super::passage::{Bend, Passages};
 use super::path::Path;
 use super::visible::{Sight, Wall};
 use glam::DVec2;
@@ -39,6 +40,8 @@ pub enum Heading {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(from = "Saved")]
 pub struct Route {
+    /// Where the path begins.
+    start: DVec2,
     /// All corners of the path, its end last.
     corners: Vec<DVec2>,
     /// Index of the next one.
@@ -46,6 +49,11 @@ pub struct Route {
     /// Where the agent looked last.
     looked: Option<DVec2>,
     lost: bool,
+    /// Where the agent goes through the next passage, as it found when it looked last.
+    place: Option<DVec2>,
+    /// Half of the widths of the passages at the corners, as far as they are known.
+    #[serde(skip_serializing)]
+    passages: Passages,
     /// Length of the way from the next corner on, metres.
     #[serde(skip_serializing)]
     beyond: f64,
@@ -71,15 +79,18 @@ impl PartialEq for Guess {
 /// What of a route is saved.
 #[derive(Deserialize)]
 struct Saved {
+    start: DVec2,
     corners: Vec<DVec2>,
     next: u32,
     looked: Option<DVec2>,
     lost: bool,
+    place: Option<DVec2>,
 }
 
 impl From<Saved> for Route {
-    fn from(Saved { corners, next, looked, lost }: Saved) -> Self {
-        let mut route = Self { corners, next, looked, lost, beyond: 0.0, guess: Guess::default() };
+    fn from(Saved { start, corners, next, looked, lost, place }: Saved) -> Self {
+        let (passages, guess) = Default::default();
+        let mut route = Self { start, corners, next, looked, lost, place, passages, beyond: 0.0, guess };
         route.go_on_to(next);
         route
     }
@@ -88,24 +99,74 @@ impl From<Saved> for Route {
 impl Route {
     /// The route along a path.
     pub fn new(path: &Path) -> Self {
-        Saved { corners: path.corners.clone(), next: 0, looked: None, lost: false }.into()
+        let (start, corners) = (path.start, path.corners.clone());
+        Saved { start, corners, next: 0, looked: None, lost: false, place: None }.into()
     }
 
     /// What to head for from `position`. Call it every step; once it says [`Heading::Lost`] it says so until it is
     /// replaced.
     pub fn advance(&mut self, mesh: &NavMesh, position: DVec2) -> Heading {
-        let Some(&aim) = self.corners.get(self.next as usize) else { return Heading::Lost };
+        self.advance_taut(mesh, position);
+        self.heading()
+    }
+
+    /// The same, for an agent that keeps its lateral place: it goes through the passage at each corner as far from it as it is
+    /// from the walls on that side, but no farther than the middle. `off` tells how far it is from walls, in metres: those
+    /// from which a direction leads away.
+    pub(crate) fn advance_in_place(&mut self, mesh: &NavMesh, position: DVec2, off: impl Fn(DVec2) -> f64) -> Heading {
+        if self.advance_taut(mesh, position) {
+            self.place = if self.lost { None } else { self.find_place(mesh, position, off) };
+        }
+        match (self.heading(), self.place) {
+            (Heading::Corner(_) | Heading::End(_), Some(place)) => Heading::Corner(place),
+            (heading, _) => heading,
+        }
+    }
+
+    /// Where an agent that keeps its lateral place goes through the next passage; none if it may head for the next corner.
+    fn find_place(&mut self, mesh: &NavMesh, at: DVec2, off: impl Fn(DVec2) -> f64) -> Option<DVec2> {
+        let (next, last) = (self.next as usize, self.corners.len() - 1);
+        let point = |index: usize| if index == 0 { self.start } else { self.corners[index - 1] };
+        let bend = |index: usize| Bend::of([point(index), point(index + 1), point(index + 2)]);
+        // a taut string leaves corners before the agent has passed them
+        let mut first = next;
+        while first > next.saturating_sub(BACK) && bend(first - 1).is_some_and(|bend| !bend.is_passed(at)) {
+            first -= 1;
+        }
+        for index in first..last.min(next + 1) {
+            let Some(bend) = bend(index).filter(|bend| !bend.is_passed(at)) else { continue };
+            let half_width = self.passages.half_width(index, || bend.half_width(mesh));
+            let place = bend.place(off(bend.across(at)).clamp(0.0, half_width), half_width);
+            let onwards = self.corners[next.max(index + 1).min(last)];
+            let is_free = index < next && bend.is_outside(at, onwards, place);
+            let far = place.distance_squared(at) > NEAR * NEAR;
+            if !is_free && far && mesh.visible_from(self.guess.triangle, at, place) {
+                return Some(place);
+            }
+        }
+        None
+    }
+
+    fn heading(&self) -> Heading {
+        match self.corners.get(self.next as usize) {
+            None => Heading::Lost,
+            _ if self.lost => Heading::Lost,
+            Some(&aim) if self.is_last() => Heading::End(aim),
+            Some(&aim) => Heading::Corner(aim),
+        }
+    }
+
+    /// Drops the corners that it may; tells whether it looked.
+    fn advance_taut(&mut self, mesh: &NavMesh, position: DVec2) -> bool {
+        let Some(&aim) = self.corners.get(self.next as usize) else { return false };
         let near = !self.is_last() && position.distance_squared(aim) < NEAR * NEAR;
         let moved = self.looked.is_none_or(|last| last.distance_squared(position) >= LOOK * LOOK);
-        if !self.lost && (near || moved) {
+        let looks = !self.lost && (near || moved);
+        if looks {
             self.looked = Some(position);
             self.look(mesh, position);
         }
-        match self.corners[self.next as usize] {
-            _ if self.lost => Heading::Lost,
-            aim if self.is_last() => Heading::End(aim),
-            aim => Heading::Corner(aim),
-        }
+        looks
     }
 
     /// Whether its next corner is its end.

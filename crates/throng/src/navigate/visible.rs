@@ -46,6 +46,11 @@ impl NavMesh {
             .unwrap_or_else(|| if self.visible_by_cover(a, b) { Sight::Clear } else { Sight::Blocked(None) })
     }
 
+    /// How far the straight way from `a` to `b` stays on the mesh, metres.
+    pub(super) fn reach(&self, a: DVec2, b: DVec2) -> f64 {
+        self.covered(a, b).unwrap_or(0.0).min(a.distance(b))
+    }
+
     /// Whether a wall is in the way from `a` to `b`, beyond doubt: then [`sight`](Self::sight) finds none. Any wall may be
     /// asked about, even one of another mesh.
     pub(super) fn is_in_the_way(&self, Wall { triangle, edge }: Wall, a: DVec2, b: DVec2) -> bool {
@@ -106,11 +111,16 @@ impl NavMesh {
 
     /// Whether the triangles that the segment touches, from neighbour to neighbour, cover it.
     fn visible_by_cover(&self, a: DVec2, b: DVec2) -> bool {
+        self.covered(a, b).is_some_and(|covered| covered >= a.distance(b) - SLACK)
+    }
+
+    /// How much of a segment, from its beginning, those triangles cover, metres; none if it begins off the mesh.
+    fn covered(&self, a: DVec2, b: DVec2) -> Option<f64> {
         let length = a.distance(b);
         let mut open = Vec::new();
         self.touching(a, SLACK, &mut open);
-        if length <= SLACK {
-            return !open.is_empty();
+        if open.is_empty() || length <= SLACK {
+            return (!open.is_empty()).then_some(length);
         }
         let along = (b - a) / length;
         let mut seen = open.clone();
@@ -129,11 +139,11 @@ impl NavMesh {
         let mut covered = 0.0_f64;
         for (from, to) in parts {
             if from > covered + SLACK {
-                return false;
+                break;
             }
             covered = covered.max(to);
         }
-        covered >= length - SLACK
+        Some(covered)
     }
 
     /// The part of a segment that is in a triangle grown by the slack, as distances from `a`.

@@ -147,7 +147,11 @@ impl World {
     /// Moves on along a route; tells how many metres of it are ahead.
     fn follow(&self, row: usize, travel: &mut Travel, at: DVec2) -> Option<f32> {
         let route = travel.route_mut()?;
-        let heading = match self.meshes.mesh(self.agents.body(row).girth()) {
+        let girth = self.agents.body(row).girth();
+        let heading = match self.meshes.mesh(girth) {
+            Some(mesh) if self.groups[self.agents.group[row].index()].look_ahead => {
+                route.advance_in_place(mesh, at, |across| self.off_walls(row, across) - f64::from(girth))
+            }
             Some(mesh) => route.advance(mesh, at),
             None => route.end().map_or(Heading::Lost, Heading::End),
         };
@@ -163,6 +167,20 @@ impl World {
             }
             None
         }
+    }
+
+    /// How far the walls are from an agent that lie on one side of its way, metres: on the other side than `across`.
+    fn off_walls(&self, row: usize, across: DVec2) -> f64 {
+        let at = self.agents.position[row].as_dvec2();
+        let mut nearest = f64::INFINITY;
+        self.walls.visit(at, 2.0, |wall| {
+            if let (distance, Some(off)) = wall.off(at)
+                && off.dot(across) > 0.0
+            {
+                nearest = nearest.min(distance);
+            }
+        });
+        nearest
     }
 
     /// Asks for a way to a stop; `None` if there is none.

@@ -30,7 +30,7 @@ fn they_enter_when_their_time_comes() {
 #[test]
 fn an_entry_waits_while_its_place_is_taken() {
     let mut world = world(0.05, DVec2::ZERO);
-    let blocker = world.add_agent(Agent { position: DVec2::new(0.3, 0.0), ..Agent::default() }).unwrap();
+    let blocker = world.add_agent(Agent { position: DVec2::new(0.25, 0.0), ..Agent::default() }).unwrap();
     world.schedule_agent(0.5, Agent { number: Some(50), ..Agent::default() }).unwrap();
     // nobody has to wait for somebody else's place
     world.schedule_agent(0.5, Agent { position: DVec2::new(5.0, 0.0), ..Agent::default() }).unwrap();

@@ -3,13 +3,13 @@
 use crate::common::{run_for, walker, with_settings};
 use crate::oracle::Snapshot;
 use glam::DVec2;
-use throng::{Group, Obstacle, SubSteps, World};
+use throng::{Group, Obstacle, SubSteps, Walkable, World};
 
-/// How far two agents that walk past each other, their ways 1.24 m apart, stray to the side; `between` builds walls along
+/// How far two agents that walk past each other, their ways 1.16 m apart, stray to the side; `between` builds walls along
 /// the line between them, given its ends.
 fn strayed(between: impl Fn(&mut World, DVec2, DVec2)) -> f64 {
     let origin = DVec2::new(830.0, -4100.0);
-    let (along, off) = (DVec2::from_angle(0.7), 0.62);
+    let (along, off) = (DVec2::from_angle(0.7), 0.58);
     let mut world = with_settings(0.04, SubSteps::Auto, origin);
     let group = world.add_group(Group::default()).unwrap();
     between(&mut world, origin - along * 12.0, origin + along * 12.0);
@@ -37,4 +37,29 @@ fn agents_that_a_wall_hides_are_not_avoided() {
         world.add_obstacle(Obstacle::Wall { points: vec![start, end] }).unwrap();
     });
     assert!(hidden < 1e-3, "{hidden}");
+}
+
+/// The least distance from the inner corner of a bend, for an agent alone that starts `off` from the wall on that side.
+fn nearest_to_the_corner(look_ahead: bool, off: f64) -> f64 {
+    let corner = DVec2::new(-512.0, 77.0);
+    let mut world = with_settings(0.04, SubSteps::Auto, corner);
+    let at = |x: f64, y: f64| corner + DVec2::new(x, y);
+    let outer = vec![at(-12.0, -3.0), at(3.0, -3.0), at(3.0, 12.0), at(0.0, 12.0), at(0.0, 0.0), at(-12.0, 0.0)];
+    world.set_walkable(vec![Walkable { outer, holes: vec![] }]).unwrap();
+    let group = world.add_group(Group { look_ahead, keep_right: 0.0, ..Group::default() }).unwrap();
+    let agent = walker(&mut world, at(-10.0, -off), at(off, 10.0));
+    world.add_agent(throng::Agent { group, ..agent }).unwrap();
+    let mut least = f64::INFINITY;
+    run_for(&mut world, 25.0, |world| least = least.min(Snapshot::of(world).positions[0].distance(corner)));
+    assert!(world.finished(), "it arrives");
+    least
+}
+
+#[test]
+fn agents_keep_their_places_in_a_bend() {
+    let taut = nearest_to_the_corner(false, 1.0);
+    assert!(taut < 0.2, "without looking ahead they touch the corner: {taut}");
+    let places = [0.3, 0.6, 1.0].map(|off| nearest_to_the_corner(true, off));
+    let kept = places.iter().zip([0.3, 0.6, 1.0]).all(|(place, off)| (0.6 * off..1.2 * off).contains(place));
+    assert!(kept && places.is_sorted(), "{places:?}");
 }

@@ -113,7 +113,9 @@ fn a_mover_that_leaves_the_ground_is_in_no_wall_figure() {
         // it passes a corner as close as its body lets it
         world.add_obstacle(throng::Obstacle::rectangle(DVec2::new(0.0, -3.0), DVec2::splat(2.0), 0.0)).unwrap();
         let journey = journey_to(&mut world, DVec2::new(8.0, -3.0));
-        world.add_agent(Agent { position: DVec2::new(-8.0, -3.0), journey, ..Agent::default() }).unwrap();
+        let straight = world.add_group(Group { look_ahead: false, keep_right: 0.0, ..Group::default() }).unwrap();
+        let position = DVec2::new(-8.0, -3.0);
+        world.add_agent(Agent { position, journey, group: straight, ..Agent::default() }).unwrap();
         if moves {
             let group = world.add_group(Group { guard, ..Group::default() }).unwrap();
             let path = [keyframe(0.0, (-8.0, 12.0), 0.0), keyframe(10.0, (14.0, 12.0), 0.0)];

@@ -194,7 +194,7 @@ fn who_does_not_agree_stands_there() {
 fn the_higher_priority_goes_first() {
     for first in [0, 1] {
         let mut place = Place::new(orca(), 0.05, 0.4);
-        place.passage(0.6, 8.0);
+        place.passage(0.5, 8.0);
         // who comes later would have less way back
         for (number, side, from) in [(0, -1.0, 5.0), (1, 1.0, 6.5)] {
             let like =
@@ -215,7 +215,7 @@ fn the_higher_priority_goes_first() {
 fn a_standoff_is_saved_and_knows_no_order() {
     let build = |order: u64| {
         let mut place = Place::new(orca(), 0.05, 0.2);
-        place.passage(0.6, 6.0);
+        place.passage(0.5, 6.0);
         let mut agents: Vec<(f64, u32)> = (0..6).map(|k| (if k < 3 { -1.0 } else { 1.0 }, k)).collect();
         if order > 0 {
             Draw::new(order).shuffle(&mut agents);
