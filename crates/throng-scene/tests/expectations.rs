@@ -137,7 +137,7 @@ fn whether_a_crowd_comes_to_rest_is_judged_at_the_end() {
 #[test]
 fn every_bound_can_fail() {
     let failing = [
-        "least_separation = 4",
+        "least_separation = 5",
         "heading_change = 0.001", // everybody keeps a little to the right
         "mean_speed = 1.31",
         "flow = [{ from = [2, -1], to = [2, 1], at_least = 1.1 }]",
