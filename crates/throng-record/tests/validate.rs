@@ -99,6 +99,15 @@ fn bodies_overlap_in_no_family() {
 }
 
 /// `cargo test -p throng-record --test validate -- --ignored` at night.
+/// Long bodies that stood in each other's way turned to and fro for ever before agents that do not get on became restless.
+#[test]
+fn a_crowd_in_its_own_way_dissolves() {
+    for index in [127, 535] {
+        let found = flaws(1, index..index + 1, |_| true);
+        assert!(found.is_empty(), "{found}");
+    }
+}
+
 #[test]
 #[ignore = "takes many minutes"]
 fn everything_holds_in_500_random_scenes() {

@@ -74,7 +74,7 @@ parameters! {
     /// Parameters of optimal reciprocal collision avoidance.
     Orca {
         /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
-        time_horizon: f64 = 2.0,
+        time_horizon: f64 = 1.0,
         /// Seconds ahead for which a velocity must be safe from obstacles. Limit: > 0.
         time_horizon_obstacles: f64 = 0.7,
         /// How much cheaper it is to turn than to change speed: above 1 agents rather turn, below 1 they rather brake.

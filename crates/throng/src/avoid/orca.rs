@@ -46,7 +46,7 @@ pub struct Orca {
 
 impl Default for Orca {
     fn default() -> Self {
-        Self { time_horizon: 2.0, time_horizon_obstacles: 0.7, turning_bias: 1.0, built_from: BuiltFrom::default() }
+        Self { time_horizon: 1.0, time_horizon_obstacles: 0.7, turning_bias: 1.0, built_from: BuiltFrom::default() }
     }
 }
 

@@ -11,9 +11,9 @@
 //! 3. *Side.* It turns a little from agents that come the other way, to the side on which they pass, to the right if that is
 //!    undecided.
 //!
-//! Only agents that stand or go the same way count for the direction. An agent compares no directions while others come the
-//! other way, or are about to cross its way, as long as it gets on: so lanes form, and each keeps to its own. Agents with a
-//! model in space never compare directions. Agents that a wall hides do not count.
+//! Only agents that stand or go the same way count for the direction, unless the agent does not get on: then all do. An agent
+//! compares no directions while others come the other way, or are about to cross its way, as long as it gets on: so lanes form,
+//! and each keeps to its own. Agents with a model in space never compare directions. Agents that a wall hides do not count.
 
 use super::World;
 use super::avoid::is_between;
@@ -28,9 +28,8 @@ use glam::{DVec2, Vec2};
 const SAME_WAY: f32 = 0.3;
 /// Angles between the way and the directions that are compared, degrees. Only impatience leads an agent back.
 const ANGLES: [f32; 7] = [10.0, 20.0, 35.0, 50.0, 70.0, 85.0, 115.0];
-/// Seconds that an agent sees ahead, that it sees agents ahead that come the other way, and those that cross its way.
+/// Seconds that an agent sees ahead, and within which agents that are about to cross its way count.
 const SIGHT: f32 = 3.0;
-const SIGHT_ONCOMING: f32 = 4.0;
 const SIGHT_CROSSING: f32 = 2.0;
 /// Metres from the wall of sight beyond which walls are not looked for.
 const SIGHT_WALLS: f32 = 3.0;
@@ -52,13 +51,14 @@ const TURNING: f32 = 0.3;
 /// Part of its way that counts as its present direction, for an agent that stands: a crowd that waits does not dance.
 const STEADY: f32 = 0.25;
 /// Greatest cost, in lengths of sight, that an agent adds at random to directions when it does not get on, and the seconds
-/// without progress after which it does: an agent whose way is blocked tries others.
+/// without progress after which it does: an agent whose way is blocked tries others. In as many seconds more it comes to walk
+/// anywhere rather than stand: so a crowd that stands in each other's way dissolves from its rim.
 const IMPATIENCE: f32 = 0.5;
 const PATIENCE: f32 = 5.0;
 /// Seconds that it keeps them.
 const WHIM: f64 = 1.0;
-/// Seconds without progress up to which an agent keeps to its lane while streams meet.
-const GETS_ON: f32 = 1.0;
+/// Seconds without progress up to which an agent keeps to its lane while streams meet; then all agents count for the direction.
+const GETS_ON: f32 = 2.0;
 /// Seconds in which an agent that moves beside a queue can come to rest.
 const STOPPING: f32 = 0.4;
 /// Part of what it sees to its right that an agent sees to its left: a tie is decided to the right.
@@ -98,7 +98,7 @@ impl Ahead {
     }
 }
 
-/// A neighbour that stands or goes the same way.
+/// A neighbour that counts for the direction.
 #[derive(Clone, Copy, Debug, Default)]
 struct Seen {
     offset: Vec2,
@@ -291,7 +291,8 @@ impl World {
         // nothing beyond its goal concerns it
         let to_goal = way.remaining / speed;
         let (mut seen, mut count) = ([Seen::default(); MOST], 0);
-        let mut oncoming = Oncoming { time: SIGHT_ONCOMING.min(to_goal), turn: 0.0, any: false };
+        let gets_on = self.without_progress(row) < GETS_ON;
+        let mut oncoming = Oncoming { time: SIGHT.min(to_goal), turn: 0.0, any: false };
         let mut crosses = false;
         let level = |other: &usize| !in_space || !agents.passes_clear(row, *other);
         for other in self.neighbours(row).iter().map(|&other| other as usize).filter(level).take(MOST) {
@@ -310,6 +311,11 @@ impl World {
                 seen[count] = Seen { offset, velocity, radii, wanted, breadth, direction: their.direction };
                 count += 1;
             } else if offset.dot(way.direction) > 0.0 {
+                if !gets_on {
+                    let direction = their.direction;
+                    seen[count] = Seen { offset, velocity, radii, wanted: radii, breadth: radii, direction };
+                    count += 1;
+                }
                 let relative = way.direction * speed - velocity;
                 if same < -SAME_WAY {
                     if !hidden(offset) {
@@ -340,7 +346,7 @@ impl World {
             return straight;
         }
         let gap_speed = sight.gap_speed(direction);
-        if streams_meet && self.without_progress(row) < GETS_ON {
+        if streams_meet && gets_on {
             return Ahead { speed: gap_speed, ..straight };
         }
         self.freest(row, &sight, (way.direction, oncoming.turn), gap_speed < speed && !oncoming.any, walls)
@@ -363,7 +369,9 @@ impl World {
         walls.keep((agents.radius[row] + space).max(ELBOWS * group.shoulders));
         let course = agents.velocity[row] / sight.speed;
         let course = course + way * (STEADY * (1.0 - course.length()).max(0.0));
-        let impatience = IMPATIENCE * (self.without_progress(row) / PATIENCE).min(1.0);
+        let patience = self.without_progress(row) / PATIENCE;
+        let (impatience, restlessness) = (IMPATIENCE * patience.min(1.0), (patience - 1.0).clamp(0.0, 1.0));
+        let beyond = restlessness / (1.0 - restlessness * restlessness).sqrt();
         let mut best = (f32::INFINITY, Ahead::FREE);
         let sides = ANGLES.iter().flat_map(|&angle| [angle, -angle]);
         for (index, angle) in (0..).zip([0.0].into_iter().chain(sides)) {
@@ -373,15 +381,17 @@ impl World {
             let turning = course.length() - course.dot(direction);
             let whim = if impatience > 0.0 { impatience * self.whim(row, index) } else { 0.0 };
             let added = range * (TURNING * turning + whim);
-            // how far towards the point straight ahead it gets if it can walk this far, and what is left from there
+            // how far it walks if it can walk this far: until it is nearest to the point straight ahead, or as restless as it is
             let part = if angle < 0.0 { LEFT } else { 1.0 };
-            let walked = |free: f32| (part * free).min(range * cos.max(0.0));
+            let most = range * (cos + beyond * sin.abs()).clamp(0.0, 1.0);
+            let walked = |free: f32| (part * free).min(most);
             let cost = |free: f32| {
                 let walked = walked(free);
-                added + (range * range + walked * walked - 2.0 * range * walked * cos).max(0.0).sqrt()
+                let left = (range * range + walked * walked - 2.0 * range * walked * cos).max(0.0).sqrt();
+                added + left - restlessness * walked
             };
             // each test is dearer than the one before
-            if added + range * (if cos > 0.0 { sin.abs() } else { 1.0 }) >= best.0 {
+            if cost(range) >= best.0 {
                 continue;
             }
             let velocity = direction * sight.speed;

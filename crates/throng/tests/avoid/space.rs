@@ -70,7 +70,8 @@ proptest! {
         prop_assume!(all.iter().all(|(offset, _)| (offset.length() - 0.4).abs() > 1e-3));
         let seen: Vec<Neighbour> = all.iter().map(|&(x, v)| other(x, v, 0.4, share)).collect();
         let mut workspace = Workspace::default();
-        let flat = Orca::default().velocity(&view(velocity, wish, 1.5, &seen), &mut workspace);
+        let model = Orca { time_horizon: Orca3d::default().time_horizon, ..Orca::default() };
+        let flat = model.velocity(&view(velocity, wish, 1.5, &seen), &mut workspace);
         let chosen = choose(&Orca3d::default(), velocity.extend(0.0), wish.extend(0.0), 1.5, &seen);
         let worst = |v: Vec2| workspace.lines.iter().map(|line| line.violation(v)).fold(0.0, f32::max);
         if worst(flat) < 1e-4 {

@@ -181,7 +181,9 @@ fn every_model_gets_through() {
 fn who_does_not_agree_stands_there() {
     let standoffs = [true, false].map(|resolve| {
         let mut place = Place::new(orca(), 0.05, 1.7);
-        place.group = place.world.add_group(Group { resolve, look_ahead: false, ..Group::default() }).unwrap();
+        let model = Arc::new(Orca { time_horizon: 2.0, ..Orca::default() });
+        let group = Group { model, resolve, look_ahead: false, ..Group::default() };
+        place.group = place.world.add_group(group).unwrap();
         place.passage(0.55, 6.0);
         place.both_ways([1, 1], 6.0);
         run_for(&mut place.world, 30.0, assert_free);
