@@ -1,8 +1,9 @@
 //! How many instructions an agent-step takes, counted by valgrind: a slowdown shows here without timing anything.
 //!
 //! `instructions.txt` holds the bounds: a work and how it runs, and the most instructions an agent-step may take. They are
-//! what was counted, plus a twentieth; `UPDATE=1 cargo test -p throng-bench --test instructions` counts anew and writes
-//! them. Do so when the step got faster, so that the gain is kept, or when it got slower for a good reason: say which.
+//! what was counted, plus a twentieth. `CARGO_INCREMENTAL=0 UPDATE=1 cargo test -p throng-bench --test instructions` counts
+//! anew and writes them: incremental builds, which CI does not make, take a tenth more. Do so when the step got faster, so
+//! that the gain is kept, or when it got slower for a good reason: say which.
 //!
 //! Counted in the profile that the tests run in, on one thread, with the best instruction set that is found under valgrind: fewer lanes than without it.
 

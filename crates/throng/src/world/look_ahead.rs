@@ -51,8 +51,8 @@ const TURNING: f32 = 0.3;
 /// Part of its way that counts as its present direction, for an agent that stands: a crowd that waits does not dance.
 const STEADY: f32 = 0.25;
 /// Greatest cost, in lengths of sight, that an agent adds at random to directions when it does not get on, and the seconds
-/// without progress after which it does: an agent whose way is blocked tries others. In as many seconds more it comes to walk
-/// anywhere rather than stand: so a crowd that stands in each other's way dissolves from its rim.
+/// without progress after which it does: an agent whose way is blocked tries other directions. After twice as many seconds it
+/// walks in any direction rather than stand. So a crowd of agents that block each other dissolves from its rim.
 const IMPATIENCE: f32 = 0.5;
 const PATIENCE: f32 = 5.0;
 /// Seconds that it keeps them.
@@ -303,19 +303,17 @@ impl World {
             let space = || group.personal_space * ((offset.length() - radii).max(0.0) / ROOMY).min(1.0);
             let same = their.direction.dot(way.direction);
             let velocity = agents.velocity[other];
-            if !their.walks() || same > SAME_WAY || velocity.length_squared() < STANDS * STANDS {
-                // those on one journey stand close where it ends
+            let goes_along = !their.walks() || same > SAME_WAY || velocity.length_squared() < STANDS * STANDS;
+            let is_ahead = offset.dot(way.direction) > 0.0;
+            if goes_along || (is_ahead && !gets_on) {
+                // agents on one journey stand close where it ends
                 let close = their.walks() || agents.journey[row] == agents.journey[other];
                 let wanted = if close { radii } else { radii + space() };
-                let breadth = radii.max(group.shoulders);
+                let breadth = if goes_along { radii.max(group.shoulders) } else { radii };
                 seen[count] = Seen { offset, velocity, radii, wanted, breadth, direction: their.direction };
                 count += 1;
-            } else if offset.dot(way.direction) > 0.0 {
-                if !gets_on {
-                    let direction = their.direction;
-                    seen[count] = Seen { offset, velocity, radii, wanted: radii, breadth: radii, direction };
-                    count += 1;
-                }
+            }
+            if is_ahead && !goes_along {
                 let relative = way.direction * speed - velocity;
                 if same < -SAME_WAY {
                     if !hidden(offset) {
@@ -371,7 +369,8 @@ impl World {
         let course = course + way * (STEADY * (1.0 - course.length()).max(0.0));
         let patience = self.without_progress(row) / PATIENCE;
         let (impatience, restlessness) = (IMPATIENCE * patience.min(1.0), (patience - 1.0).clamp(0.0, 1.0));
-        let beyond = restlessness / (1.0 - restlessness * restlessness).sqrt();
+        // finite where restlessness is 1: times the sine of no angle it is 0
+        let beyond = (restlessness / (1.0 - restlessness * restlessness).sqrt()).min(f32::MAX);
         let mut best = (f32::INFINITY, Ahead::FREE);
         let sides = ANGLES.iter().flat_map(|&angle| [angle, -angle]);
         for (index, angle) in (0..).zip([0.0].into_iter().chain(sides)) {
@@ -381,7 +380,7 @@ impl World {
             let turning = course.length() - course.dot(direction);
             let whim = if impatience > 0.0 { impatience * self.whim(row, index) } else { 0.0 };
             let added = range * (TURNING * turning + whim);
-            // how far it walks if it can walk this far: until it is nearest to the point straight ahead, or as restless as it is
+            // it walks until the cost would rise: without restlessness, to where it is nearest to the point straight ahead
             let part = if angle < 0.0 { LEFT } else { 1.0 };
             let most = range * (cos + beyond * sin.abs()).clamp(0.0, 1.0);
             let walked = |free: f32| (part * free).min(most);
