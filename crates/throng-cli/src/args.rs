@@ -162,6 +162,8 @@ Keys of --json (one object on standard output):
   least_separation          least distance of two centres over the sum of their radii; 1: they touched
   overlaps                  overlaps of bodies with bodies and walls, counted every sub-step
   guard_share               share of the moves that the guard changed by more than 1 %
+  pushed_share              share of the moves that accelerate an agent beyond its limit, which only the guard does
+  backwards_share           share of the time that agents on their way move away from where it leads
   heading_change_deg_per_s  turning of the headings of those on their way, mean
   course_change_deg_per_s   turning of their directions of motion, which headings smooth out: trembling
   steps, sub_steps          steps made, and the parts they were divided into

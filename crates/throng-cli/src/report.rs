@@ -117,6 +117,10 @@ impl Report {
         out.line(format_args!(
             "  motion     the guard changed {guard:.2} % of the moves; headings turn {turning:.1} °/s, courses {course:.1} °/s"
         ))?;
+        let (pushed, backwards) = (s.pushed_share * 100.0, s.backwards_share * 100.0);
+        out.line(format_args!(
+            "  limits     {pushed:.2} % of the moves accelerate beyond them; agents move backwards {backwards:.2} % of the time"
+        ))?;
         for swarm in &self.swarms {
             out.line(format_args!("  swarm      {}", swarms::line(swarm)))?;
         }
@@ -156,6 +160,8 @@ pub fn figures(s: &Summary, stepping: Duration) -> Map<String, Value> {
         "least_separation": number(s.least_separation),
         "overlaps": s.overlaps,
         "guard_share": number(s.guard_share),
+        "pushed_share": number(s.pushed_share),
+        "backwards_share": number(s.backwards_share),
         "heading_change_deg_per_s": number(s.heading_change_deg_per_s),
         "course_change_deg_per_s": number(s.course_change_deg_per_s),
         "steps": s.steps,

@@ -26,6 +26,7 @@ pub enum Purpose {
     Altitude = 14,
     StartSpeed = 15,
     Governed = 16,
+    TimeGap = 17,
 }
 
 /// The random numbers of one agent for one purpose.

@@ -133,8 +133,8 @@ fn agents_are_added_a_body_apart() {
     let way: Vec<[f64; 2]> = (0..=40).map(|k| [-6.0 + 0.1 * f64::from(k), 2.0]).collect();
     assert_eq!(hand.drag(Tool::Agents, &way), Ok(true));
     let there = points(&hand.scene().groups[0].place);
-    assert_eq!(there.len(), 12, "eleven of them on four metres: {there:?}");
-    assert!(there[1..].windows(2).all(|pair| DVec2::from(pair[0]).distance(pair[1].into()) >= 0.379));
+    assert_eq!(there.len(), 13, "twelve of them on four metres: {there:?}");
+    assert!(there[1..].windows(2).all(|pair| DVec2::from(pair[0]).distance(pair[1].into()) >= 0.359));
     hand.is_one_step_from(&before);
     let says = hand.click(Tool::Agents, [-9.1, 0.0]).unwrap_err();
     assert!(says.contains("stands there"), "{says}");

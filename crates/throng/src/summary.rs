@@ -58,6 +58,12 @@ pub struct Summary {
     pub standoffs: u64,
     /// Share of agent-steps in which the guard changed the motion by more than a hundredth.
     pub guard_share: f64,
+    /// Share of agent-steps in which the guard made an agent accelerate harder than it can, braking aside: any motion counts as
+    /// within its limits that it can get to by braking as hard as need be, and then accelerating as its limit allows.
+    pub pushed_share: f64,
+    /// Share of the time on their way in which agents moved away from where their ways lead, faster than 0.1 m/s; looked at
+    /// twice a second.
+    pub backwards_share: f64,
     /// Mean over agents of the turning of their headings while on their way, degrees a second.
     pub heading_change_deg_per_s: f64,
     /// Mean over agents of the turning of their direction of motion while on their way, degrees a second: trembling,
@@ -77,6 +83,11 @@ pub(crate) struct Tally {
     pub sub_steps: u64,
     pub agent_steps: u64,
     pub guard_changed: u64,
+    /// Of these, how many the guard made accelerate harder than they can.
+    pub pushed: u64,
+    /// Looks at agents on their way, and those that found one moving backwards.
+    pub looks: u64,
+    pub backwards: u64,
     pub overlaps: u64,
     pub standoffs: u64,
     pub without_progress_30s: u64,
@@ -99,6 +110,9 @@ impl Default for Tally {
             sub_steps: 0,
             agent_steps: 0,
             guard_changed: 0,
+            pushed: 0,
+            looks: 0,
+            backwards: 0,
             overlaps: 0,
             standoffs: 0,
             without_progress_30s: 0,
@@ -138,7 +152,10 @@ impl Tally {
         summary.overlaps = self.overlaps;
         summary.standoffs = self.standoffs;
         summary.without_progress_30s = self.without_progress_30s;
-        summary.guard_share = self.guard_changed as f64 / (self.agent_steps.max(1) as f64);
+        let share = |part: u64, all: u64| part as f64 / (all.max(1) as f64);
+        summary.guard_share = share(self.guard_changed, self.agent_steps);
+        summary.pushed_share = share(self.pushed, self.agent_steps);
+        summary.backwards_share = share(self.backwards, self.looks);
         summary.sub_steps = self.sub_steps;
         summary.agent_steps = self.agent_steps;
         summary

@@ -9,6 +9,7 @@ mod arrive;
 mod avoid;
 mod avoid_lanes;
 mod build;
+mod choose;
 mod explain;
 mod fill;
 mod flock;
@@ -98,6 +99,8 @@ pub struct World {
     groups: Vec<Group>,
     goals: Vec<Goal>,
     journeys: Vec<Journey>,
+    /// Journeys that are alternatives to each other.
+    choices: Vec<Vec<JourneyId>>,
     scripts: Vec<Script>,
     place: Place,
     schedule: Schedule,

@@ -26,7 +26,7 @@ const fn figure(key: &'static str, head: &'static str, digits: usize, meaning: &
 }
 
 /// The figures of the table, in order.
-pub const FIGURES: [Figure; 11] = [
+pub const FIGURES: [Figure; 13] = [
     Figure { of: Some("agents"), ..figure("arrived", "arrived", 0, "agents at the end of their journeys, of all") },
     figure("stuck", "stuck", 0, "agents that cannot arrive, are blocked, or walk without getting on"),
     figure("time", "time s", 2, "seconds simulated: until everybody has arrived, or to the limit"),
@@ -42,6 +42,14 @@ pub const FIGURES: [Figure; 11] = [
     Figure {
         scale: 100.0,
         ..figure("guard_share", "guard %", 2, "share of the moves that the guard changed by more than 1 %")
+    },
+    Figure {
+        scale: 100.0,
+        ..figure("pushed_share", "pushed %", 2, "share of the moves that accelerate an agent beyond its limit")
+    },
+    Figure {
+        scale: 100.0,
+        ..figure("backwards_share", "back %", 2, "share of the time that agents move away from where their way leads")
     },
     figure("heading_change_deg_per_s", "turning °/s", 1, "turning of the headings of those on their way, mean"),
     figure(

@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::path::Path;
 
 /// The keys of `--json` in their order: they are documented and stay.
-const KEYS: [&str; 33] = [
+const KEYS: [&str; 35] = [
     "scene",
     "agents",
     "arrived",
@@ -24,6 +24,8 @@ const KEYS: [&str; 33] = [
     "least_separation",
     "overlaps",
     "guard_share",
+    "pushed_share",
+    "backwards_share",
     "heading_change_deg_per_s",
     "course_change_deg_per_s",
     "steps",

@@ -79,6 +79,7 @@ impl Draw<'_> {
             max_acceleration: optional(Purpose::Acceleration, &group.acceleration).unwrap_or(max_acceleration),
             max_turn_rate: optional(Purpose::TurnRate, &group.turn_rate)
                 .map_or(standard.max_turn_rate, f32::to_radians),
+            time_gap: optional(Purpose::TimeGap, &group.time_gap).unwrap_or(standard.time_gap),
             tracking_error: optional(Purpose::TrackingError, &group.tracking_error).unwrap_or(0.0),
             priority: group.priority as f32,
             governed: group
@@ -132,7 +133,6 @@ pub(super) fn shared(
         neighbour_distance,
         neighbours,
         look_ahead,
-        time_gap: group.time_gap.map_or(usual.time_gap, |seconds| seconds as f32),
         shoulders: group.shoulders.map_or(usual.shoulders, |metres| metres as f32),
         personal_space: group.personal_space.map_or(usual.personal_space, |metres| metres as f32),
         keep_right: group.keep_right.map_or(side, |degrees| degrees.to_radians() as f32),

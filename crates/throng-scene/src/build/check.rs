@@ -109,6 +109,7 @@ fn check_group(path: &Path, group: &Group) -> Checked {
         ("speed.max", group.speed.max.as_ref(), Limit::Between(0.0, 1000.0)),
         ("acceleration", group.acceleration.as_ref(), Limit::Positive),
         ("turn_rate", group.turn_rate.as_ref(), Limit::Positive),
+        ("time_gap", group.time_gap.as_ref(), Limit::Between(0.05, 10.0)),
         ("tracking_error", group.tracking_error.as_ref(), Limit::Between(0.0, 10.0)),
         ("altitude", group.altitude.as_ref(), Limit::Between(0.0, super::limits::HIGHEST)),
         ("heading", group.heading.as_ref(), Limit::Finite),
@@ -141,7 +142,6 @@ fn check_group(path: &Path, group: &Group) -> Checked {
             .hint("add `turn_rate = 180`, degrees a second, or leave tracking_error away"));
     }
     check(&path.key("priority"), group.priority, Limit::Finite)?;
-    check_some(&path.key("time_gap"), group.time_gap, Limit::Between(0.05, 10.0))?;
     check_some(&path.key("shoulders"), group.shoulders, Limit::Between(0.0, 10.0))?;
     check_some(&path.key("personal_space"), group.personal_space, Limit::Between(0.0, 10.0))?;
     check_some(&path.key("keep_right"), group.keep_right, Limit::Between(-28.0, 28.0))?;

@@ -39,6 +39,12 @@ enum Rule {
     Shift(DVec3),
 }
 
+/// Journeys that an agent may change to, at most: one that could take more keeps to the goals that were nearest.
+const MOST_ALTERNATIVES: usize = 64;
+
+/// The stops of a journey, whether it repeats, and the stops whose goals the agent chooses among others.
+type Known = (Vec<(usize, u32)>, bool, Vec<(usize, Vec<usize>)>);
+
 /// Collects goals and journeys.
 pub(super) struct Goals<'a> {
     pub scene: &'a Scene,
@@ -46,9 +52,11 @@ pub(super) struct Goals<'a> {
     pub place: Place<'a>,
     pub goals: Vec<throng::Goal>,
     pub journeys: Vec<PlannedJourney>,
+    /// Positions of journeys that are alternatives to each other.
+    pub choices: Vec<Vec<usize>>,
     /// Goals that are not one agent's own.
     shared: Vec<usize>,
-    known: HashMap<(Vec<(usize, u32)>, bool), usize>,
+    known: HashMap<Known, usize>,
 }
 
 /// One agent, as far as its goals are concerned.
@@ -58,6 +66,8 @@ struct Walker {
     radius: f64,
     choice: Random,
     wait: Random,
+    /// Stops whose goals it chooses among others, and all these goals.
+    among: Vec<(usize, Vec<usize>)>,
 }
 
 /// Ground and obstacles, as the world takes them.
@@ -65,7 +75,16 @@ pub(super) type Place<'a> = (&'a [throng::Walkable], &'a [throng::Obstacle]);
 
 impl<'a> Goals<'a> {
     pub fn new(scene: &'a Scene, solid: &'a Solid, place: Place<'a>) -> Self {
-        Self { scene, solid, place, goals: vec![], journeys: vec![], shared: vec![], known: HashMap::new() }
+        Self {
+            scene,
+            solid,
+            place,
+            goals: vec![],
+            journeys: vec![],
+            choices: vec![],
+            shared: vec![],
+            known: HashMap::new(),
+        }
     }
 
     /// The journeys of a group's agents (`None`: stay). `middle` is that of the group's place.
@@ -91,6 +110,7 @@ impl<'a> Goals<'a> {
                 radius: size.girth,
                 choice: random(Purpose::Choice),
                 wait: random(Purpose::StopWait),
+                among: vec![],
             };
             let first = group.wait.map_or(0.0, |wait| random(Purpose::Wait).draw(&wait));
             let mut stops = vec![];
@@ -99,7 +119,7 @@ impl<'a> Goals<'a> {
                 stops.push((self.add(walker.goal(*start, tolerance)), first as f32));
             }
             let repeat = self.resolve(&target, &mut walker, &mut ways, 0.0, &mut stops)?;
-            out.push(Some(self.journey(stops, repeat)));
+            out.push(Some(self.journey(stops, repeat, &walker.among)));
         }
         Ok(out)
     }
@@ -119,8 +139,30 @@ impl<'a> Goals<'a> {
         }))
     }
 
-    fn journey(&mut self, stops: Vec<(usize, f32)>, repeat: bool) -> usize {
-        let key = (stops.iter().map(|(goal, wait)| (*goal, wait.to_bits())).collect(), repeat);
+    /// A journey of which the goals at some stops may be others: `among` lists these stops, and all goals that there are.
+    fn journey(&mut self, stops: Vec<(usize, f32)>, repeat: bool, among: &[(usize, Vec<usize>)]) -> usize {
+        let journeys = self.journeys.len();
+        let own = self.one_journey(stops.clone(), repeat, among);
+        let count = among.iter().fold(1_usize, |count, (_, goals)| count.saturating_mul(goals.len()));
+        if own < journeys || among.is_empty() || count > MOST_ALTERNATIVES {
+            return own;
+        }
+        let mut all = vec![stops];
+        for (stop, goals) in among {
+            let with = |stops: &Vec<(usize, f32)>, goal: usize| {
+                let mut stops = stops.clone();
+                stops[*stop].0 = goal;
+                stops
+            };
+            all = all.iter().flat_map(|stops| goals.iter().map(move |&goal| with(stops, goal))).collect();
+        }
+        let choice = all.into_iter().map(|stops| self.one_journey(stops, repeat, among)).collect();
+        self.choices.push(choice);
+        own
+    }
+
+    fn one_journey(&mut self, stops: Vec<(usize, f32)>, repeat: bool, among: &[(usize, Vec<usize>)]) -> usize {
+        let key = (stops.iter().map(|(goal, wait)| (*goal, wait.to_bits())).collect(), repeat, among.to_vec());
         let journeys = &mut self.journeys;
         *self.known.entry(key).or_insert_with(|| {
             journeys.push(PlannedJourney { stops, repeat });
@@ -261,6 +303,17 @@ impl<'a> Goals<'a> {
                     let far = (self.distance(target, walker, ways), straight);
                     if far < least {
                         (least, nearest) = (far, Some(target));
+                    }
+                }
+                let shared = targets.iter().map(|target| match target {
+                    Target::Shared(goal) => Some(*goal),
+                    _ => None,
+                });
+                if let Some(mut goals) = shared.collect::<Option<Vec<usize>>>() {
+                    goals.sort_unstable();
+                    goals.dedup();
+                    if goals.len() > 1 {
+                        walker.among.push((stops.len(), goals));
                     }
                 }
                 if let Some(target) = nearest {

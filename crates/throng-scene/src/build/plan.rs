@@ -48,6 +48,8 @@ pub struct Plan {
     pub goals: Vec<throng::Goal>,
     /// All journeys.
     pub journeys: Vec<PlannedJourney>,
+    /// Positions of journeys that are alternatives to each other: where fewer wait, agents go.
+    pub choices: Vec<Vec<usize>>,
     /// All scripts.
     pub scripts: Vec<throng::Script>,
     /// All agents, group by group, then what moves by itself; their position is their number.
@@ -173,7 +175,7 @@ impl Scene {
                 agents.push(PlannedAgent { agent, group: i, journey, script: None, enters });
             }
         }
-        let Goals { goals, journeys, .. } = goals;
+        let Goals { goals, journeys, choices, .. } = goals;
         let scripts = movers::add(self, &mut agents);
         let bounds = all_bounds(&walkable, &obstacles, &goals, &agents);
         let settings = throng::Settings {
@@ -220,6 +222,7 @@ impl Scene {
             rules,
             goals,
             journeys,
+            choices,
             scripts,
             agents,
             bounds,

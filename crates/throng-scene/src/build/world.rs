@@ -71,6 +71,9 @@ impl Scene {
             let stops = journey.stops.iter().map(|(goal, wait)| Stop { goal: goals[*goal], wait: *wait });
             world.add_journey(Journey { stops: stops.collect(), repeat: journey.repeat })
         })?;
+        self.each(&plan.choices, |choice| {
+            world.add_choice(&choice.iter().map(|&journey| journeys[journey]).collect::<Vec<_>>())
+        })?;
         let scripts: Vec<ScriptId> = plan
             .scripts
             .iter()

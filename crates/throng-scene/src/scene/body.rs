@@ -29,6 +29,6 @@ pub struct Sides {
 
 impl Default for Body {
     fn default() -> Self {
-        Self::Radius(Number::Constant(0.14))
+        Self::Radius(Number::Constant(0.13))
     }
 }

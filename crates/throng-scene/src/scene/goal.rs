@@ -35,7 +35,7 @@ pub enum Goal {
     Cycle(Vec<Stop>),
     /// Round a ring, for ever.
     Lap(Lap),
-    /// For each the goal that is nearest to its start, on foot.
+    /// For each the goal that is nearest to its start, on foot; agents that look ahead change to another where fewer wait.
     Nearest(Vec<Goal>),
     /// For each one of these, drawn by weight.
     Choice(Vec<Weighted>),

@@ -90,15 +90,15 @@ pub struct Group {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub look_ahead: Option<bool>,
     /// Seconds: an agent that looks ahead walks no faster than the gap to the agent ahead divided by its time gap. Without it,
-    /// 1.1. Limit: 0.05 to 10.
+    /// 1.15. Limit: 0.05 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub time_gap: Option<f64>,
+    pub time_gap: Option<Number>,
     /// Breadth across its way, metres, within which an agent that looks ahead has another ahead of it; no less than that of
-    /// its body. Without it, 0.44. Limit: 0 to 10.
+    /// its body. Without it, 0.415. Limit: 0 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shoulders: Option<f64>,
     /// Metres that agents that look ahead like to keep from agents that come the other way or stay where they are, and from
-    /// walls; the nearer they are, the less of it counts. Without it, 0.5. Limit: 0 to 10.
+    /// walls; the nearer they are, the less of it counts. Without it, 0.4. Limit: 0 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub personal_space: Option<f64>,
     /// Greatest angle by which an agent that looks ahead turns from one that comes the other way, degrees. An undecided

@@ -19,7 +19,7 @@ a.toml:5:16: agent 1 of group `walkers` and agent 2 of group `walkers` start at 
         &two,
         Kind::Overlap,
         r"
-a.toml:8:15: agent 0 of group `walkers` and agent 0 of group `others` overlap: their centres are 0.2 m apart, their bodies need 0.28 m
+a.toml:8:15: agent 0 of group `walkers` and agent 0 of group `others` overlap: their centres are 0.2 m apart, their bodies need 0.26 m
   8 | place.point = [0.2, 0]
     |               ^^^^^^^^
   hint: move them apart, make the place larger, or use a smaller body.radius",
@@ -34,10 +34,10 @@ fn agents_in_walls_are_named_with_the_distance_to_move() {
         &(ROOM.to_owned() + &group("place.point = [4.9, 0]")),
         Kind::InWall,
         r"
-a.toml:6:15: agent 0 of group `walkers` starts in a wall: (4.9, 0) is 0.1 m from it, the body's radius is 0.14
+a.toml:6:15: agent 0 of group `walkers` starts in a wall: (4.9, 0) is 0.1 m from it, the body's radius is 0.13
   6 | place.point = [4.9, 0]
     |               ^^^^^^^^
-  hint: move it 0.041 m away from the wall",
+  hint: move it 0.031 m away from the wall",
     );
     assert_message(
         &(ROOM.to_owned() + &group("place.point = [6, 0]")),
@@ -73,11 +73,11 @@ a.toml:6:14: the goal, (0, 0.5), is inside obstacle `pillar`
   hint: move the goal to where somebody can stand",
     );
     assert_message(
-        &(pillar.to_owned() + "[[group]]\nplace.point = [5, 0]\ngoal.point = [0, 1.03]\n"),
+        &(pillar.to_owned() + "[[group]]\nplace.point = [5, 0]\ngoal.point = [0, 1.02]\n"),
         Kind::GoalInWall,
         r"
-a.toml:6:14: the goal, (0, 1.03), is 0.03 m from obstacle `pillar`: a body of radius 0.14 cannot come within 0.1 m of it
-  6 | goal.point = [0, 1.03]
+a.toml:6:14: the goal, (0, 1.02), is 0.02 m from obstacle `pillar`: a body of radius 0.13 cannot come within 0.1 m of it
+  6 | goal.point = [0, 1.02]
     |              ^^^^^^^^^
   hint: move the goal away from the wall, or give it a larger tolerance",
     );
@@ -88,7 +88,7 @@ a.toml:6:14: the goal, (0, 1.03), is 0.03 m from obstacle `pillar`: a body of ra
     let (kind, text) = message(&exit(5.0));
     assert_eq!(kind, Kind::GoalInWall);
     assert!(
-        text.starts_with("a.toml:7:23: the exit lies so near the walls that a body of radius 0.14 cannot"),
+        text.starts_with("a.toml:7:23: the exit lies so near the walls that a body of radius 0.13 cannot"),
         "{text}"
     );
     let (_, text) = message(&exit(7.0));

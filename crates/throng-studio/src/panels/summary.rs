@@ -33,6 +33,12 @@ pub fn summary(ui: &mut Ui, shown: &Shown) {
             percent(summary.guard_share),
             "share of agent-steps that the guard changed by more than a hundredth",
         ),
+        ("pushed", percent(summary.pushed_share), "share of agent-steps that accelerate an agent beyond its limit"),
+        (
+            "backwards",
+            percent(summary.backwards_share),
+            "share of the time that agents move away from where their way leads",
+        ),
         ("heading change", format!("{:.1} °/s", summary.heading_change_deg_per_s), "mean turning of headings"),
     ];
     // of a film nobody knows more than how many there were

@@ -94,6 +94,8 @@ columns! {
     max_acceleration: Column<f32>,
     /// Greatest change of heading a second.
     max_turn_rate: Column<f32>,
+    /// Time gap to the agent ahead, seconds.
+    time_gap: Column<f32>,
     /// How far beside the way it chose it may get while it turns.
     tracking_error: Column<f32>,
     /// Right of way.
@@ -175,6 +177,7 @@ impl Columns {
         self.max_speed.push(agent.max_speed);
         self.max_acceleration.push(agent.max_acceleration);
         self.max_turn_rate.push(agent.max_turn_rate);
+        self.time_gap.push(agent.time_gap);
         self.tracking_error.push(agent.tracking_error);
         self.priority.push(agent.priority);
         self.governed.push(agent.governed);

@@ -22,10 +22,6 @@ pub struct Group {
     /// Whether agents look ahead: they go where there is room, keep a time gap to the agent ahead, and turn from agents that
     /// come the other way. Without it they head straight along their ways, and leave all else to the local model.
     pub look_ahead: bool,
-    /// Time gap, seconds: an agent walks no faster than the gap to the agent ahead divided by it. People in single file need
-    /// 0.36 m and 1.06 s of their speed each (Seyfried et al. 2005): as much, at 0.9 m/s, as bodies 0.28 m deep with 1.15 s.
-    /// Limit: 0.05 to 10.
-    pub time_gap: f32,
     /// Breadth across its way within which an agent has another ahead of it, metres, and no less than its body's: shoulders
     /// are broader than a body is deep, and turn where it is narrow. Limit: 0 to 10.
     pub shoulders: f32,
@@ -149,9 +145,8 @@ impl Default for Group {
             neighbour_distance: 8.0,
             neighbours: 10,
             look_ahead: true,
-            time_gap: 1.1,
-            shoulders: 0.44,
-            personal_space: 0.5,
+            shoulders: 0.415,
+            personal_space: 0.4,
             keep_right: 20.0_f32.to_radians(),
             resolve: true,
             field: None,

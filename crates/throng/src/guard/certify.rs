@@ -160,6 +160,11 @@ impl Guard {
         report
     }
 
+    /// Rows that any pass moved in the last step.
+    pub(crate) fn moved_rows(&self) -> impl Iterator<Item = usize> {
+        (0..).zip(&self.parts).flat_map(|(part, of)| rows(part, of.moved))
+    }
+
     /// Those of 64 rows that any pass moved in the last step, a bit each.
     pub(crate) fn moved(&self, part: usize) -> u64 {
         self.parts[part].moved

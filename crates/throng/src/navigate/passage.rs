@@ -1,5 +1,6 @@
 //! Passages at the corners of a path: where an agent that keeps its lateral place goes through them.
 
+use super::Path;
 use super::mesh::NavMesh;
 use glam::DVec2;
 
@@ -9,6 +10,10 @@ const WIDEST: f64 = 1.0;
 const PASSED: f64 = 0.1;
 /// How much farther from the corner than from the walls beside it the place is, at most.
 const MITRE: f64 = 1.15;
+
+/// Metres to each side of a path up to which its width is measured, and between two places where it is.
+const BROAD: f64 = 5.0;
+const BETWEEN_LOOKS: f64 = 0.25;
 
 /// How a path bends at a corner.
 #[derive(Clone, Copy, Debug)]
@@ -59,6 +64,30 @@ impl Bend {
     }
 }
 
+impl NavMesh {
+    /// Width of the narrowest place on the last metres of a path on the mesh, metres, from wall to wall; 2 [`BROAD`] at most.
+    pub(crate) fn narrowest(&self, path: &Path, metres: f64) -> f64 {
+        let mut left = metres;
+        let mut narrowest = 2.0 * BROAD;
+        let starts = path.corners.iter().rev().skip(1).chain([&path.start]);
+        for (&end, &start) in path.corners.iter().rev().zip(starts) {
+            let Some(back) = (start - end).try_normalize() else { continue };
+            let (length, across) = (start.distance(end).min(left), back.perp() * BROAD);
+            let looks = (length / BETWEEN_LOOKS).ceil() as u32;
+            for look in 0..looks {
+                let at = end + back * (f64::from(look) * BETWEEN_LOOKS);
+                let free = self.reach(at, at + across) + self.reach(at, at - across) + 2.0 * self.radius();
+                narrowest = narrowest.min(free);
+            }
+            left -= length;
+            if left <= 0.0 {
+                break;
+            }
+        }
+        narrowest
+    }
+}
+
 /// Half of the widths of the passages at the corners of a path, as far as they are known.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Passages(Vec<f64>);
@@ -79,5 +108,37 @@ impl Passages {
 impl PartialEq for Passages {
     fn eq(&self, _: &Self) -> bool {
         true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::navigate::{NavMesh, Search};
+    use crate::space::Walkable;
+    use glam::DVec2;
+
+    /// Two rooms of 12 m by 12 m, and a door of 1.3 m in the wall of 0.2 m between them.
+    fn rooms() -> NavMesh {
+        let half = [(0.1, 6.0), (12.0, 6.0), (12.0, -6.0), (0.1, -6.0), (0.1, -0.65)];
+        let other = half.iter().rev().map(|&(x, y)| (-x, y));
+        let mut outer: Vec<DVec2> = [(0.1, 0.65)].into_iter().chain(half).map(DVec2::from).collect();
+        outer.extend(other.map(DVec2::from));
+        outer.push(DVec2::new(-0.1, 0.65));
+        NavMesh::build(&[Walkable { outer, holes: vec![] }], &[], 0.15, (DVec2::ZERO, DVec2::ZERO)).unwrap()
+    }
+
+    #[test]
+    fn a_door_is_the_narrowest_place() {
+        let mesh = rooms();
+        let narrowest = |from: [f64; 2], to: [f64; 2], metres: f64| {
+            let path = mesh.path(&mut Search::new(), from.into(), to.into()).unwrap();
+            mesh.narrowest(&path, metres)
+        };
+        for from in [[-5.0, 0.0], [-5.0, 5.0], [-0.5, 5.0]] {
+            let door = narrowest(from, [4.0, 0.0], 10.0);
+            assert!((1.1..1.4).contains(&door), "through the door from {from:?}: {door}");
+        }
+        let room = narrowest([-5.0, 0.0], [4.0, 0.0], 3.0);
+        assert!(room > 9.9, "beyond it there is room: {room}");
     }
 }

@@ -37,11 +37,25 @@ impl World {
             }
             Report::default()
         };
+        let pushed = |&row: &usize| self.is_pushed(row, targets[row].place(), seconds);
+        let pushed = if self.is_guarded() { guard.moved_rows().filter(pushed).count() } else { 0 };
         let Self { agents, step, tally, .. } = self;
         (step.contacts, step.guard, step.targets) = (contacts, guard, targets);
+        tally.pushed += pushed as u64;
         tally.guard_changed += report.changed as u64;
         tally.agent_steps += agents.len() as u64;
         tally.sub_steps += 1;
+    }
+
+    /// Whether an agent has to accelerate harder than it can to get to a place in this sub-step, even if it brakes as hard as
+    /// need be.
+    fn is_pushed(&self, row: usize, to: Vec3, seconds: f32) -> bool {
+        let agents = &self.agents;
+        let (from, before) = (agents.center(row).as_vec3(), agents.velocity[row].extend(agents.climb[row]));
+        let after = (to - from) / seconds;
+        let kept = (after.dot(before) / before.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+        let rounding = 4.0 * f32::EPSILON * from.abs().max_element() / seconds;
+        (after - kept * before).length() > 1.01 * agents.max_acceleration[row] * seconds + rounding
     }
 
     /// Whether anybody is guarded.

@@ -40,6 +40,7 @@ impl World {
             groups: vec![Group::default()],
             goals: Vec::new(),
             journeys: vec![Journey::default()],
+            choices: Vec::new(),
             scripts: Vec::new(),
             place: Place::default(),
             schedule: Schedule::default(),
@@ -123,6 +124,48 @@ impl World {
         self.legs.add(&journey, &self.goals);
         self.journeys.push(journey);
         Ok(JourneyId(self.journeys.len() as u32 - 1))
+    }
+
+    /// Makes journeys alternatives to each other: an agent on one of them that [looks ahead](Group::look_ahead) goes on with
+    /// another from the leg it is on, when it expects to be sooner at its goal, since fewer wait there. The two must differ
+    /// in the goal of that leg only.
+    ///
+    /// ```
+    /// use glam::DVec2;
+    /// use throng::navigate::{Goal, Journey, Stop};
+    /// use throng::{Settings, World};
+    /// let mut world = World::new(Settings::default())?;
+    /// let mut to = |x: f64| {
+    ///     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    ///     let corners = corners.map(|[dx, y]| DVec2::new(x + dx, y)).to_vec();
+    ///     let goal = world.add_goal(Goal::Exit { corners })?;
+    ///     world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })
+    /// };
+    /// let (left, right) = (to(-10.0)?, to(10.0)?);
+    /// world.add_choice(&[left, right])?;
+    /// # Ok::<(), throng::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a journey that is not there, [`Error::Shape`] for journeys with different numbers of stops, of
+    /// which some repeat, or that have alternatives already.
+    pub fn add_choice(&mut self, journeys: &[JourneyId]) -> Result<(), Error> {
+        for journey in journeys {
+            known("journey", journey.index(), self.journeys.len())?;
+        }
+        let shape = |why: &str| Err(Error::Shape { what: "the choice".into(), why: why.into() });
+        let form = |journey: &JourneyId| {
+            let Journey { stops, repeat } = &self.journeys[journey.index()];
+            (stops.len(), *repeat)
+        };
+        if journeys.windows(2).any(|pair| form(&pair[0]) != form(&pair[1])) {
+            return shape("its journeys differ in the number of their stops, or only some of them repeat");
+        }
+        if self.choices.iter().flatten().any(|journey| journeys.contains(journey)) {
+            return shape("one of its journeys has alternatives already: list all of them at once");
+        }
+        self.choices.push(journeys.to_vec());
+        Ok(())
     }
 
     /// Adds a script.

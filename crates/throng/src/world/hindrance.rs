@@ -1,6 +1,7 @@
 //! Whether agents get on, and what hinders those that do not: looked at twice a second, from how far they have come.
 
 use super::World;
+use super::advance::SEEN;
 use crate::agent::{Hindrance, ProgressMark, Status};
 use crate::navigate::Turn;
 use glam::Vec2;
@@ -43,6 +44,11 @@ impl World {
         let failed =
             |row: usize| self.has_failed(&marks[row], row) && !self.has_failed(&self.agents.progress_mark[row], row);
         self.tally.without_progress_30s += (0..marks.len()).filter(|&row| failed(row)).count() as u64;
+        let judged = (0..marks.len()).filter(|&row| self.is_judged(row));
+        let (looks, backwards) = judged
+            .fold((0, 0), |(looks, backwards), row| (looks + 1, backwards + u64::from(self.walks_backwards(row))));
+        self.tally.looks += looks;
+        self.tally.backwards += backwards;
         std::mem::swap(&mut self.agents.progress_mark, &mut marks);
         self.step.progress_marks = marks;
     }
@@ -50,6 +56,11 @@ impl World {
     /// Seconds since an agent last got on.
     pub(super) fn without_progress(&self, row: usize) -> f32 {
         f32::from(self.agents.progress_mark[row].ticks) * TICK as f32
+    }
+
+    /// Whether an agent moves away from where it is on its way to.
+    fn walks_backwards(&self, row: usize) -> bool {
+        self.agents.velocity[row].dot(self.step.shown[row].way.direction) < -SEEN
     }
 
     /// Whether an agent has walked without getting on for 30 seconds.

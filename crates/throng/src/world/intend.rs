@@ -31,6 +31,7 @@ impl World {
     pub(super) fn intend(&mut self, first: bool, seconds: f32, now: f64) {
         self.plan(seconds);
         if first {
+            self.choose(seconds);
             self.look_ahead();
         }
         self.resolve(seconds);

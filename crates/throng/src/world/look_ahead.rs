@@ -37,9 +37,9 @@ const SIGHT_WALLS: f32 = 3.0;
 const BESIDE_WALLS: f32 = 0.8;
 /// Distance of an agent's middle from walls, in breadths of its shoulders, that it keeps where it has the room: 0.31 m. In the
 /// corridors of HERMES 5 % of the heads are nearer to walls than 0.25 to 0.32 m.
-const ELBOWS: f32 = 0.7;
+const ELBOWS: f32 = 0.75;
 /// Metres by which an agent may come nearer to a wall than it is, where it has less room than it likes.
-const NEARER: f32 = 0.02;
+const NEARER: f32 = 0.01;
 /// Gap at which all of the personal space is kept, metres: the nearer two agents are, the less of it they claim.
 const ROOMY: f32 = 1.5;
 /// Exponent of the part of the shoulders that do not overlap, among streams that meet: it is 2 elsewhere.
@@ -329,7 +329,7 @@ impl World {
         let straight = Ahead::turned_by(oncoming.turn);
         let direction = straight.turned(way.direction);
         let seconds = SIGHT.min(to_goal);
-        let sight = Sight { seen: &seen[..count], speed, time_gap: group.time_gap, seconds, streams_meet };
+        let sight = Sight { seen: &seen[..count], speed, time_gap: agents.time_gap[row], seconds, streams_meet };
         if in_space || sight.is_free(direction) {
             return straight;
         }
@@ -462,8 +462,7 @@ impl Oncoming {
 impl Group {
     /// Whether the parameters of looking ahead are within their limits.
     pub(crate) fn check_look_ahead(&self) -> Result<(), crate::Error> {
-        let (gap, shoulders, space) = (self.time_gap, self.shoulders, self.personal_space);
-        crate::Error::unless((0.05..=10.0).contains(&gap), "time gap", gap, "from 0.05 to 10 s")?;
+        let (shoulders, space) = (self.shoulders, self.personal_space);
         crate::Error::unless((0.0..=10.0).contains(&shoulders), "shoulders", shoulders, "from 0 to 10 m")?;
         crate::Error::unless((0.0..=10.0).contains(&space), "personal space", space, "from 0 to 10 m")
     }

@@ -4,7 +4,7 @@ use super::World;
 use super::arrive::GAP_TOLERANCE;
 use super::build::direction;
 use super::way::{Shown, Way};
-use crate::agent::{AgentId, Status};
+use crate::agent::{AgentId, GoalId, Status};
 use crate::navigate::{Asked, Goal, Heading, Leg, Meshes, Route, Travel, Turn};
 use crate::parallel;
 use glam::{DVec2, DVec3, Vec2};
@@ -57,7 +57,7 @@ impl World {
             travels = std::mem::take(&mut self.agents.travel);
             self.meshes.find(&self.goals, &mut lost);
             for asked in lost {
-                let (row, straight) = (asked.row, self.is_straight(&asked));
+                let (row, straight) = (asked.row, self.is_straight(asked.goal, asked.radius));
                 let travel = &mut travels[row];
                 match asked.found {
                     Some(Ok((path, gap))) => {
@@ -104,7 +104,7 @@ impl World {
 
     /// Lets an agent look where it is on its way, and tells what others see of it; a way that no longer holds is given
     /// up.
-    fn look(&self, row: usize, travel: &mut Travel, seconds: f32) -> Way {
+    pub(super) fn look(&self, row: usize, travel: &mut Travel, seconds: f32) -> Way {
         let leg = self.legs.of(self.agents.journey[row], travel.leg);
         if leg.is_none() && self.agents.status[row] == Status::Walking {
             // who steers needs no way
@@ -191,43 +191,44 @@ impl World {
     }
 
     /// Whether nothing can be in the way: in the open, to a point.
-    fn is_straight(&self, asked: &Asked) -> bool {
-        self.goals[asked.goal.index()].corners().is_none() && self.meshes.mesh(asked.radius).is_none()
+    pub(super) fn is_straight(&self, goal: GoalId, girth: f32) -> bool {
+        self.goals[goal.index()].corners().is_none() && self.meshes.mesh(girth).is_none()
     }
 
-    /// Makes the meshes that the `lost` need, on ground that holds them and their goals.
-    fn prepare_meshes(&mut self, lost: &[Asked]) {
+    /// Makes the meshes for paths that are asked for, on ground that holds where they begin and end.
+    pub(super) fn prepare_meshes(&mut self, asked: &[Asked]) {
         if self.walls.is_empty() {
             return;
         }
         let holds = |(low, high): (DVec2, DVec2), p: DVec2| p.cmpge(low).all() && p.cmple(high).all();
         let on_ground = |p: DVec2| self.extent.is_some_and(|extent| holds(extent, p));
-        let held = lost.iter().all(|asked| on_ground(asked.from) && on_ground(self.goals[asked.goal.index()].middle()));
-        if held {
-            let rows: Vec<usize> = lost.iter().map(|asked| asked.row).collect();
-            self.prepare_meshes_of(&rows);
-        } else {
+        let held =
+            asked.iter().all(|asked| on_ground(asked.from) && on_ground(self.goals[asked.goal.index()].middle()));
+        if !held {
             self.extent = Some(self.new_extent());
             self.meshes = Meshes::default();
             self.prepare_all_meshes();
         }
+        self.prepare_meshes_for(asked.iter().map(|asked| (asked.radius, asked.goal)));
     }
 
     /// Makes the meshes of everybody who has a way, or needs one.
     pub(super) fn prepare_all_meshes(&mut self) {
         let needs = |&row: &usize| self.agents.status[row] == Status::Walking || self.agents.travel[row].has_way();
         let rows: Vec<usize> = (0..self.agents.len()).filter(needs).collect();
-        self.prepare_meshes_of(&rows);
-    }
-
-    fn prepare_meshes_of(&mut self, rows: &[usize]) {
-        let Some(extent) = self.extent else { return };
-        let need = |&row: &usize| {
+        let need = |row: usize| {
             let stop = self.stop(row, self.agents.travel[row].leg)?;
             Some((self.agents.body(row).girth(), stop.goal))
         };
-        let needs: Vec<_> = rows.iter().filter_map(need).collect();
-        self.meshes.prepare(needs.into_iter(), &self.place, &self.goals, extent);
+        let needs: Vec<_> = rows.into_iter().filter_map(need).collect();
+        self.prepare_meshes_for(needs.into_iter());
+    }
+
+    /// Makes the meshes for bodies of these radii on their way to these goals.
+    fn prepare_meshes_for(&mut self, needs: impl Iterator<Item = (f32, GoalId)>) {
+        if let Some(extent) = self.extent {
+            self.meshes.prepare(needs, &self.place, &self.goals, extent);
+        }
     }
 
     /// A box round everybody, all goals and what there was before, with room to go round, and to be pushed about.

@@ -49,6 +49,7 @@ impl World {
             max_speed: agents.max_speed[row],
             max_acceleration: agents.max_acceleration[row],
             max_turn_rate: agents.max_turn_rate[row],
+            time_gap: agents.time_gap[row],
             tracking_error: agents.tracking_error[row],
             priority: agents.priority[row],
             governed: agents.governed[row],

@@ -470,7 +470,7 @@ mod tests {
     #[test]
     fn who_rests_sleeps_until_somebody_comes() {
         let still = Cluster { spacing: 1.0, gathers: false, velocity: 0.0 };
-        let gathers = Cluster { gathers: true, ..still.clone() };
+        let gathers = Cluster { gathers: true, spacing: 0.8, ..still.clone() };
         let mut crowd = Crowd {
             clusters: vec![still.clone(), still, gathers],
             walkers: vec![],

@@ -2,7 +2,7 @@
 
 use super::{Settings, Slots, World, schedule::Schedule, standoff::Standoff};
 use crate::Error;
-use crate::agent::Columns;
+use crate::agent::{Columns, JourneyId};
 use crate::navigate::{Goal, Journey, Legs, Script, Unreachable};
 use crate::space::Place;
 use crate::steer::{Branch, Event};
@@ -11,7 +11,7 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// Begins every saved state: what it is, and the version of its layout.
-const MAGIC: &[u8] = b"throng state 10\n";
+const MAGIC: &[u8] = b"throng state 11\n";
 
 /// Everything that changes while a world runs.
 #[derive(Serialize, Deserialize)]
@@ -23,6 +23,7 @@ struct State {
     groups: Vec<String>,
     goals: Vec<Goal>,
     journeys: Vec<Journey>,
+    choices: Vec<Vec<JourneyId>>,
     scripts: Vec<Script>,
     place: Place,
     schedule: Schedule,
@@ -47,6 +48,7 @@ impl World {
             groups: self.groups.iter().map(|group| group.name.clone()).collect(),
             goals: self.goals.clone(),
             journeys: self.journeys.clone(),
+            choices: self.choices.clone(),
             scripts: self.scripts.clone(),
             place: self.place.clone(),
             schedule: self.schedule.clone(),
@@ -96,6 +98,7 @@ impl World {
         self.slots = state.slots;
         self.goals = state.goals;
         self.journeys = state.journeys;
+        self.choices = state.choices;
         self.scripts = state.scripts;
         self.legs = Legs::new(&self.journeys, &self.goals);
         self.schedule = state.schedule;

@@ -108,6 +108,7 @@ impl World {
             agents.max_speed.set(row, agent.max_speed);
             agents.max_acceleration.set(row, agent.max_acceleration);
             agents.max_turn_rate.set(row, agent.max_turn_rate);
+            agents.time_gap.set(row, agent.time_gap);
             agents.tracking_error.set(row, agent.tracking_error);
             agents.priority.set(row, agent.priority);
             agents.governed.set(row, agent.governed);

@@ -5,11 +5,11 @@ use crate::oracle::Snapshot;
 use glam::DVec2;
 use throng::{Group, Obstacle, SubSteps, Walkable, World};
 
-/// How far two agents that walk past each other, their ways 1.16 m apart, stray to the side; `between` builds walls along
+/// How far two agents that walk past each other, their ways 1 m apart, stray to the side; `between` builds walls along
 /// the line between them, given its ends.
 fn strayed(between: impl Fn(&mut World, DVec2, DVec2)) -> f64 {
     let origin = DVec2::new(830.0, -4100.0);
-    let (along, off) = (DVec2::from_angle(0.7), 0.58);
+    let (along, off) = (DVec2::from_angle(0.7), 0.5);
     let mut world = with_settings(0.04, SubSteps::Auto, origin);
     let group = world.add_group(Group::default()).unwrap();
     between(&mut world, origin - along * 12.0, origin + along * 12.0);

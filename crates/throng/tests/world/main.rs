@@ -6,6 +6,7 @@ mod bad_starts;
 mod bodies;
 mod calm;
 mod changes;
+mod choose;
 mod common;
 mod determinism;
 mod doors;

@@ -175,7 +175,7 @@ fn no_room_says_where_and_why() {
     {
         let agent = Agent { position: DVec2::new(x, 0.0), ..Agent::default() };
         let at = x.to_string();
-        assert_names(world.add_agent(agent.clone()), &[why, &at, "0.14"]);
+        assert_names(world.add_agent(agent.clone()), &[why, &at, "0.13"]);
         assert_names(world.schedule_agent(1.0, agent), &[why, &at]);
     }
     assert_eq!(world.no_room(DVec2::new(205.0, 0.0), 0.17), None);

@@ -8,6 +8,9 @@ use throng::avoid::{Hrvo, LocalModel, Orca, Rvo, Unavoiding, Vo};
 use throng::navigate::Turn;
 use throng::{Agent, Group, GroupId, Obstacle, SubSteps, World};
 
+/// Radius of the bodies that the widths of the passages are chosen for, metres.
+const RADIUS: f32 = 0.14;
+
 /// A place turned and shifted: a world, and where its x and y axes point.
 struct Place {
     world: World,
@@ -33,7 +36,7 @@ impl Place {
     }
 
     fn walker(&mut self, from: (f64, f64), to: (f64, f64)) {
-        self.add(from, to, Agent::default());
+        self.add(from, to, Agent { radius: RADIUS, ..Agent::default() });
     }
 
     fn add(&mut self, from: (f64, f64), to: (f64, f64), like: Agent) {
@@ -199,8 +202,12 @@ fn the_higher_priority_goes_first() {
         place.passage(0.5, 8.0);
         // who comes later would have less way back
         for (number, side, from) in [(0, -1.0, 5.0), (1, 1.0, 6.5)] {
-            let like =
-                Agent { priority: 0.2 * f32::from(number == first), number: Some(number.into()), ..Agent::default() };
+            let like = Agent {
+                priority: 0.2 * f32::from(number == first),
+                number: Some(number.into()),
+                radius: RADIUS,
+                ..Agent::default()
+            };
             place.add((side * from, 0.0), (-side * 6.0, 0.0), like);
         }
         let mut arrived = Vec::new();
@@ -224,7 +231,7 @@ fn a_standoff_is_saved_and_knows_no_order() {
         }
         for (side, number) in agents {
             let y = 0.9 * f64::from(number % 3) - 0.9;
-            let like = Agent { number: Some(number), ..Agent::default() };
+            let like = Agent { number: Some(number), radius: RADIUS, ..Agent::default() };
             place.add((side * (4.0 + 0.1 * y), y), (-side * 5.0, -y), like);
         }
         place.world
