@@ -158,7 +158,8 @@ struct StepMemory {
     steering: Vec<Vec<Neighbour>>,
     planned: steer::Planned,
     stuck: Vec<usize>,
-    ahead: Vec<look_ahead::Ahead>,
+    /// Whether any group looks ahead, or is turned to a side.
+    looks: bool,
     looking: Vec<look_ahead::WallsAhead>,
     manners: Vec<intend::Manners>,
     preferred: Velocities,
