@@ -233,7 +233,7 @@ impl World {
         let mut scratch = std::mem::take(&mut self.step.looking);
         let world = &*self;
         let steps = (LOOKS / self.settings.step + 1e-9).floor().max(1.0) as u64;
-        let is_due = |row: usize| (world.steps + u64::from(world.agents.number[row])) % steps == 0;
+        let is_due = |row: usize| (world.steps + u64::from(world.agents.number[row])).is_multiple_of(steps);
         parallel::ranges_with(&mut ahead[..], &mut scratch, |walls, rows, ahead| {
             let due = rows.zip(ahead).filter(|&(row, _)| is_due(row));
             due.for_each(|(row, ahead)| *ahead = world.ahead_of(row, walls));
