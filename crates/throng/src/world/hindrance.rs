@@ -44,9 +44,10 @@ impl World {
         let failed =
             |row: usize| self.has_failed(&marks[row], row) && !self.has_failed(&self.agents.progress_mark[row], row);
         self.tally.without_progress_30s += (0..marks.len()).filter(|&row| failed(row)).count() as u64;
-        let judged = (0..marks.len()).filter(|&row| self.is_judged(row));
+        // those that are judged have a way left
+        let judged = marks.iter().zip(0..).filter(|(mark, _)| mark.remaining != f32::INFINITY);
         let (looks, backwards) = judged
-            .fold((0, 0), |(looks, backwards), row| (looks + 1, backwards + u64::from(self.walks_backwards(row))));
+            .fold((0, 0), |(looks, backwards), (_, row)| (looks + 1, backwards + u64::from(self.walks_backwards(row))));
         self.tally.looks += looks;
         self.tally.backwards += backwards;
         std::mem::swap(&mut self.agents.progress_mark, &mut marks);
