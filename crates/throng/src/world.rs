@@ -237,6 +237,11 @@ impl World {
         self.steps as f64 * self.settings.step
     }
 
+    /// How many whole intervals, in seconds, so many steps last.
+    fn ticks(&self, steps: u64, interval: f64) -> u64 {
+        (steps as f64 * self.settings.step / interval + 1e-9).floor() as u64
+    }
+
     /// Steps made so far.
     pub fn steps(&self) -> u64 {
         self.steps

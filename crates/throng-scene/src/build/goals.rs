@@ -42,7 +42,7 @@ enum Rule {
 /// Journeys that an agent may change to, at most: one that could take more keeps to the goals that were nearest.
 const MOST_ALTERNATIVES: usize = 64;
 
-/// The stops of a journey, whether it repeats, and the stops whose goals the agent chooses among others.
+/// The stops of a journey, whether it repeats, and the stops with a choice of goals.
 type Known = (Vec<(usize, u32)>, bool, Vec<(usize, Vec<usize>)>);
 
 /// Collects goals and journeys.
@@ -66,7 +66,7 @@ struct Walker {
     radius: f64,
     choice: Random,
     wait: Random,
-    /// Stops whose goals it chooses among others, and all these goals.
+    /// Stops with a choice of goals, and all these goals.
     among: Vec<(usize, Vec<usize>)>,
 }
 

@@ -58,7 +58,7 @@ impl World {
 
     /// Whether the step that begins is the first after a multiple of the interval.
     fn is_time_for(&self, adaptive: &dyn Adaptive) -> bool {
-        let count = |steps: u64| (steps as f64 * self.settings.step / adaptive.interval() + 1e-9).floor();
+        let count = |steps: u64| self.ticks(steps, adaptive.interval());
         self.steps == 0 || count(self.steps) != count(self.steps - 1)
     }
 

@@ -1,4 +1,4 @@
-//! Choice of goal: an agent whose journey has alternatives goes to the goal that it expects to reach first.
+//! Choice of goal: an agent with alternatives to its journey goes to the goal that it expects to reach first.
 //!
 //! After Ehtamo, Heliövaara, Korhonen, Hostikka, Game theoretic best-response dynamics for evacuees' exit selection,
 //! Advances in Complex Systems 13:113 (2010): each agent, in its turn, takes what is best while the others keep to what they
@@ -8,8 +8,9 @@
 
 use super::World;
 use crate::agent::{GoalId, JourneyId, Status};
-use crate::navigate::{Asked, Path, Route};
+use crate::navigate::Path;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Agents that pass a narrow place in a second, for each metre of its width: doors of 0.8 to 2.4 m pass 1.6 to 2.0.
 const FLOW: f64 = 1.8;
@@ -48,39 +49,38 @@ impl Queues {
 }
 
 impl World {
-    /// Lets the agents choose whose turn it is. Their ways are up to date, before and after.
+    /// Lets some agents choose, by turns. Their ways are up to date, before and after.
     pub(super) fn choose(&mut self, seconds: f32) {
-        if self.choices.is_empty() {
+        let parts = self.parts_that_choose();
+        if self.choices.is_empty() || parts.is_empty() {
             return;
         }
-        let due = self.due_to_choose();
-        let mut rows: Vec<usize> = (0..self.agents.len()).filter(|&row| due(self.agents.number[row])).collect();
         let choices = self.choices_by_journey();
-        rows.retain(|&row| choices.contains_key(&self.agents.journey[row]) && self.may_choose(row));
-        if rows.is_empty() {
-            return;
-        }
+        let is_due = |&row: &usize| {
+            let part = u64::from(self.agents.number[row]) % PARTS;
+            parts.clone().any(|due| due % PARTS == part)
+                && choices.contains_key(&self.agents.journey[row])
+                && self.may_choose(row)
+        };
+        let mut rows: Vec<usize> = (0..self.agents.len()).filter(is_due).collect();
         rows.sort_unstable_by_key(|&row| self.agents.number[row]);
         let mut queues = self.queues();
         let mut asked = Vec::new();
-        for &row in &rows {
-            let travel = &self.agents.travel[row];
-            let (own, remaining) = (self.step.shown[row].way, self.step.shown[row].way.remaining);
-            let Some(goal) = self.stop(row, travel.leg).map(|stop| stop.goal) else { continue };
+        // rows, their goals, and the journeys and goals that they may change to
+        let mut choosers = Vec::new();
+        for row in rows {
+            let (way, leg) = (self.step.shown[row].way, self.agents.travel[row].leg);
+            let Some(goal) = self.stop(row, leg).map(|stop| stop.goal) else { continue };
             // with room for one body at least, it walks as long as it waits: nothing is gained elsewhere
             let least = FLOW * 2.0 * f64::from(self.agents.radius[row]);
-            let walk = f64::from(remaining / self.agents.preferred_speed[row]);
-            if !own.has_goal() || queues.before(goal, remaining) as f64 / least <= walk + WORTH_IT {
+            let walk = f64::from(way.remaining / self.agents.preferred_speed[row]);
+            if !way.has_goal() || queues.before(goal, way.remaining) as f64 / least <= walk + WORTH_IT {
                 continue;
             }
-            let journeys = self.alternatives(self.agents.journey[row], travel.leg, &choices);
-            asked.extend(std::iter::once(goal).chain(journeys.iter().map(|&(_, goal)| goal)).map(|goal| Asked {
-                row,
-                radius: self.agents.body(row).girth(),
-                from: self.world_position(row),
-                goal,
-                found: None,
-            }));
+            let alternatives = self.alternatives(self.agents.journey[row], leg, &choices);
+            let goals = std::iter::once(goal).chain(alternatives.iter().map(|&(_, goal)| goal));
+            asked.extend(goals.map(|goal| self.ask_way_to(row, goal)));
+            choosers.push((row, goal, alternatives));
         }
         self.prepare_meshes(&asked);
         self.meshes.find(&self.goals, &mut asked);
@@ -90,17 +90,15 @@ impl World {
                 found.insert((one.row, one.goal), path);
             }
         }
-        for row in rows {
-            let (journey, leg) = (self.agents.journey[row], self.agents.travel[row].leg);
-            let Some(goal) = self.stop(row, leg).map(|stop| stop.goal) else { continue };
+        for (row, goal, alternatives) in choosers {
             let expected = |goal| {
                 let (path, _) = found.get(&(row, goal))?;
-                Some((self.expected_time(row, path, queues.before(goal, path.length as f32)), path.length as f32))
+                let length = path.length as f32;
+                Some((self.expected_time(row, path, queues.before(goal, length)), length))
             };
             let Some((time, remaining)) = expected(goal) else { continue };
             let bound = (time - WORTH_IT).min(time * (1.0 - WORTH_PART));
-            let others = self.alternatives(journey, leg, &choices);
-            let best = (others.into_iter())
+            let best = (alternatives.into_iter())
                 .filter_map(|(journey, goal)| expected(goal).map(|(time, length)| (time, journey, goal, length)))
                 .filter(|&(time, ..)| time < bound)
                 .min_by(|one, other| one.0.total_cmp(&other.0));
@@ -110,21 +108,17 @@ impl World {
                 self.agents.journey.set(row, journey);
                 let mut travel = std::mem::take(&mut self.agents.travel[row]);
                 travel.set_out_again();
-                travel.set_way((!self.is_straight(to, self.agents.body(row).girth())).then(|| Route::new(&path)));
-                travel.set_gap(gap as f32);
-                self.step.shown[row].way = self.look(row, &mut travel, seconds);
+                self.step.shown[row].way = self.take_way(row, &mut travel, (to, &path, gap), seconds);
                 self.agents.travel[row] = travel;
             }
         }
     }
 
-    /// Whether it is an agent's turn to choose in this step, by its number.
-    fn due_to_choose(&self) -> impl Fn(u32) -> bool + use<> {
-        let part = |steps: u64| (steps as f64 * self.settings.step * PARTS as f64 / INTERVAL + 1e-9).floor() as u64;
-        let now = part(self.steps) + 1;
-        let before = self.steps.checked_sub(1).map_or(0, |steps| part(steps) + 1);
-        // its turn is in each part whose number, taken by the number of parts, is that of its own
-        move |number| (before..now.min(before + PARTS)).any(|part| part % PARTS == u64::from(number) % PARTS)
+    /// The parts that choose in this step: an agent is of the part that is the remainder of its number.
+    fn parts_that_choose(&self) -> Range<u64> {
+        let part = |steps: u64| self.ticks(steps, INTERVAL / PARTS as f64) + 1;
+        let before = self.steps.checked_sub(1).map_or(0, part);
+        before..part(self.steps).min(before + PARTS)
     }
 
     /// Whether an agent is on its way, by itself.

@@ -53,7 +53,7 @@ const TURNING: f32 = 0.3;
 /// Part of its way that counts as its present direction, for an agent that stands: a crowd that waits does not dance.
 const STEADY: f32 = 0.25;
 /// Greatest cost, in lengths of sight, that an agent adds at random to directions when it does not get on, and the seconds
-/// without progress after which it does: an agent whose way is blocked tries other directions. After twice as many seconds it
+/// without progress after which it does: an agent tries other directions when its way is blocked. After twice as many seconds it
 /// walks in any direction rather than stand. So a crowd of agents that block each other dissolves from its rim.
 const IMPATIENCE: f32 = 0.5;
 const PATIENCE: f32 = 5.0;
@@ -222,7 +222,7 @@ impl Sight<'_> {
 }
 
 impl World {
-    /// Lets the agents look ahead whose turn it is, by their numbers.
+    /// Lets some agents look ahead, by turns that follow from their numbers.
     pub(super) fn look_ahead(&mut self) {
         let looks = self.groups_in_use().any(|group| group.look_ahead || group.keep_right != 0.0);
         self.step.looks = looks;

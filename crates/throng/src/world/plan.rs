@@ -5,7 +5,7 @@ use super::arrive::GAP_TOLERANCE;
 use super::build::direction;
 use super::way::{Shown, Way};
 use crate::agent::{AgentId, GoalId, Status};
-use crate::navigate::{Asked, Goal, Heading, Leg, Meshes, Route, Travel, Turn};
+use crate::navigate::{Asked, Goal, Heading, Leg, Meshes, Path, Route, Travel, Turn};
 use crate::parallel;
 use glam::{DVec2, DVec3, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -57,14 +57,12 @@ impl World {
             travels = std::mem::take(&mut self.agents.travel);
             self.meshes.find(&self.goals, &mut lost);
             for asked in lost {
-                let (row, straight) = (asked.row, self.is_straight(asked.goal, asked.radius));
+                let row = asked.row;
                 let travel = &mut travels[row];
                 match asked.found {
                     Some(Ok((path, gap))) => {
                         let length = path.length;
-                        travel.set_way((!straight).then(|| Route::new(&path)));
-                        travel.set_gap(gap as f32);
-                        shown[row].way = self.look(row, travel, seconds);
+                        shown[row].way = self.take_way(row, travel, (asked.goal, &path, gap), seconds);
                         if !travel.measured {
                             travel.measured = true;
                             self.agents.shortest[row] += DVec2::new(length, travel.rise().into()).length();
@@ -104,7 +102,7 @@ impl World {
 
     /// Lets an agent look where it is on its way, and tells what others see of it; a way that no longer holds is given
     /// up.
-    pub(super) fn look(&self, row: usize, travel: &mut Travel, seconds: f32) -> Way {
+    fn look(&self, row: usize, travel: &mut Travel, seconds: f32) -> Way {
         let leg = self.legs.of(self.agents.journey[row], travel.leg);
         if leg.is_none() && self.agents.status[row] == Status::Walking {
             // who steers needs no way
@@ -142,6 +140,19 @@ impl World {
         let may_arrive = taken || travel.waits_for_room() || !leg.is_some_and(is_far);
         let is_plain = travel.is_plain() && tolerance.is_some();
         Way::walking(id, direction, remaining).stopping(stops).changing(may_arrive).plain(is_plain)
+    }
+
+    /// Lets an agent take a path that was found to a goal, and how near counts as there, and look where it is on it.
+    pub(super) fn take_way(
+        &self,
+        row: usize,
+        travel: &mut Travel,
+        (goal, path, gap): (GoalId, &Path, f64),
+        seconds: f32,
+    ) -> Way {
+        travel.set_way((!self.is_straight(row, goal)).then(|| Route::new(path)));
+        travel.set_gap(gap as f32);
+        self.look(row, travel, seconds)
     }
 
     /// Moves on along a route; tells how many metres of it are ahead.
@@ -185,14 +196,18 @@ impl World {
 
     /// Asks for a way to a stop; `None` if there is none.
     fn ask_way(&self, row: usize, leg: u32) -> Option<Asked> {
-        let goal = self.stop(row, leg)?.goal;
+        Some(self.ask_way_to(row, self.stop(row, leg)?.goal))
+    }
+
+    /// Asks for a way to a goal.
+    pub(super) fn ask_way_to(&self, row: usize, goal: GoalId) -> Asked {
         let (radius, from) = (self.agents.body(row).girth(), self.world_position(row));
-        Some(Asked { row, radius, from, goal, found: None })
+        Asked { row, radius, from, goal, found: None }
     }
 
     /// Whether nothing can be in the way: in the open, to a point.
-    pub(super) fn is_straight(&self, goal: GoalId, girth: f32) -> bool {
-        self.goals[goal.index()].corners().is_none() && self.meshes.mesh(girth).is_none()
+    fn is_straight(&self, row: usize, goal: GoalId) -> bool {
+        self.goals[goal.index()].corners().is_none() && self.meshes.mesh(self.agents.body(row).girth()).is_none()
     }
 
     /// Makes the meshes for paths that are asked for, on ground that holds where they begin and end.
@@ -215,12 +230,11 @@ impl World {
     /// Makes the meshes of everybody who has a way, or needs one.
     pub(super) fn prepare_all_meshes(&mut self) {
         let needs = |&row: &usize| self.agents.status[row] == Status::Walking || self.agents.travel[row].has_way();
-        let rows: Vec<usize> = (0..self.agents.len()).filter(needs).collect();
         let need = |row: usize| {
             let stop = self.stop(row, self.agents.travel[row].leg)?;
             Some((self.agents.body(row).girth(), stop.goal))
         };
-        let needs: Vec<_> = rows.into_iter().filter_map(need).collect();
+        let needs: Vec<_> = (0..self.agents.len()).filter(needs).filter_map(need).collect();
         self.prepare_meshes_for(needs.into_iter());
     }
 

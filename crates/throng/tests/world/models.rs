@@ -73,8 +73,8 @@ fn every_model_gets_a_crowd_through() {
     for model in models() {
         for (step, turn) in [(0.04, 0.3), (0.1, 1.3)] {
             let label = format!("{model:?}, step {step}");
-            // two whose ways cross where they touch stand for ever with it, as JuPedSim's agents do: on rings turned by other
-            // angles 0 to 10 of 20
+            // two that touch where their ways cross stand for ever with it, as JuPedSim's agents do: on rings turned by
+            // other angles 0 to 10 of 20
             let left = if format!("{model:?}").starts_with("AnticipationVelocity") { 10 } else { 0 };
             assert_pass(ring(std::slice::from_ref(&model), 20, step, turn), left, &label);
         }
