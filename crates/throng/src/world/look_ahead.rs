@@ -29,7 +29,7 @@ const SAME_WAY: f32 = 0.3;
 /// Angles between the way and the directions that are compared, degrees. Only impatience leads an agent back.
 const ANGLES: [f32; 7] = [10.0, 20.0, 35.0, 50.0, 70.0, 85.0, 115.0];
 /// Seconds after which an agent looks ahead again, or as many steps as fit into them.
-const LOOKS: f64 = 0.1;
+const LOOKS: f64 = 0.05;
 /// Seconds that an agent sees ahead, and within which agents that are about to cross its way count.
 const SIGHT: f32 = 3.0;
 const SIGHT_CROSSING: f32 = 2.0;

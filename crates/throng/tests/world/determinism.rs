@@ -103,7 +103,7 @@ fn assert_same(a: &[History; 2], b: &[History; 2], label: &str) {
 /// purpose, check that both builds print the same new values, put them here, and say so in the changelog.
 #[test]
 fn the_same_bits_on_every_machine_and_in_every_build() {
-    const GOLDEN: [u64; 2] = [0xdbae_3d2c_b350_48a7, 0xd106_20fd_9eec_8844];
+    const GOLDEN: [u64; 2] = [0x1645_d2b4_4e84_8f37, 0xd106_20fd_9eec_8844];
     let hashes = [busy(0), packed(0)].map(|mut world| {
         for _ in 0..240 {
             world.step();
