@@ -5,7 +5,7 @@ use crate::crossing::Throng;
 use crate::python::Python;
 use std::error::Error;
 use std::path::Path;
-use throng_scene::import::wkt::evacuation as scene;
+use throng_scene::import::plan::{self, Ask};
 
 const SCRIPT: &str = include_str!("../scripts/jupedsim.py");
 
@@ -32,7 +32,7 @@ pub fn evacuation(
 ) -> Result<Vec<Box<dyn Contestant>>, Box<dyn Error>> {
     let numbers: Vec<f64> = exit.split(',').map(str::parse).collect::<Result<_, _>>()?;
     let exit: [f64; 4] = numbers.try_into().map_err(|_| "the exit is x,y,width,height")?;
-    let mut scene = scene(plan, exit, people)?;
+    let mut scene = plan::load(plan, &Ask { exit: Some(exit), people: Some(people), ..Ask::default() })?.scene;
     scene.time.step = 0.05;
     let (world, _) = scene.build()?;
     let origin = world.settings().origin;
