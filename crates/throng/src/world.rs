@@ -158,8 +158,8 @@ struct StepMemory {
     steering: Vec<Vec<Neighbour>>,
     planned: steer::Planned,
     stuck: Vec<usize>,
-    /// Whether any group looks ahead, or is turned to a side.
-    looks: bool,
+    /// What each agent found when it looked ahead; empty if none does.
+    ahead: Vec<look_ahead::Ahead>,
     looking: Vec<look_ahead::WallsAhead>,
     manners: Vec<intend::Manners>,
     preferred: Velocities,

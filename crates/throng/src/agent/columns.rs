@@ -1,6 +1,6 @@
 //! The agents' state: a column a fact, a row an agent.
 
-use super::{Agent, Ahead, Column, Cycles, GroupId, JourneyId, Memory, ProgressMark, ScriptId, Status, Value};
+use super::{Agent, Column, Cycles, GroupId, JourneyId, Memory, ProgressMark, ScriptId, Status, Value};
 use crate::motion::Attitude;
 use crate::navigate::Travel;
 use glam::{DVec2, Vec2};
@@ -116,8 +116,6 @@ columns! {
     status: Vec<Status>,
     /// How its journey goes.
     travel: Vec<Travel>,
-    /// What it found when it last looked ahead.
-    ahead: Vec<Ahead>,
     /// When it last got on, and what hinders it since.
     progress_mark: Vec<ProgressMark>,
     /// Time it entered, seconds.
@@ -190,7 +188,6 @@ impl Columns {
         self.script.push(agent.script);
         self.status.push(Status::Walking);
         self.travel.push(Travel::default());
-        self.ahead.push(Ahead::FREE);
         self.progress_mark.push(ProgressMark::default());
         self.entered.push(now);
         self.arrived.push(f64::INFINITY);

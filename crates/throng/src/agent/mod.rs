@@ -3,7 +3,6 @@
 //! [`Agent`] describes one agent for [`World::add_agent`](crate::World::add_agent); inside the world the same
 //! facts live as [columns](Columns). [`Group`] holds what many agents share: the local model and its reach.
 
-mod ahead;
 mod body;
 mod column;
 mod columns;
@@ -14,7 +13,6 @@ mod id;
 mod memory;
 mod trip;
 
-pub use ahead::Ahead;
 pub use body::Body;
 pub use column::{Column, Value};
 pub use columns::Columns;

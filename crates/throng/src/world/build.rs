@@ -312,6 +312,9 @@ impl World {
         self.stranded.retain(|&(stranded, _)| stranded != number);
         self.step.rest.remove(row, self.agents.len() - 1, self.agents.position[row]);
         self.agents.swap_remove(row);
+        if row < self.step.ahead.len() {
+            self.step.ahead.swap_remove(row);
+        }
         let slots = &mut self.slots;
         slots.rows[slot] = u32::MAX;
         slots.generations.set(slot, slots.generations[slot] + 1);

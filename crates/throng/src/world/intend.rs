@@ -27,7 +27,7 @@ impl Manners {
 impl World {
     /// 2. What would I like: the preferred velocity of everybody in the sub-step that ends at `now`.
     ///
-    /// In the first of a step some agents choose among goals and look ahead, by turns.
+    /// In the first of a step agents look ahead, and some choose among goals, by turns.
     pub(super) fn intend(&mut self, first: bool, seconds: f32, now: f64) {
         self.plan(seconds);
         if first {

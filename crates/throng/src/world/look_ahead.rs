@@ -17,7 +17,7 @@
 
 use super::World;
 use super::avoid::is_between;
-use crate::agent::{Ahead, Group};
+use crate::agent::Group;
 use crate::avoid::{MARGIN, time_to_disc, time_to_segment};
 use crate::parallel;
 use crate::random::{Purpose, unit};
@@ -28,8 +28,6 @@ use glam::{DVec2, Vec2};
 const SAME_WAY: f32 = 0.3;
 /// Angles between the way and the directions that are compared, degrees. Only impatience leads an agent back.
 const ANGLES: [f32; 7] = [10.0, 20.0, 35.0, 50.0, 70.0, 85.0, 115.0];
-/// Seconds after which an agent looks ahead again, or as many steps as fit into them.
-const LOOKS: f64 = 0.05;
 /// Seconds that an agent sees ahead, and within which agents that are about to cross its way count.
 const SIGHT: f32 = 3.0;
 const SIGHT_CROSSING: f32 = 2.0;
@@ -73,6 +71,32 @@ const SOONEST: f32 = 0.1;
 const STANDS: f32 = 0.1;
 /// Neighbours that an agent takes into account, at most.
 const MOST: usize = 16;
+
+/// What an agent found when it looked ahead.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Ahead {
+    /// Cosine and sine of the angle by which it turns from its way to the right.
+    pub turn: Vec2,
+    /// Speed that the gap ahead allows, m/s; infinite if there is no agent ahead.
+    pub speed: f32,
+}
+
+impl Ahead {
+    /// Straight on, as fast as it likes.
+    const FREE: Self = Self { turn: Vec2::X, speed: f32::INFINITY };
+
+    /// As fast as it likes, turned to the right by an angle, radians.
+    fn turned_by(angle: f32) -> Self {
+        let (sin, cos) = libm::sincosf(angle);
+        Self { turn: Vec2::new(cos, sin), ..Self::FREE }
+    }
+
+    /// A direction after the turn.
+    pub fn turned(&self, direction: Vec2) -> Vec2 {
+        let Vec2 { x: cos, y: sin } = self.turn;
+        Vec2::new(cos * direction.x + sin * direction.y, cos * direction.y - sin * direction.x)
+    }
+}
 
 /// A neighbour that counts for the direction.
 #[derive(Clone, Copy, Debug, Default)]
@@ -222,29 +246,23 @@ impl Sight<'_> {
 }
 
 impl World {
-    /// Lets some agents look ahead, by turns that follow from their numbers.
+    /// Lets all agents look ahead. They do so once a step.
     pub(super) fn look_ahead(&mut self) {
         let looks = self.groups_in_use().any(|group| group.look_ahead || group.keep_right != 0.0);
-        self.step.looks = looks;
-        if !looks {
-            return;
-        }
-        let mut ahead = std::mem::take(&mut self.agents.ahead);
+        let mut ahead = std::mem::take(&mut self.step.ahead);
         let mut scratch = std::mem::take(&mut self.step.looking);
+        ahead.resize(if looks { self.agents.len() } else { 0 }, Ahead::FREE);
         let world = &*self;
-        let steps = (LOOKS / self.settings.step + 1e-9).floor().max(1.0) as u64;
-        let is_due = |row: usize| (world.steps + u64::from(world.agents.number[row])).is_multiple_of(steps);
         parallel::ranges_with(&mut ahead[..], &mut scratch, |walls, rows, ahead| {
-            let due = rows.zip(ahead).filter(|&(row, _)| is_due(row));
-            due.for_each(|(row, ahead)| *ahead = world.ahead_of(row, walls));
+            rows.zip(ahead).for_each(|(row, ahead)| *ahead = world.ahead_of(row, walls));
         });
-        (self.agents.ahead, self.step.looking) = (ahead, scratch);
+        (self.step.ahead, self.step.looking) = (ahead, scratch);
     }
 
     /// What an agent found.
     #[inline]
     pub(super) fn ahead(&self, row: usize) -> Ahead {
-        if self.step.looks { self.agents.ahead[row] } else { Ahead::FREE }
+        self.step.ahead.get(row).copied().unwrap_or(Ahead::FREE)
     }
 
     fn ahead_of(&self, row: usize, walls: &mut WallsAhead) -> Ahead {

@@ -34,9 +34,12 @@ impl World {
 
     /// Puts the rows in the order of the grid, or of the lattice.
     fn put_in_order(&mut self, lattice: bool) {
-        let StepMemory { grid, flocks, cycles, rest, .. } = &mut self.step;
+        let StepMemory { grid, flocks, cycles, rest, ahead, .. } = &mut self.step;
         cycles.find(if lattice { flocks.order() } else { grid.order() });
         self.agents.permute(cycles);
+        if ahead.len() == self.agents.len() {
+            cycles.turn(ahead);
+        }
         if lattice {
             flocks.rows_are_in_order();
         } else {
