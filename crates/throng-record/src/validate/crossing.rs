@@ -1,9 +1,9 @@
 //! Two streams that cross at a right angle: stripes, and agents that are swept away.
 
-use super::measure::{across, density_and_speed, mean, moments, quantile, steady};
+use super::measure::{across, density_and_speed, mean, moments, steady};
 use super::place::{WEIDMANN, rectangle, until_empty};
 use super::{Case, Experiment, Figure, Run};
-use crate::pedestrian::{Area, Moment, accelerations};
+use crate::pedestrian::{Area, Moment};
 use glam::DVec2;
 
 /// The experiment.
@@ -51,7 +51,6 @@ fn cases() -> Vec<Case> {
             .within(0.0, 0.01),
         Figure::new("v", "m/s", "mean speed in the crossing").people("0.6 (2 per m²)").reference(none, 1.22),
         Figure::new("rho", "1/m²", "density in the crossing"),
-        Figure::new("a p99", "m/s²", "99th percentile of the accelerations over ±0.4 s").people("1–2.3"),
         Figure::left(),
     ];
     vec![Case::new("90 deg", until_empty("Crossing", 240.0, &rest), figures, measure)]
@@ -68,7 +67,7 @@ fn measure(run: &Run) -> Vec<f64> {
         f64::from(u8::from(walk.places.iter().map(aside).fold(0.0, f64::max) > INTO_ARM))
     }));
     let inside: Vec<Vec<(DVec2, f64)>> = moments(run, &time).step_by(6).map(|moment| streams(run, moment)).collect();
-    vec![wave_direction(&inside), swept, v, rho, p99_acceleration(run), run.left as f64]
+    vec![wave_direction(&inside), swept, v, rho, run.left as f64]
 }
 
 /// The places of agents in the crossing: 1 for the one stream, -1 for the other, less the mean.
@@ -95,12 +94,6 @@ fn wave_direction(moments: &[Vec<(DVec2, f64)>]) -> f64 {
     };
     let strongest = waves.map(strength).max_by(|a, b| a.0.total_cmp(&b.0));
     strongest.filter(|(strength, _)| *strength > 0.0).map_or(f64::NAN, |(_, degrees)| degrees)
-}
-
-fn p99_acceleration(run: &Run) -> f64 {
-    let rows = (0.4 / run.people.interval()).round().max(1.0) as usize;
-    let all = run.people.walks.iter().flat_map(|walk| accelerations(walk, rows));
-    quantile(all.flatten().map(DVec2::length).collect(), 0.99)
 }
 
 #[cfg(test)]

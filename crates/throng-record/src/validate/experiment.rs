@@ -1,6 +1,6 @@
 //! What an experiment is.
 
-use super::Run;
+use super::{Run, motion};
 use std::fmt;
 use throng_scene::{Error, Scene};
 
@@ -96,13 +96,19 @@ pub struct Case {
 pub(super) type Measure = Box<dyn Fn(&Run) -> Vec<f64> + Send + Sync>;
 
 impl Case {
-    /// A case that is recorded every 0.08 s.
+    /// A case that is recorded every 0.08 s. How the agents move is measured in every case, after its own figures.
     pub(super) fn new(
         name: impl Into<String>,
         text: String,
-        figures: Vec<Figure>,
+        mut figures: Vec<Figure>,
         measure: impl Fn(&Run) -> Vec<f64> + Send + Sync + 'static,
     ) -> Self {
+        figures.extend(motion::figures());
+        let measure = move |run: &Run| {
+            let mut values = measure(run);
+            values.extend(motion::measure(run));
+            values
+        };
         Self { name: name.into(), quick: true, text, interval: 0.08, figures, measure: Box::new(measure) }
     }
 

@@ -25,6 +25,7 @@ pub mod families;
 mod gate;
 mod head_on;
 mod measure;
+mod motion;
 mod place;
 pub mod points;
 mod rimea;

@@ -8,7 +8,8 @@ use super::{Case, Experiment, Figure};
 pub const EXPERIMENT: Experiment = Experiment {
     name: "single-file",
     title: "Single file",
-    about: "A ring of 26.84 m, 0.8 m wide, the agents evenly spaced, free speed 1.24 ± 0.05 m/s; mean speed along the ring from 25 to 60 s.",
+    about: "A ring of 26.84 m, 0.8 m wide, the agents evenly spaced, free speed 1.24 ± 0.05 m/s; mean speed along the ring from 25 to 60 s. The people were told to walk one behind \
+            the other: the agents' `shoulders` are as broad as the ring.",
     source: "Seyfried, Steffen, Klingsch, Boltes, J. Stat. Mech. P10002 (2005); points of the Jülich single file experiments.",
     cases,
     overall: None,
@@ -36,7 +37,7 @@ fn case(agents: u32, speed: Figure) -> Case {
     let (inner, outer) = (radius - 0.5 * WIDTH, radius + 0.5 * WIDTH);
     let rest = format!(
         "walkable.ring = {{ inner = {inner:.4}, outer = {outer:.4} }}\n\n\
-         [[group]]\ncount = {agents}\nplace.ring = {{ radius = {radius:.4} }}\ngoal.lap = {{}}\n\
+         [[group]]\ncount = {agents}\nplace.ring = {{ radius = {radius:.4} }}\ngoal.lap = {{}}\nshoulders = {WIDTH}\n\
          speed.preferred = {{ normal = {{ mean = 1.24, deviation = 0.05 }} }}\n"
     );
     let density = f64::from(agents) / LENGTH;

@@ -135,6 +135,7 @@ pub(super) fn shared(
         look_ahead,
         shoulders: group.shoulders.map_or(usual.shoulders, |metres| metres as f32),
         personal_space: group.personal_space.map_or(usual.personal_space, |metres| metres as f32),
+        relaxation_time: group.relaxation_time.map_or(usual.relaxation_time, |seconds| seconds as f32),
         keep_right: group.keep_right.map_or(side, |degrees| degrees.to_radians() as f32),
         resolve: group.resolve.unwrap_or(walks),
         field,

@@ -144,6 +144,7 @@ fn check_group(path: &Path, group: &Group) -> Checked {
     check(&path.key("priority"), group.priority, Limit::Finite)?;
     check_some(&path.key("shoulders"), group.shoulders, Limit::Between(0.0, 10.0))?;
     check_some(&path.key("personal_space"), group.personal_space, Limit::Between(0.0, 10.0))?;
+    check_some(&path.key("relaxation_time"), group.relaxation_time, Limit::Between(0.0, 10.0))?;
     check_some(&path.key("keep_right"), group.keep_right, Limit::Between(-28.0, 28.0))?;
     check_layers(&path.key("layers"), &group.layers)?;
     check_layers(&path.key("avoids"), group.avoids.as_deref().unwrap_or_default())?;

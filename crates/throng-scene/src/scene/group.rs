@@ -90,17 +90,21 @@ pub struct Group {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub look_ahead: Option<bool>,
     /// Seconds: an agent that looks ahead walks no faster than the gap to the agent ahead divided by its time gap. Without it,
-    /// 1.15. Limit: 0.05 to 10.
+    /// 1.06. Limit: 0.05 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_gap: Option<Number>,
     /// Breadth across its way, metres, within which an agent that looks ahead has another ahead of it; no less than that of
     /// its body. Without it, 0.415. Limit: 0 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shoulders: Option<f64>,
-    /// Metres that agents that look ahead like to keep from agents that come the other way or stay where they are, and from
-    /// walls; the nearer they are, the less of it counts. Without it, 0.4. Limit: 0 to 10.
+    /// Metres that agents that look ahead like to keep from agents that come the other way or stay where they are; the nearer
+    /// they are, the less of it counts. Without it, 0.5. Limit: 0 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub personal_space: Option<f64>,
+    /// Seconds in which an agent that looks ahead comes to the velocity it would like; 0: at once, as hard as it can. Without
+    /// it, 0.4. Limit: 0 to 10.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub relaxation_time: Option<f64>,
     /// Greatest angle by which an agent that looks ahead turns from one that comes the other way, degrees. An undecided
     /// meeting is passed on the right; negative: on the left. Agents that do not look ahead are turned by it all the time.
     /// Without it, what the `preset` says: 20, or 0 for agents that do not look ahead, or 8. Limit: -28 to 28.
@@ -154,6 +158,7 @@ impl Default for Group {
             time_gap: None,
             shoulders: None,
             personal_space: None,
+            relaxation_time: None,
             keep_right: None,
             resolve: None,
             avoid: None,

@@ -25,9 +25,12 @@ pub struct Group {
     /// Breadth across its way within which an agent has another ahead of it, metres, and no less than its body's: shoulders
     /// are broader than a body is deep, and turn where it is narrow. Limit: 0 to 10.
     pub shoulders: f32,
-    /// Room that an agent likes to keep from agents that come the other way or stay where they are, and from walls, metres;
-    /// the nearer they are, the less of it counts. Limit: 0 to 10.
+    /// Room that an agent likes to keep from agents that come the other way or stay where they are, metres; the nearer they
+    /// are, the less of it counts. Limit: 0 to 10.
     pub personal_space: f32,
+    /// Time in which an agent that looks ahead comes to the velocity it would like, seconds: it accelerates by the difference
+    /// divided by it (Moussaïd et al. 2009 measured 0.54 ± 0.05 s). 0: at once, as hard as it can. Limit: 0 to 10.
+    pub relaxation_time: f32,
     /// Greatest angle by which an agent that looks ahead turns from one that comes the other way, radians. An undecided
     /// meeting is passed on the right; negative: on the left. Agents that do not look ahead are turned by it all the time.
     /// Limit: -0.5 to 0.5.
@@ -146,7 +149,8 @@ impl Default for Group {
             neighbours: 10,
             look_ahead: true,
             shoulders: 0.415,
-            personal_space: 0.4,
+            personal_space: 0.5,
+            relaxation_time: 0.4,
             keep_right: 20.0_f32.to_radians(),
             resolve: true,
             field: None,

@@ -12,8 +12,8 @@ pub enum Hindrance {
     /// Nothing: it gets on, or has arrived, or is not judged.
     #[default]
     None,
-    /// It takes more than a second to get on, and an agent close ahead goes the same way and has got on in the last 10
-    /// seconds.
+    /// It takes more than a second to get on, and an agent close ahead goes the same way, whose queue moves: it, or an agent
+    /// with the same goal that it waits for in turn, has got on in the last 10 seconds.
     Queueing,
     /// No place is free in the area where its journey ends: it waits outside, or behind agents that do.
     WaitingForRoom,
@@ -61,12 +61,14 @@ pub struct ProgressMark {
     pub(crate) walked: f32,
     /// Half seconds since then.
     pub(crate) ticks: u16,
+    /// Half seconds since its queue moved: since the agent, or one with the same goal that it waits for, got on; 255 at most.
+    pub(crate) queue_ticks: u8,
     /// What hinders it.
     pub hindrance: Hindrance,
 }
 
 impl Default for ProgressMark {
     fn default() -> Self {
-        Self { remaining: f32::INFINITY, walked: 0.0, ticks: 0, hindrance: Hindrance::None }
+        Self { remaining: f32::INFINITY, walked: 0.0, ticks: 0, queue_ticks: 0, hindrance: Hindrance::None }
     }
 }

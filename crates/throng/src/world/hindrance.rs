@@ -54,9 +54,9 @@ impl World {
         self.step.progress_marks = marks;
     }
 
-    /// Seconds since an agent last got on.
+    /// Seconds since an agent, or one with the same goal that it waits for, last got on; 127.5 at most.
     pub(super) fn without_progress(&self, row: usize) -> f32 {
-        f32::from(self.agents.progress_mark[row].ticks) * TICK as f32
+        f32::from(self.agents.progress_mark[row].queue_ticks) * TICK as f32
     }
 
     /// Whether an agent moves away from where it is on its way to.
@@ -108,10 +108,15 @@ impl World {
         } else {
             ProgressMark { ticks, ..before }
         };
-        ProgressMark { hindrance: self.hindrance_of(row, &mark, is_slow), ..mark }
+        let ahead = is_slow.then(|| self.ahead_in_queue(row)).flatten();
+        let shown = &self.step.shown;
+        let queue = ahead.filter(|&other| shown[row].way.same_goal(&shown[other].way));
+        let queue_ticks = queue.map_or(u8::MAX, |other| agents.progress_mark[other].queue_ticks);
+        let mark = ProgressMark { queue_ticks: mark.ticks.min(queue_ticks.into()) as u8, ..mark };
+        ProgressMark { hindrance: self.hindrance_of(row, &mark, is_slow, ahead), ..mark }
     }
 
-    fn hindrance_of(&self, row: usize, mark: &ProgressMark, is_slow: bool) -> Hindrance {
+    fn hindrance_of(&self, row: usize, mark: &ProgressMark, is_slow: bool, ahead: Option<usize>) -> Hindrance {
         let agents = &self.agents;
         let seconds = f32::from(mark.ticks) * TICK as f32;
         let is_late = mark.ticks >= self.patience(row, BLOCKED);
@@ -125,10 +130,11 @@ impl World {
         if !is_slow {
             return Hindrance::None;
         }
-        let ahead = self.ahead_in_queue(row).map(|other| (other, agents.progress_mark[other]));
+        let waits_for_room = |other: usize| agents.progress_mark[other].hindrance == Hindrance::WaitingForRoom;
+        let moves = |other: usize| u16::from(agents.progress_mark[other].queue_ticks) < self.patience(other, BLOCKED);
         match ahead {
-            Some((_, ahead)) if ahead.hindrance == Hindrance::WaitingForRoom => Hindrance::WaitingForRoom,
-            Some((other, ahead)) if ahead.ticks < self.patience(other, BLOCKED) => Hindrance::Queueing,
+            Some(other) if waits_for_room(other) => Hindrance::WaitingForRoom,
+            Some(other) if moves(other) => Hindrance::Queueing,
             _ if is_late => Hindrance::Blocked,
             _ => Hindrance::None,
         }

@@ -29,15 +29,10 @@ const SAME_WAY: f32 = 0.3;
 /// Angles between the way and the directions that are compared, degrees. Only impatience leads an agent back.
 const ANGLES: [f32; 7] = [10.0, 20.0, 35.0, 50.0, 70.0, 85.0, 115.0];
 /// Seconds that an agent sees ahead, and within which agents that are about to cross its way count.
-const SIGHT: f32 = 3.0;
+const SIGHT: f32 = 4.0;
 const SIGHT_CROSSING: f32 = 2.0;
 /// Metres from the wall of sight beyond which walls are not looked for.
 const SIGHT_WALLS: f32 = 3.0;
-/// Part of the personal space that an agent keeps clear of walls, where the gaps to other agents are no narrower.
-const BESIDE_WALLS: f32 = 0.8;
-/// Distance of an agent's middle from walls, in breadths of its shoulders, that it keeps where it has the room: 0.31 m. In the
-/// corridors of HERMES 5 % of the heads are nearer to walls than 0.25 to 0.32 m.
-const ELBOWS: f32 = 0.75;
 /// Metres by which an agent may come nearer to a wall than it is, where it has less room than it likes.
 const NEARER: f32 = 0.01;
 /// Gap at which all of the personal space is kept, metres: the nearer two agents are, the less of it they claim.
@@ -46,10 +41,6 @@ const ROOMY: f32 = 1.5;
 const STEPS_ASIDE: f32 = 0.65;
 /// Speed that a gap never takes, m/s: without it the last agents of an arch before a door wait for each other.
 const LEAST_SPEED: f32 = 0.05;
-/// Cost of a direction at a right angle to the present one, in lengths of sight.
-const TURNING: f32 = 0.3;
-/// Part of its way that counts as its present direction, for an agent that stands: a crowd that waits does not dance.
-const STEADY: f32 = 0.25;
 /// Greatest cost, in lengths of sight, that an agent adds at random to directions when it does not get on, and the seconds
 /// without progress after which it does: an agent tries other directions when its way is blocked. After twice as many seconds it
 /// walks in any direction rather than stand. So a crowd of agents that block each other dissolves from its rim.
@@ -59,10 +50,6 @@ const PATIENCE: f32 = 5.0;
 const WHIM: f64 = 1.0;
 /// Seconds without progress up to which an agent keeps to its lane while streams meet; then all agents count for the direction.
 const GETS_ON: f32 = 2.0;
-/// Seconds in which an agent that moves beside a queue can come to rest.
-const STOPPING: f32 = 0.4;
-/// Part of what it sees to its right that an agent sees to its left: a tie is decided to the right.
-const LEFT: f32 = 0.98;
 /// Metres to the side within which it is undecided on which side an agent that comes the other way passes.
 const UNDECIDED: f32 = 0.3;
 /// Least time in which an agent makes room for one that comes the other way, seconds.
@@ -233,11 +220,6 @@ impl Sight<'_> {
         self.time(direction * self.speed) >= self.seconds && self.gap_speed(direction) >= self.speed
     }
 
-    /// Gap to the nearest neighbour, metres.
-    fn least_gap(&self) -> f32 {
-        self.seen.iter().map(|n| n.offset.length() - n.radii).fold(f32::INFINITY, f32::min).max(0.0)
-    }
-
     /// Speed that the gaps ahead allow in a direction.
     fn gap_speed(&self, direction: Vec2) -> f32 {
         let speeds = self.seen.iter().map(|n| n.speed(direction, self.time_gap, self.streams_meet));
@@ -361,12 +343,9 @@ impl World {
     ) -> Ahead {
         let (agents, range) = (&self.agents, sight.speed * sight.seconds);
         let group = &self.groups[agents.group[row].index()];
-        let space = (BESIDE_WALLS * group.personal_space).min(sight.least_gap());
         let at = agents.position[row].as_dvec2();
         walls.find(&self.walls, at, self.range_of_walls(row));
-        walls.keep((agents.radius[row] + space).max(ELBOWS * group.shoulders));
-        let course = agents.velocity[row] / sight.speed;
-        let course = course + way * (STEADY * (1.0 - course.length()).max(0.0));
+        walls.keep(self.clear_of_walls(row));
         let patience = self.without_progress(row) / PATIENCE;
         let (impatience, restlessness) = (IMPATIENCE * patience.min(1.0), (patience - 1.0).clamp(0.0, 1.0));
         // finite where restlessness is 1: times the sine of no angle it is 0
@@ -377,13 +356,10 @@ impl World {
             let ahead = Ahead::turned_by(angle.to_radians() + side);
             let Vec2 { x: cos, y: sin } = ahead.turn;
             let direction = ahead.turned(way);
-            let turning = course.length() - course.dot(direction);
-            let whim = if impatience > 0.0 { impatience * self.whim(row, index) } else { 0.0 };
-            let added = range * (TURNING * turning + whim);
+            let added = if impatience > 0.0 { range * impatience * self.whim(row, index) } else { 0.0 };
             // it walks until the cost would rise: without restlessness, to where it is nearest to the point straight ahead
-            let part = if angle < 0.0 { LEFT } else { 1.0 };
             let most = range * (cos + beyond * sin.abs()).clamp(0.0, 1.0);
-            let walked = |free: f32| (part * free).min(most);
+            let walked = |free: f32| free.min(most);
             let cost = |free: f32| {
                 let walked = walked(free);
                 let left = (range * range + walked * walked - 2.0 * range * walked * cos).max(0.0).sqrt();
@@ -405,8 +381,8 @@ impl World {
             let free = sight.speed * walls.time(velocity, speed * time / sight.speed);
             let cost = cost(free);
             if cost < best.0 {
-                // beside a queue it walks as far as that helps, and no faster than it could come to rest there
-                let useful = if angle == 0.0 || !queues { f32::INFINITY } else { walked(free) / STOPPING };
+                // beside a queue it walks as far as that helps, and no faster than it comes to rest there
+                let useful = if angle == 0.0 || !queues { f32::INFINITY } else { walked(free) / group.relaxation_time };
                 best = (cost, Ahead { speed: speed.min(useful.max(LEAST_SPEED)), ..ahead });
             }
         }
@@ -415,8 +391,12 @@ impl World {
 
     /// How far an agent that looks ahead sees walls, metres from its centre.
     fn range_of_walls(&self, row: usize) -> f32 {
-        let space = BESIDE_WALLS * self.groups[self.agents.group[row].index()].personal_space;
-        SIGHT_WALLS + self.agents.radius[row] + space
+        SIGHT_WALLS + self.clear_of_walls(row)
+    }
+
+    /// Distance of its centre from walls that an agent keeps where it has the room: half of its shoulders, or of its body.
+    fn clear_of_walls(&self, row: usize) -> f32 {
+        self.agents.radius[row].max(0.5 * self.groups[self.agents.group[row].index()].shoulders)
     }
 
     /// A number in [0, 1) for one of the directions that an agent compares, which it keeps for a while.
@@ -462,7 +442,8 @@ impl Oncoming {
 impl Group {
     /// Whether the parameters of looking ahead are within their limits.
     pub(crate) fn check_look_ahead(&self) -> Result<(), crate::Error> {
-        let (shoulders, space) = (self.shoulders, self.personal_space);
+        let (shoulders, space, relaxation) = (self.shoulders, self.personal_space, self.relaxation_time);
+        crate::Error::unless((0.0..=10.0).contains(&relaxation), "relaxation time", relaxation, "from 0 to 10 s")?;
         crate::Error::unless((0.0..=10.0).contains(&shoulders), "shoulders", shoulders, "from 0 to 10 m")?;
         crate::Error::unless((0.0..=10.0).contains(&space), "personal space", space, "from 0 to 10 m")
     }
