@@ -25,6 +25,7 @@ mod perceive;
 mod plan;
 mod plan_lanes;
 mod play;
+mod relax;
 mod replace;
 mod rest;
 mod schedule;

@@ -225,6 +225,12 @@ pub trait LocalModel: std::fmt::Debug + Send + Sync {
         true
     }
 
+    /// Whether the model itself brings agents to their preferred velocities by and by. Then
+    /// [`Group::relaxation_time`](crate::Group::relaxation_time) does not count.
+    fn relaxes(&self) -> bool {
+        false
+    }
+
     /// The model as a plain ORCA, if it is one: the step makes those choose many at a time, with the same bits.
     fn as_orca(&self) -> Option<Orca> {
         None

@@ -62,6 +62,10 @@ impl LocalModel for PowerLaw {
         ends.clamp_length_max(view.max_speed)
     }
 
+    fn relaxes(&self) -> bool {
+        true
+    }
+
     fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
         let chosen = self.velocity(view, workspace);
         let pushes = self.interactions(view, chosen).map(|(cause, (_, gradient))| (cause, -gradient));

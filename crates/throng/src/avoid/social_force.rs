@@ -69,6 +69,10 @@ impl LocalModel for SocialForce {
         view.relaxed(self.pushes(view).map(|(_, push)| push).sum(), self.relaxation_time)
     }
 
+    fn relaxes(&self) -> bool {
+        true
+    }
+
     fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
         self.pushes(view).map(|(cause, push)| Reason::Push(cause, push)).collect()
     }

@@ -4,6 +4,7 @@ use super::mesh::NavMesh;
 use super::passage::{Bend, Passages};
 use super::path::Path;
 use super::visible::{Sight, Wall};
+use crate::space::nearest_on_outline;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -111,15 +112,34 @@ impl Route {
     }
 
     /// The same, for an agent that keeps its lateral place: it goes through the passage at each corner as far from it as it is
-    /// from the walls on that side, but no farther than the middle. `off` tells how far it is from walls, in metres: those
-    /// from which a direction leads away.
-    pub(crate) fn advance_in_place(&mut self, mesh: &NavMesh, position: DVec2, off: impl Fn(DVec2) -> f64) -> Heading {
+    /// from the walls on that side, but no farther than the middle, and into an `area` where that is nearest to it. `off` tells
+    /// how far it is from walls, in metres: those from which a direction leads away.
+    pub(crate) fn advance_in_place(
+        &mut self,
+        mesh: &NavMesh,
+        position: DVec2,
+        area: Option<&[DVec2]>,
+        off: impl Fn(DVec2) -> f64,
+    ) -> Heading {
         if self.advance_taut(mesh, position) {
+            if let Some(area) = area.filter(|_| self.is_last() && !self.lost) {
+                self.end_near(mesh, position, area);
+            }
             self.place = if self.lost { None } else { self.find_place(mesh, position, off) };
         }
         match (self.heading(), self.place) {
             (Heading::Corner(_) | Heading::End(_), Some(place)) => Heading::Corner(place),
             (heading, _) => heading,
+        }
+    }
+
+    /// Lets the way end at the nearest point of an area, if that is in sight.
+    fn end_near(&mut self, mesh: &NavMesh, position: DVec2, area: &[DVec2]) {
+        let end = nearest_on_outline(area, position);
+        if mesh.visible_from(self.guess.triangle, position, end)
+            && let Some(last) = self.corners.last_mut()
+        {
+            *last = end;
         }
     }
 

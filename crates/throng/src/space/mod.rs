@@ -15,5 +15,5 @@ pub use place::{Place, check_polygon, is_inside};
 pub use raster::Raster;
 pub use rounded::{Core, Separation};
 pub use shape::{Obstacle, Walkable};
-pub use walls::{Disc, Edge, NearWalls, Walls, nearest_on_segment};
+pub use walls::{Disc, Edge, NearWalls, Walls, nearest_on_outline, nearest_on_segment};
 pub(crate) use walls::{Met, Wall};

@@ -56,6 +56,13 @@ pub fn nearest_on_segment(a: DVec2, b: DVec2, p: DVec2) -> DVec2 {
     if t > 0.0 { a + along * t.min(1.0) } else { a }
 }
 
+/// The point on the outline of a polygon that is nearest to `p`; `p` itself if there are no corners.
+pub fn nearest_on_outline(corners: &[DVec2], p: DVec2) -> DVec2 {
+    let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+    let nearest = ends.map(|(&a, &b)| nearest_on_segment(a, b, p));
+    nearest.min_by(|a, b| a.distance_squared(p).total_cmp(&b.distance_squared(p))).unwrap_or(p)
+}
+
 /// A wall.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Wall<'a> {

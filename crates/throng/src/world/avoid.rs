@@ -15,9 +15,11 @@ use std::ops::Range;
 /// steps aside.
 const YIELD_TO_FIRST: f32 = 0.15;
 const YIELD_AT_REST: f32 = 0.3;
-/// How much of the change of velocity that somebody with the right of way would like is granted in advance, over
-/// the share that falls on who yields.
+/// How much of the change of velocity that an agent with the right of way would like is granted in advance, over the
+/// share that falls on the one that yields.
 const GRANT: f32 = 2.0;
+/// It is the change that the agent makes within so many seconds.
+const GRANTED: f32 = 0.04;
 
 /// What a thread keeps while it goes through agents.
 #[derive(Clone, Debug, Default)]
@@ -184,7 +186,7 @@ impl World {
         View {
             velocity: agents.velocity[row],
             heading: agents.heading[row],
-            preferred: self.step.preferred.ground[row],
+            preferred: self.relaxed(row, seconds),
             climb: agents.climb[row],
             preferred_climb: self.step.preferred.climb(row),
             radius: agents.radius[row] + agents.tracking_error[row],
@@ -270,7 +272,7 @@ impl World {
             return Vec2::ZERO;
         }
         let velocity = agents.velocity_near(other, agents.position[row].as_dvec2());
-        let wanted = self.step.preferred.ground[other] - velocity;
+        let wanted = self.relaxed(other, GRANTED) - velocity;
         let nearer = wanted.dot(agents.position[other] - agents.position[row]) < 0.0;
         if nearer { wanted * (GRANT * yields) } else { Vec2::ZERO }
     }

@@ -176,7 +176,7 @@ impl World {
         for (lane, &row) in rows.iter().enumerate() {
             let own = &step.shown[row as usize];
             (own_motion[lane], own_keys[lane]) = (own.motion, own.way.key());
-            set(&mut preferred, lane, step.preferred.ground[row as usize]);
+            set(&mut preferred, lane, self.relaxed(row as usize, common.step));
             let neighbours = step.near.at(start + lane);
             most = most.max(neighbours.len());
             count[lane] = neighbours.len() as f32;

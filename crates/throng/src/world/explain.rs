@@ -33,6 +33,9 @@ pub struct Explanation {
     pub velocity: Vec2,
     /// The velocity it would like.
     pub preferred: Vec2,
+    /// What the model is asked for: how far it comes to that in this sub-step, by its
+    /// [relaxation time](crate::Group::relaxation_time).
+    pub relaxed: Vec2,
     /// Whom it takes into account, nearest first.
     pub neighbours: Vec<Seen>,
     /// Wall edges in view, nearest first.
@@ -124,6 +127,7 @@ impl World {
             max_acceleration: agents.max_acceleration[row],
             velocity: agents.velocity[row],
             preferred: self.step.preferred.ground[row],
+            relaxed: view.preferred,
             steering: Vec::new(),
             reasons,
             chosen,

@@ -63,7 +63,6 @@ impl World {
                     .for_each(|((row, travel), at)| set(&mut preferred, at, one(row, travel))),
             });
         });
-        self.relax(&travels, &mut preferred.ground, seconds);
         self.agents.travel = travels;
         (self.step.preferred, self.step.manners) = (preferred, manners);
         // what behaviours remember is another thing once they have been asked
@@ -72,29 +71,9 @@ impl World {
         self.account(memory, seconds, now);
     }
 
-    /// Lets agents that look ahead come to the velocities they would like in their relaxation time, by an implicit step of
-    /// Euler: a = (wanted - v) / time. At the end of their ways they brake as hard as they must.
-    fn relax(&self, travels: &[Travel], preferred: &mut [Vec2], seconds: f32) {
-        let relaxes = |group: &Group| group.look_ahead && group.steering.is_none() && group.relaxation_time > 0.0;
-        if !self.groups_in_use().any(relaxes) {
-            return;
-        }
-        let agents = &self.agents;
-        parallel::ranges(preferred, |rows, preferred| {
-            for (row, preferred) in rows.zip(preferred) {
-                let group = &self.groups[agents.group[row].index()];
-                if relaxes(group) && self.step.shown[row].way.walks() && agents.script[row].is_none() {
-                    let (velocity, part) = (agents.velocity[row], seconds / (seconds + group.relaxation_time));
-                    let relaxed = velocity + (*preferred - velocity) * part;
-                    *preferred = relaxed.clamp_length_max(self.arriving(row, &travels[row], seconds));
-                }
-            }
-        });
-    }
-
     /// Speed at which an agent comes to a point: as slow as stopping there takes, half of the acceleration left to turn with,
     /// and never past it. Infinite if it does not stop.
-    fn arriving(&self, row: usize, travel: &Travel, seconds: f32) -> f32 {
+    pub(super) fn arriving(&self, row: usize, travel: &Travel, seconds: f32) -> f32 {
         let way = &self.step.shown[row].way;
         if way.stops() || travel.turn == Turn::Aside {
             (self.agents.max_acceleration[row] * way.remaining).sqrt().min(way.remaining / seconds)

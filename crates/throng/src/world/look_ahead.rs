@@ -270,8 +270,8 @@ impl World {
             walls.find(&self.walls, at, self.range_of_walls(row));
             walls.hide(offset)
         };
-        // nothing beyond its goal concerns it
-        let to_goal = way.remaining / speed;
+        // nothing beyond the point where it stops concerns it
+        let to_goal = if way.stops() { way.remaining / speed } else { f32::INFINITY };
         let (mut seen, mut count) = ([Seen::default(); MOST], 0);
         let gets_on = self.without_progress(row) < GETS_ON;
         let mut oncoming = Oncoming { time: SIGHT.min(to_goal), turn: 0.0, any: false };

@@ -157,11 +157,13 @@ impl World {
 
     /// Moves on along a route; tells how many metres of it are ahead.
     fn follow(&self, row: usize, travel: &mut Travel, at: DVec2) -> Option<f32> {
+        let leg = travel.leg;
         let route = travel.route_mut()?;
         let girth = self.agents.body(row).girth();
         let heading = match self.meshes.mesh(girth) {
             Some(mesh) if self.groups[self.agents.group[row].index()].look_ahead => {
-                route.advance_in_place(mesh, at, |across| self.off_walls(row, across) - f64::from(girth))
+                let area = self.stop(row, leg).and_then(|stop| self.goals[stop.goal.index()].corners());
+                route.advance_in_place(mesh, at, area, |across| self.off_walls(row, across) - f64::from(girth))
             }
             Some(mesh) => route.advance(mesh, at),
             None => route.end().map_or(Heading::Lost, Heading::End),

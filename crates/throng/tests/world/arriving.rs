@@ -96,7 +96,7 @@ fn an_area_with_a_corner_is_filled_round_it() {
     let journey = journey_into(&mut world, Goal::Area { corners: corners.to_vec() });
     for k in 0..28 {
         let position = DVec2::new(0.55 * f64::from(k / 2) - 0.5, 0.5 * f64::from(k % 2) - 0.25);
-        world.add_agent(Agent { position, journey, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position, journey, radius: 0.2, ..Agent::default() }).unwrap();
     }
     run(&mut world, 90.0, |_| {});
     run_for(&mut world, 30.0, |_| {});

@@ -99,9 +99,9 @@ fn the_chosen_velocity_keeps_what_the_reasons_ask_where_it_can_be_kept() {
             assert_eq!(why.reasons.iter().filter(|r| of_neighbour(r)).count(), why.neighbours.len());
             if why.held_by(why.chosen).iter().all(|(_, depth)| *depth == 0.0) {
                 kept += 1;
-                held += usize::from(why.chosen.distance(why.preferred) > 0.01);
+                held += usize::from(why.chosen.distance(why.relaxed) > 0.01);
                 let touched = !why.held_by(why.chosen).is_empty();
-                assert!(touched || why.chosen.distance(why.preferred.clamp_length_max(why.max_speed)) < 1e-4);
+                assert!(touched || why.chosen.distance(why.relaxed.clamp_length_max(why.max_speed)) < 1e-4);
             }
         }
     }

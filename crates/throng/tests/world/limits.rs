@@ -3,7 +3,7 @@
 use crate::common::{Draw, run, run_for, walker, with_settings, world};
 use crate::oracle::rounding_speed;
 use glam::{DVec2, Vec2};
-use throng::{Agent, Obstacle, SubSteps, World};
+use throng::{Agent, Group, Obstacle, SubSteps, World};
 
 /// Steps one sub-step at a time until `limit`, and holds the first agent to its limits.
 fn hold_to_limits(world: &mut World, limit: f64) {
@@ -55,12 +55,36 @@ fn a_lone_agent_keeps_its_limits_from_start_to_rest() {
 fn a_lone_agent_reaches_its_preferred_speed_and_no_more() {
     let mut world = with_settings(0.05, SubSteps::Fixed(1), DVec2::new(500.0, 77.0));
     let origin = world.settings().origin;
-    let agent = Agent { max_acceleration: 1.0, ..walker(&mut world, origin, origin + DVec2::new(-30.0, 14.0)) };
+    let group = world.add_group(Group { relaxation_time: 0.0, ..Group::default() }).unwrap();
+    let agent = Agent { max_acceleration: 1.0, group, ..walker(&mut world, origin, origin + DVec2::new(-30.0, 14.0)) };
     world.add_agent(agent).unwrap();
     run_for(&mut world, 1.0, |_| {});
     assert!((world.agents().velocity[0].length() - 1.0).abs() < 1e-3, "1 m/s2 for 1 s");
     run_for(&mut world, 5.0, |_| {});
     assert!((world.agents().velocity[0].length() - 1.3).abs() < 1e-3);
+}
+
+/// The speed of an agent that sets out follows v (1 - exp(-t / relaxation time)), and its acceleration is v over that time at
+/// most.
+#[test]
+fn an_agent_comes_to_its_speed_in_its_relaxation_time() {
+    for (time, step) in [(0.4, 0.004), (0.4, 0.01), (1.5, 0.02)] {
+        let mut world = with_settings(step, SubSteps::Fixed(1), DVec2::new(-3e3, 40.0));
+        let origin = world.settings().origin;
+        let group = world.add_group(Group { relaxation_time: time, ..Group::default() }).unwrap();
+        let agent = Agent { group, ..walker(&mut world, origin, origin + DVec2::new(12.0, 31.0)) };
+        world.add_agent(agent).unwrap();
+        let mut before = 0.0;
+        while world.time() < 4.0 * f64::from(time) {
+            world.step();
+            let speed = f64::from(world.agents().velocity[0].length());
+            let exact = 1.3 * (1.0 - (-world.time() / f64::from(time)).exp());
+            // an implicit step of Euler lags by half a step
+            assert!((speed - exact).abs() < 0.7 * step / f64::from(time), "{speed} of {exact} m/s at {} s", world.time());
+            assert!((speed - before) / step < 1.3 / f64::from(time), "{} m/s2", (speed - before) / step);
+            before = speed;
+        }
+    }
 }
 
 /// Round a block, at all angles: the way bends, the limits hold.

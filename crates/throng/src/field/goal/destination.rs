@@ -3,7 +3,7 @@
 use super::cover;
 use super::terrain::{TOUCH, Terrain};
 use crate::Error;
-use crate::space::{check_polygon, is_inside, nearest_on_segment};
+use crate::space::{check_polygon, is_inside, nearest_on_outline};
 use glam::DVec2;
 
 /// What a flow leads to. Metres, from the world's origin.
@@ -56,11 +56,7 @@ impl Destination {
             Self::Point { at, .. } => *at,
             Self::Disc { center, radius } => *center + (p - center).clamp_length_max(*radius),
             Self::Area { corners } if is_inside(corners, p) => p,
-            Self::Area { corners } => {
-                let ends = corners.iter().zip(corners.iter().cycle().skip(1));
-                let nearest = ends.map(|(&a, &b)| nearest_on_segment(a, b, p));
-                nearest.min_by(|a, b| a.distance_squared(p).total_cmp(&b.distance_squared(p))).unwrap_or(p)
-            }
+            Self::Area { corners } => nearest_on_outline(corners, p),
         }
     }
 

@@ -1,0 +1,29 @@
+//! 3a. How soon an agent comes to the velocity that it would like.
+
+use super::World;
+use crate::agent::Group;
+use glam::Vec2;
+
+impl World {
+    /// The velocity that the local model is to prefer for an agent. One that looks ahead comes to the velocity that it would
+    /// like in its relaxation time: a = (wanted - v) / time, an implicit step of Euler. At the end of its way it brakes as
+    /// hard as it must. Helbing, Molnár, Social force model for pedestrian dynamics, PRE 51:4282 (1995), equation 2.
+    #[inline]
+    pub(super) fn relaxed(&self, row: usize, seconds: f32) -> Vec2 {
+        let (agents, wanted) = (&self.agents, self.step.preferred.ground[row]);
+        let group = &self.groups[agents.group[row].index()];
+        if !group.relaxes() || !self.step.shown[row].way.walks() || agents.script[row].is_some() {
+            return wanted;
+        }
+        let velocity = agents.velocity[row];
+        let relaxed = velocity + (wanted - velocity) * (seconds / (seconds + group.relaxation_time));
+        relaxed.clamp_length_max(self.arriving(row, &agents.travel[row], seconds))
+    }
+}
+
+impl Group {
+    /// Whether its agents come to the velocities that they would like in their relaxation time.
+    fn relaxes(&self) -> bool {
+        self.look_ahead && self.relaxation_time > 0.0 && self.steering.is_none() && !self.model.relaxes()
+    }
+}
