@@ -93,6 +93,11 @@ impl NavMesh {
 pub(super) struct Passages(Vec<f64>);
 
 impl Passages {
+    /// Forgets those at a corner and beyond.
+    pub fn forget_from(&mut self, index: usize) {
+        self.0.truncate(index);
+    }
+
     /// That at a corner; it is found the first time.
     pub fn half_width(&mut self, index: usize, find: impl Fn() -> f64) -> f64 {
         if self.0.len() <= index {

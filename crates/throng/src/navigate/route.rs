@@ -136,10 +136,13 @@ impl Route {
     /// Lets the way end at the nearest point of an area, if that is in sight.
     fn end_near(&mut self, mesh: &NavMesh, position: DVec2, area: &[DVec2]) {
         let end = nearest_on_outline(area, position);
-        if mesh.visible_from(self.guess.triangle, position, end)
+        let (eye, here) = mesh.stand_near(self.guess.triangle, position);
+        if mesh.visible_from(here, eye, end)
             && let Some(last) = self.corners.last_mut()
         {
             *last = end;
+            // the last bend is another one now
+            self.passages.forget_from(self.corners.len().saturating_sub(2));
         }
     }
 

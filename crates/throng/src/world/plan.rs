@@ -157,12 +157,11 @@ impl World {
 
     /// Moves on along a route; tells how many metres of it are ahead.
     fn follow(&self, row: usize, travel: &mut Travel, at: DVec2) -> Option<f32> {
-        let leg = travel.leg;
+        let area = self.passed_area(row, travel.leg);
         let route = travel.route_mut()?;
         let girth = self.agents.body(row).girth();
         let heading = match self.meshes.mesh(girth) {
             Some(mesh) if self.groups[self.agents.group[row].index()].look_ahead => {
-                let area = self.stop(row, leg).and_then(|stop| self.goals[stop.goal.index()].corners());
                 route.advance_in_place(mesh, at, area, |across| self.off_walls(row, across) - f64::from(girth))
             }
             Some(mesh) => route.advance(mesh, at),
@@ -180,6 +179,14 @@ impl World {
             }
             None
         }
+    }
+
+    /// The area of a stop that an agent only enters: it leaves there, or goes on. Where it stays, its way leads to its place.
+    fn passed_area(&self, row: usize, leg: u32) -> Option<&[DVec2]> {
+        let goal = |leg: &Leg| &self.goals[leg.goal.index()];
+        let leg = self.legs.of(self.agents.journey[row], leg)?;
+        let passes = !leg.is_last || matches!(goal(leg), Goal::Exit { .. });
+        goal(leg).corners().filter(|_| passes)
     }
 
     /// How far the walls are from an agent that lie on one side of its way, metres: on the other side than `across`.
