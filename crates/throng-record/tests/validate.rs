@@ -44,20 +44,24 @@ fn tolerances_hold_what_people_did() {
 /// Figures that the engine meets with room to spare in every run; `throng validate` has all, over more runs.
 #[test]
 fn people_are_met() {
-    for (name, case, figure) in [
-        ("head-on", "0.2 m", "passes"),
-        ("single-file", "1.45", "v"),
-        ("door", "0.8 m", "J/b"),
-        ("corridor", "2.4-2.4-2.4", "J"),
-        ("bidirectional", "1.5 per", "phi"),
-        ("loop", "2 per", "v"),
+    for (name, case, figures) in [
+        ("head-on", "0.2 m", &["passes"][..]),
+        ("single-file", "1.45", &["v"]),
+        ("single-file", "2.24", &["v"]),
+        ("door", "0.8 m", &["J/b", "rho", "in vain", "back", "a p99"]),
+        ("corridor", "2.4-2.4-2.4", &["J"]),
+        ("bidirectional", "1.5 per", &["phi", "in vain", "back", "a p99"]),
+        ("loop", "1 per", &["v", "in vain", "back", "a p99"]),
     ] {
         let experiment = EXPERIMENTS.iter().find(|experiment| experiment.name == name).expect(name);
         let cases = experiment.cases();
         let case = cases.iter().find(|one| one.name.contains(case)).expect(case);
-        let index = case.figures.iter().position(|one| one.name == figure).expect(figure);
-        let value = measured(case, 2)[index];
-        assert_eq!(case.figures[index].is_met(value), Some(true), "{name} {}: {figure} = {value}", case.name);
+        let values = measured(case, 2);
+        for figure in figures {
+            let index = case.figures.iter().position(|one| one.name == *figure).expect(figure);
+            let value = values[index];
+            assert_eq!(case.figures[index].is_met(value), Some(true), "{name} {}: {figure} = {value}", case.name);
+        }
     }
 }
 

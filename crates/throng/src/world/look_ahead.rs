@@ -38,7 +38,7 @@ const NEARER: f32 = 0.01;
 /// Gap at which all of the personal space is kept, metres: the nearer two agents are, the less of it they claim.
 const ROOMY: f32 = 1.5;
 /// Exponent of the part of the shoulders that do not overlap, among streams that meet: it is 2 elsewhere.
-const STEPS_ASIDE: f32 = 0.65;
+const STEPS_ASIDE: f32 = 0.55;
 /// Speed that a gap never takes, m/s: without it the last agents of an arch before a door wait for each other.
 const LEAST_SPEED: f32 = 0.05;
 /// Greatest cost, in lengths of sight, that an agent adds at random to directions when it does not get on, and the seconds
