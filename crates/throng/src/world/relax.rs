@@ -22,8 +22,10 @@ impl World {
 }
 
 impl Group {
-    /// Whether its agents come to the velocities that they would like in their relaxation time.
+    /// Whether its agents come to the velocities that they would like in their relaxation time. Those that a field governs do
+    /// not: they would leave its flow at every bend.
     fn relaxes(&self) -> bool {
-        self.look_ahead && self.relaxation_time > 0.0 && self.steering.is_none() && !self.model.relaxes()
+        let walks = self.steering.is_none() && self.field.is_none();
+        self.look_ahead && self.relaxation_time > 0.0 && walks && !self.model.relaxes()
     }
 }

@@ -80,7 +80,11 @@ fn an_agent_comes_to_its_speed_in_its_relaxation_time() {
             let speed = f64::from(world.agents().velocity[0].length());
             let exact = 1.3 * (1.0 - (-world.time() / f64::from(time)).exp());
             // an implicit step of Euler lags by half a step
-            assert!((speed - exact).abs() < 0.7 * step / f64::from(time), "{speed} of {exact} m/s at {} s", world.time());
+            assert!(
+                (speed - exact).abs() < 0.7 * step / f64::from(time),
+                "{speed} of {exact} m/s at {} s",
+                world.time()
+            );
             assert!((speed - before) / step < 1.3 / f64::from(time), "{} m/s2", (speed - before) / step);
             before = speed;
         }
