@@ -58,6 +58,7 @@ Keys of --json (one object on standard output; metres, seconds, radians, m/s; ve
   position, heading, radius   of its body; the heading counter-clockwise from +x
   max_speed, max_acceleration
   velocity, preferred         what it has, and what it would like
+  relaxed                     how far it comes to `preferred` in this sub-step, by its relaxation time: what the model is asked for
   chosen, limited, guarded    what the model chooses, what the body can do of it, what the guard leaves: what it gets
   neighbours                  [{ agent, offset, velocity, radius, seen_velocity, radii, share, room }], nearest first
   edges, discs                walls in view: [{ start, end }] and [{ offset, radius }], from the agent

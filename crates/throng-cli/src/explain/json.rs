@@ -38,6 +38,7 @@ pub fn of(scene: &str, why: &Explanation, files: &[PathBuf]) -> Value {
         "max_acceleration": number(why.max_acceleration),
         "velocity": vector(why.velocity),
         "preferred": vector(why.preferred),
+        "relaxed": vector(why.relaxed),
         "chosen": vector(why.chosen),
         "limited": vector(why.limited),
         "guarded": vector(why.guarded),

@@ -54,7 +54,8 @@ fn a_run_of_the_same_model_comes_out_the_same() {
     // who stood at the start goes on with the velocity after it: a little ahead
     assert!(number(&horizons[2]["final"]["orca"]["mean"]) < 0.2, "{}", horizons[2]);
     let ahead = &all["predicted"]["horizons"][2];
-    assert!(number(&ahead["final"]["orca"]["mean"]) < 0.1 && number(&ahead["people"]) == 3.0, "{ahead}");
+    // by the velocity that it has at the start, times its relaxation time
+    assert!(number(&ahead["final"]["orca"]["mean"]) < 0.2 && number(&ahead["people"]) == 3.0, "{ahead}");
     assert!(all["predicted"]["alone"].is_null() && number(&orca["speed"]["distance"]) < 0.2);
     assert_eq!(orca["summary"]["overlaps"], 0);
 }

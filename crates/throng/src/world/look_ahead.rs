@@ -32,7 +32,7 @@ const ANGLES: [f32; 7] = [10.0, 20.0, 35.0, 50.0, 70.0, 85.0, 115.0];
 const SIGHT: f32 = 4.0;
 const SIGHT_CROSSING: f32 = 2.0;
 /// Metres from the wall of sight beyond which walls are not looked for.
-const SIGHT_WALLS: f32 = 3.0;
+const SIGHT_WALLS: f32 = 2.0;
 /// Metres by which an agent may come nearer to a wall than it is, where it has less room than it likes.
 const NEARER: f32 = 0.01;
 /// Gap at which all of the personal space is kept, metres: the nearer two agents are, the less of it they claim.
@@ -41,6 +41,11 @@ const ROOMY: f32 = 1.5;
 const STEPS_ASIDE: f32 = 0.55;
 /// Speed that a gap never takes, m/s: without it the last agents of an arch before a door wait for each other.
 const LEAST_SPEED: f32 = 0.05;
+/// Cost of a direction at a right angle to the present one, in lengths of sight: an agent keeps to the side on which it
+/// began to pass.
+const TURNING: f32 = 0.3;
+/// Part of its way that counts as its present direction, for an agent that stands: a crowd that waits does not dance.
+const STEADY: f32 = 0.25;
 /// Greatest cost, in lengths of sight, that an agent adds at random to directions when it does not get on, and the seconds
 /// without progress after which it does: an agent tries other directions when its way is blocked. After twice as many seconds it
 /// walks in any direction rather than stand. So a crowd of agents that block each other dissolves from its rim.
@@ -346,6 +351,8 @@ impl World {
         let at = agents.position[row].as_dvec2();
         walls.find(&self.walls, at, self.range_of_walls(row));
         walls.keep(self.clear_of_walls(row));
+        let course = agents.velocity[row] / sight.speed;
+        let course = course + way * (STEADY * (1.0 - course.length()).max(0.0));
         let patience = self.without_progress(row) / PATIENCE;
         let (impatience, restlessness) = (IMPATIENCE * patience.min(1.0), (patience - 1.0).clamp(0.0, 1.0));
         // finite where restlessness is 1: times the sine of no angle it is 0
@@ -356,7 +363,9 @@ impl World {
             let ahead = Ahead::turned_by(angle.to_radians() + side);
             let Vec2 { x: cos, y: sin } = ahead.turn;
             let direction = ahead.turned(way);
-            let added = if impatience > 0.0 { range * impatience * self.whim(row, index) } else { 0.0 };
+            let turning = course.length() - course.dot(direction);
+            let whim = if impatience > 0.0 { impatience * self.whim(row, index) } else { 0.0 };
+            let added = range * (TURNING * turning + whim);
             // it walks until the cost would rise: without restlessness, to where it is nearest to the point straight ahead
             let most = range * (cos + beyond * sin.abs()).clamp(0.0, 1.0);
             let walked = |free: f32| free.min(most);

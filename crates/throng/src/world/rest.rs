@@ -265,17 +265,23 @@ impl World {
                 for (part, still) in
                     (rows.start / WORD..).zip(still).filter(|&(part, _)| asleep.get(part) != Some(&true))
                 {
-                    let pushed = if world.is_guarded() { world.step.guard.moved(part) } else { 0 };
                     let status = &world.agents.status[rows_of(part, count)];
                     let stands = |bits, &status: &Status| bits << 1 | u64::from(status != Status::Walking);
-                    let standing = status.iter().rev().fold(0, stands) & !pushed;
+                    let standing = status.iter().rev().fold(0, stands);
                     let first = part * WORD;
-                    let moving = |at: &usize| !world.is_still(first + at, seconds);
+                    let pushed = if world.is_guarded() { world.step.guard.moved(part) } else { 0 };
+                    let is_pushed = |at: usize| pushed >> at & 1 == 1 && world.is_displaced(first + at);
+                    let moving = |&at: &usize| is_pushed(at) || !world.is_still(first + at, seconds);
                     *still = ones(standing).filter(moving).fold(standing, |still, at| still & !(1 << at));
                 }
             });
         }
         self.step.rest = rest;
+    }
+
+    /// Whether the guard lets an agent end the sub-step at another place than it began.
+    fn is_displaced(&self, row: usize) -> bool {
+        !self.step.targets[row].position.same(self.agents.position[row])
     }
 
     /// Whether a row that does not walk will be after this sub-step as it was before, if the guard has not moved it.
@@ -470,7 +476,7 @@ mod tests {
     #[test]
     fn who_rests_sleeps_until_somebody_comes() {
         let still = Cluster { spacing: 1.0, gathers: false, velocity: 0.0 };
-        let gathers = Cluster { gathers: true, spacing: 0.8, ..still.clone() };
+        let gathers = Cluster { gathers: true, ..still.clone() };
         let mut crowd = Crowd {
             clusters: vec![still.clone(), still, gathers],
             walkers: vec![],
