@@ -18,7 +18,7 @@ const YIELD_AT_REST: f32 = 0.3;
 /// How much of the change of velocity that an agent with the right of way would like is granted in advance, over the
 /// share that falls on the one that yields.
 const GRANT: f32 = 2.0;
-/// It is the change that the agent makes within so many seconds.
+/// It is the change that an agent in the same queue makes within so many seconds; more would drive those behind it back.
 const GRANTED: f32 = 0.04;
 
 /// What a thread keeps while it goes through agents.
@@ -272,7 +272,8 @@ impl World {
             return Vec2::ZERO;
         }
         let velocity = agents.velocity_near(other, agents.position[row].as_dvec2());
-        let wanted = self.relaxed(other, GRANTED) - velocity;
+        let queues = yields < YIELD_AT_REST;
+        let wanted = if queues { self.relaxed(other, GRANTED) } else { self.step.preferred.ground[other] } - velocity;
         let nearer = wanted.dot(agents.position[other] - agents.position[row]) < 0.0;
         if nearer { wanted * (GRANT * yields) } else { Vec2::ZERO }
     }
