@@ -51,11 +51,10 @@ fn a_run_of_the_same_model_comes_out_the_same() {
     assert_eq!((&orca["entered"], &orca["overlapping"]), (&3.into(), &0.into()));
     let horizons = all["from_entry"].as_array().unwrap();
     assert_eq!((horizons.len(), &horizons[3]["horizon"]), (4, &Value::Null));
-    // who stood at the start goes on with the velocity after it: a little ahead
-    assert!(number(&horizons[2]["final"]["orca"]["mean"]) < 0.2, "{}", horizons[2]);
+    // an agent that stood at the start goes on with the velocity after it: ahead by that velocity times its relaxation time
+    assert!(number(&horizons[2]["final"]["orca"]["mean"]) < 0.25, "{}", horizons[2]);
     let ahead = &all["predicted"]["horizons"][2];
-    // by the velocity that it has at the start, times its relaxation time
-    assert!(number(&ahead["final"]["orca"]["mean"]) < 0.2 && number(&ahead["people"]) == 3.0, "{ahead}");
+    assert!(number(&ahead["final"]["orca"]["mean"]) < 0.25 && number(&ahead["people"]) == 3.0, "{ahead}");
     assert!(all["predicted"]["alone"].is_null() && number(&orca["speed"]["distance"]) < 0.2);
     assert_eq!(orca["summary"]["overlaps"], 0);
 }
