@@ -16,6 +16,7 @@ place.points = [[0.0, 0.0], [0.0, 20.0], [0.0, 40.0]]
 goal.shift = { by = [12.0, 0.0] }
 body = { radius = 0.2 }
 keep_right = 0.0
+relaxation_time = 0.0
 ";
 
 fn replayed(folder: &Path, arguments: &str) -> Value {
@@ -45,16 +46,16 @@ fn a_run_of_the_same_model_comes_out_the_same() {
     let at = folder.path();
     std::fs::write(at.join("alone.toml"), ALONE).unwrap();
     call(at, "run alone.toml -o alone.csv -q").success();
-    let all = replayed(at, "alone.csv --step 0.1 --set keep_right=0 --every 3");
+    let all = replayed(at, "alone.csv --step 0.1 --set keep_right=0 --set relaxation_time=0 --every 3");
     let (recorded, orca) = (&all["recorded"], &all["models"][0]);
     assert_eq!((&orca["model"], &recorded["entered"]), (&"orca".into(), &3.into()));
     assert_eq!((&orca["entered"], &orca["overlapping"]), (&3.into(), &0.into()));
     let horizons = all["from_entry"].as_array().unwrap();
     assert_eq!((horizons.len(), &horizons[3]["horizon"]), (4, &Value::Null));
-    // an agent that stood at the start goes on with the velocity after it: ahead by that velocity times its relaxation time
-    assert!(number(&horizons[2]["final"]["orca"]["mean"]) < 0.25, "{}", horizons[2]);
+    // an agent that stood at the start goes on with the velocity after it: a little ahead
+    assert!(number(&horizons[2]["final"]["orca"]["mean"]) < 0.2, "{}", horizons[2]);
     let ahead = &all["predicted"]["horizons"][2];
-    assert!(number(&ahead["final"]["orca"]["mean"]) < 0.25 && number(&ahead["people"]) == 3.0, "{ahead}");
+    assert!(number(&ahead["final"]["orca"]["mean"]) < 0.1 && number(&ahead["people"]) == 3.0, "{ahead}");
     assert!(all["predicted"]["alone"].is_null() && number(&orca["speed"]["distance"]) < 0.2);
     assert_eq!(orca["summary"]["overlaps"], 0);
 }
