@@ -46,6 +46,9 @@ fn decided(why: &Explanation) -> String {
     if away <= SAME {
         return "Chosen: what is preferred.".into();
     }
+    if why.chosen.distance(why.relaxed) <= SAME {
+        return format!("Chosen: {away:.2} m/s from preferred, which it comes to in its relaxation time.");
+    }
     let held = why.held_by(why.chosen);
     let deepest = held.first().map_or(0.0, |(_, depth)| *depth);
     let causes: Vec<Cause> =

@@ -12,8 +12,8 @@ pub enum Hindrance {
     /// Nothing: it gets on, or has arrived, or is not judged.
     #[default]
     None,
-    /// It takes more than a second to get on, and an agent close ahead goes the same way, whose queue moves: it, or an agent
-    /// with the same goal that it waits for in turn, has got on in the last 10 seconds.
+    /// It takes more than a second to get on, and is in a queue that moves: an agent close ahead goes the same way, and that
+    /// agent, or one with the same goal that it waits for in turn, has got on in the last 10 seconds.
     Queueing,
     /// No place is free in the area where its journey ends: it waits outside, or behind agents that do.
     WaitingForRoom,

@@ -157,11 +157,12 @@ impl World {
 
     /// Moves on along a route; tells how many metres of it are ahead.
     fn follow(&self, row: usize, travel: &mut Travel, at: DVec2) -> Option<f32> {
-        let area = self.passed_area(row, travel.leg);
+        let leg = travel.leg;
         let route = travel.route_mut()?;
         let girth = self.agents.body(row).girth();
         let heading = match self.meshes.mesh(girth) {
             Some(mesh) if self.groups[self.agents.group[row].index()].look_ahead => {
+                let area = self.passed_area(row, leg);
                 route.advance_in_place(mesh, at, area, |across| self.off_walls(row, across) - f64::from(girth))
             }
             Some(mesh) => route.advance(mesh, at),

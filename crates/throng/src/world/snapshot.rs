@@ -11,7 +11,7 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// Begins every saved state: what it is, and the version of its layout.
-const MAGIC: &[u8] = b"throng state 11\n";
+const MAGIC: &[u8] = b"throng state 12\n";
 
 /// Everything that changes while a world runs.
 #[derive(Serialize, Deserialize)]

@@ -64,7 +64,8 @@ fn agents_keep_their_places_in_a_bend() {
     assert!(kept && places.is_sorted(), "{places:?}");
 }
 
-/// How far from the inner wall agents leave that start `off` from it, behind a bend of a corridor whose whole end is the exit.
+/// How far from the inner wall an agent leaves a corridor that starts `off` from that wall, behind a bend. The exit is as broad
+/// as the corridor.
 fn leave_at(off: f64, turned: f64) -> f64 {
     let corner = DVec2::new(90.0, -640.0);
     let mut world = with_settings(0.04, SubSteps::Auto, corner);
