@@ -83,7 +83,7 @@ impl World {
     /// world.add_agent(Agent { position: DVec2::new(2.0, 0.0), velocity, number: Some(7), ..Agent::default() })?;
     /// let why = world.explain(id).expect("it is there");
     /// assert_eq!((why.preferred, why.neighbours[0].number), (Vec2::ZERO, 7));
-    /// assert!((why.collision(why.preferred).expect("it is in the way").0 - 1.712).abs() < 1e-3);
+    /// assert!((why.collision(why.preferred).expect("it is in the way").0 - 1.733).abs() < 1e-3);
     /// # Ok::<(), throng::Error>(())
     /// ```
     pub fn explain(&self, id: AgentId) -> Option<Explanation> {
