@@ -30,6 +30,7 @@ mod replace;
 mod rest;
 mod schedule;
 mod snapshot;
+mod squeeze;
 mod stage;
 mod standoff;
 mod status;

@@ -90,7 +90,7 @@ pub struct Group {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub look_ahead: Option<bool>,
     /// Seconds: an agent that looks ahead walks no faster than the gap to the agent ahead divided by its time gap. Without it,
-    /// 1.06. Limit: 0.05 to 10.
+    /// 1.15. Limit: 0.05 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_gap: Option<Number>,
     /// Breadth across its way, metres, within which an agent that looks ahead has another ahead of it; no less than that of

@@ -60,7 +60,8 @@ pub struct Agent {
     /// Greatest change of heading a second; infinite for none. Limit: > 0.
     pub max_turn_rate: f32,
     /// Time gap, seconds: an agent that looks ahead walks no faster than the gap to the agent ahead divided by it. People in
-    /// single file need 1.06 s of their speed each (Seyfried et al. 2005). Limit: 0.05 to 10.
+    /// single file need 0.36 m and 1.06 s of their speed each (Seyfried et al. 2005); bodies 0.26 m deep are as far apart with
+    /// 1.15 s at 1 m/s. Limit: 0.05 to 10.
     pub time_gap: f32,
     /// How far beside the straight way to what it chose the body may get while it turns, metres; 0 for one that moves
     /// in any direction at once, as people do. More is a robot on two wheels (Alonso-Mora et al. 2010), which needs a
@@ -127,7 +128,7 @@ impl Default for Agent {
             max_speed: 1.8,
             max_acceleration: 5.0,
             max_turn_rate: f32::INFINITY,
-            time_gap: 1.06,
+            time_gap: 1.15,
             tracking_error: 0.0,
             priority: 0.0,
             governed: 1.0,

@@ -145,7 +145,7 @@ impl World {
         let margin = margin(seconds);
         for &near in self.neighbours(row) {
             let other = near as usize;
-            if !sight.hides(agents.offset(row, other)) {
+            if !sight.hides(agents.offset(row, other)) && !self.squeezes_past(row, other) {
                 sight.rows.push(near);
                 sight.neighbours.push(self.neighbour(row, other, margin));
             }

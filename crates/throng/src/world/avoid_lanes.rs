@@ -4,6 +4,7 @@
 use super::World;
 use super::avoid::Sight;
 use super::way::{GOAL, WALKS};
+use crate::agent::Group;
 use crate::avoid::{Line, LocalModel, MOST, MOST_WALLS, MOST_WITH_WALLS, Orca, Own, Views, Workspace, choose, margin};
 use crate::lanes::{LANES, Vec2s, load, load_pairs, ones, set};
 use fearless_simd::prelude::*;
@@ -33,6 +34,8 @@ pub(super) struct Common {
     radius: Option<f32>,
     /// Whether all have the same priority.
     equals: bool,
+    /// Whether some squeeze past others.
+    squeeze: bool,
     margin: f32,
     step: f32,
 }
@@ -59,6 +62,7 @@ impl World {
             alike: self.groups_in_use().all(|group| group.model.as_orca() == Some(orca)),
             radius: agents.radius.uniform(),
             equals: agents.priority.uniform().is_some(),
+            squeeze: self.groups_in_use().any(Group::squeezes),
             margin: margin(seconds),
             step: seconds,
         })
@@ -173,6 +177,7 @@ impl World {
         let (mut own_motion, mut preferred) = ([[0.0; 4]; LANES], [[0.0; LANES]; 2]);
         let (mut own_keys, mut keys) = ([0; LANES], [[0; LANES]; MOST]);
         let (mut count, mut most) = ([0.0; LANES], 0);
+        let mut squeezed = [0; MOST];
         for (lane, &row) in rows.iter().enumerate() {
             let own = &step.shown[row as usize];
             (own_motion[lane], own_keys[lane]) = (own.motion, own.way.key());
@@ -184,6 +189,11 @@ impl World {
                 let shown = &step.shown[other as usize];
                 others.motion[lane] = shown.motion;
                 keys[lane] = shown.way.key();
+            }
+            if common.squeeze {
+                for (&other, squeezed) in neighbours.iter().zip(&mut squeezed) {
+                    *squeezed |= u64::from(self.squeezes_past(row as usize, other as usize)) << lane;
+                }
             }
         }
         let lanes = |keys: &[u32; LANES]| S::u32s::from_slice(simd, &keys[..S::f32s::LEN]);
@@ -197,7 +207,7 @@ impl World {
             // both walk, to different goals: neither has the right of way
             let equals = !(own & theirs & walks).simd_eq(zero) & !((own ^ theirs) & goal).simd_eq(zero);
             let there = count.simd_gt(S::f32s::splat(simd, index as f32));
-            views.there[index] = there.to_bitmask();
+            views.there[index] = there.to_bitmask() & !squeezed[index];
             let unlike = if common.equals { !equals & there } else { there };
             for lane in ones(unlike.to_bitmask()) {
                 let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);

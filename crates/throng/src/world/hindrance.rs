@@ -2,6 +2,7 @@
 
 use super::World;
 use super::advance::SEEN;
+use super::way::SAME_WAY;
 use crate::agent::{Hindrance, ProgressMark, Status};
 use crate::navigate::Turn;
 use glam::Vec2;
@@ -18,11 +19,10 @@ const FAILED: u16 = 60;
 const RADIUS_TIME: f32 = 0.5;
 /// Radii a second: an agent that walks less is at rest rather than oscillating.
 const RESTLESS: f32 = 1.0;
-/// Cosine of the angle within which another agent is ahead, and within which it goes the same way.
-const AHEAD: f32 = 0.3;
-const SAME_WAY: f32 = 0.3;
 /// Gap to the agent ahead in a queue, at most, in radii.
 const CLOSE: f32 = 3.0;
+/// Cosine of the angle within which another agent is ahead.
+const AHEAD: f32 = 0.3;
 
 impl World {
     /// What hinders the agent of a row of [`agents`](Self::agents), as it was found within the last half second.

@@ -17,6 +17,7 @@
 
 use super::World;
 use super::avoid::is_between;
+use super::way::SAME_WAY;
 use crate::agent::Group;
 use crate::avoid::{MARGIN, time_to_disc, time_to_segment};
 use crate::parallel;
@@ -24,8 +25,6 @@ use crate::random::{Purpose, unit};
 use crate::space::{Met, Wall, Walls};
 use glam::{DVec2, Vec2};
 
-/// Cosine of the angle within which two agents go the same way; beyond its negative they go opposite ways.
-const SAME_WAY: f32 = 0.3;
 /// Angles between the way and the directions that are compared, degrees. Only impatience leads an agent back.
 const ANGLES: [f32; 7] = [10.0, 20.0, 35.0, 50.0, 70.0, 85.0, 115.0];
 /// Seconds that an agent sees ahead, and within which agents that are about to cross its way count.
@@ -285,12 +284,12 @@ impl World {
         for other in self.neighbours(row).iter().map(|&other| other as usize).filter(level).take(MOST) {
             let their = &self.step.shown[other].way;
             let offset = agents.offset(row, other);
-            let radii = (agents.radius[row] + agents.radius[other]) * (1.0 + MARGIN);
+            // a long body turns its narrow side to where it goes
+            let radii = (agents.body(row).girth() + agents.body(other).bound()) * (1.0 + MARGIN);
             // the nearer, the less of it they claim
             let space = || group.personal_space * ((offset.length() - radii).max(0.0) / ROOMY).min(1.0);
-            let same = their.direction.dot(way.direction);
             let velocity = agents.velocity[other];
-            let goes_along = !their.walks() || same > SAME_WAY || velocity.length_squared() < STANDS * STANDS;
+            let goes_along = !their.walks() || their.direction.dot(way.direction) > SAME_WAY || velocity.length_squared() < STANDS * STANDS;
             let is_ahead = offset.dot(way.direction) > 0.0;
             if goes_along || (is_ahead && !gets_on) {
                 // agents on one journey stand close where it ends
@@ -302,7 +301,7 @@ impl World {
             }
             if is_ahead && !goes_along {
                 let relative = way.direction * speed - velocity;
-                if same < -SAME_WAY {
+                if their.is_opposite(way) {
                     if !hidden(offset) {
                         let share = if agents.avoids(other, row) { self.share(row, other, 0.0) } else { 1.0 };
                         oncoming.meet((offset, relative), radii + 2.0 * space(), speed, share, group.keep_right);
@@ -405,7 +404,7 @@ impl World {
 
     /// Distance of its centre from walls that an agent keeps where it has the room: half of its shoulders, or of its body.
     fn clear_of_walls(&self, row: usize) -> f32 {
-        self.agents.radius[row].max(0.5 * self.groups[self.agents.group[row].index()].shoulders)
+        self.agents.body(row).girth().max(0.5 * self.groups[self.agents.group[row].index()].shoulders)
     }
 
     /// A number in [0, 1) for one of the directions that an agent compares, which it keeps for a while.

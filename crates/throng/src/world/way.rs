@@ -37,6 +37,9 @@ const PLAIN: u32 = 1 << 28;
 /// What the keys of those with the same goal, or none both, have in common.
 pub(super) const GOAL: u32 = PLAIN - 1;
 
+/// Cosine of the angle within which two agents go the same way; beyond its negative they go opposite ways.
+pub(super) const SAME_WAY: f32 = 0.3;
+
 impl Way {
     /// The way of who does not walk.
     pub fn at_rest(goal: Option<GoalId>, remaining: f32) -> Self {
@@ -97,6 +100,11 @@ impl Way {
     /// Whether its status may change in this sub-step.
     pub fn may_change(&self) -> bool {
         self.key & MAY_CHANGE != 0
+    }
+
+    /// Whether two agents come the other way to each other.
+    pub fn is_opposite(&self, other: &Self) -> bool {
+        self.direction.dot(other.direction) < -SAME_WAY
     }
 
     /// Whether two have the same goal, or none both.

@@ -138,9 +138,10 @@ pub fn bus(random: &mut Random, pose: &Pose) -> String {
     )
 }
 
-/// Two crowds of 0.4 to 1.5 per m² each that walk through each other in a corridor of 1.5 to 6 m.
+/// Two crowds of 0.4 to 1.9 per m² each, of bodies of 0.13 to 0.2 m, that walk through each other in a corridor of 1.5 to 6 m.
 pub fn counterflow(random: &mut Random, pose: &Pose) -> String {
-    let (width, density) = (random.between(1.5, 6.0), random.between(0.4, 1.5));
+    let (width, density) = (random.between(1.5, 6.0), random.between(0.4, 1.9));
+    let radius = random.between(0.13, 0.2);
     let each = whole(random, 5.0, 80.0);
     let length = each / (density * width);
     let end = length + 8.0;
@@ -149,8 +150,8 @@ pub fn counterflow(random: &mut Random, pose: &Pose) -> String {
     let exit = |from: f64, to: f64| pose.rectangle([from, -half], [to, half]);
     format!(
         "time = {{ step = 0.04, until = \"empty\", limit = {:.0} }}\nwalkable.rectangle = {}\n\n\
-         [[group]]\nname = \"east\"\ncount = {each}\nplace.rectangle = {}\ngoal.exit.rectangle = {}\n{SPEED}\n\n\
-         [[group]]\nname = \"west\"\ncount = {each}\nplace.rectangle = {}\ngoal.exit.rectangle = {}\n{SPEED}\n",
+         [[group]]\nname = \"east\"\ncount = {each}\nplace.rectangle = {}\ngoal.exit.rectangle = {}\nbody.radius = {radius:.3}\n{SPEED}\n\n\
+         [[group]]\nname = \"west\"\ncount = {each}\nplace.rectangle = {}\ngoal.exit.rectangle = {}\nbody.radius = {radius:.3}\n{SPEED}\n",
         limit(2.0 * end, 2.0 * each, width),
         exit(-end, end),
         place(-2.0 - length, -2.0),
