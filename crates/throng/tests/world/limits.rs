@@ -91,6 +91,24 @@ fn an_agent_comes_to_its_speed_in_its_relaxation_time() {
     }
 }
 
+/// A velocity across the way dies away in half of the relaxation time.
+#[test]
+fn an_agent_that_is_carried_aside_is_back_in_half_of_its_relaxation_time() {
+    for (time, angle) in [(0.45f32, 0.4), (1.2, 3.8)] {
+        let mut world = with_settings(0.01, SubSteps::Fixed(1), DVec2::new(15.0, -220.0));
+        let origin = world.settings().origin;
+        let along = DVec2::from_angle(angle);
+        let group = world.add_group(Group { relaxation_time: time, ..Group::default() }).unwrap();
+        let velocity = (along * 1.3 + along.perp() * 0.6).as_vec2();
+        let agent = Agent { group, velocity, ..walker(&mut world, origin, origin + along * 400.0) };
+        world.add_agent(agent).unwrap();
+        run_for(&mut world, 0.5 * f64::from(time), |_| {});
+        let aside = f64::from(world.agents().velocity[0].dot(along.perp().as_vec2()));
+        let exact = 0.6 * (-1.0f64).exp();
+        assert!((aside - exact).abs() < 0.02, "{aside} of {exact} m/s aside after half of {time} s");
+    }
+}
+
 /// Round a block, at all angles: the way bends, the limits hold.
 #[test]
 fn limits_hold_on_the_way_round_a_corner() {

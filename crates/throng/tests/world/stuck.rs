@@ -1,6 +1,6 @@
 //! Nobody is stuck: symmetric meetings, rings, traps, doors, and people of very different speeds.
 
-use crate::common::{Draw, journey_to, run, walker, world};
+use crate::common::{Draw, journey_into, journey_to, rectangle, run, walker, world};
 use crate::oracle::assert_free;
 use glam::DVec2;
 use throng::{Agent, Goal, Group, GroupId, Journey, Obstacle, Stop, World};
@@ -115,6 +115,35 @@ fn a_door_is_used_both_ways() {
             }
         }
         assert_all_arrive(&mut world, 120.0, &format!("a door of {width} m, {each} from each side"));
+    }
+}
+
+/// Two dense crowds in a corridor, four abreast: agents that touch slide past each other, or all would stand.
+#[test]
+fn crowds_that_meet_in_a_corridor_squeeze_past_each_other() {
+    for (width, each, angle, seed) in [(2.0, 60, 0.7, 1), (1.7, 40, 2.9, 2)] {
+        let mut draw = Draw::new(seed);
+        let mut world = world(0.05, DVec2::new(720.0, 80.0));
+        let origin = world.settings().origin;
+        let turn = |x: f64, y: f64| origin + DVec2::from_angle(angle).rotate(DVec2::new(x, y));
+        let (half, length) = (0.5 * width, f64::from(each) / (1.9 * width));
+        for side in [-1.0, 1.0] {
+            let points = vec![turn(-length - 9.0, half * side), turn(length + 9.0, half * side)];
+            world.add_obstacle(Obstacle::Wall { points }).unwrap();
+        }
+        for side in [-1.0, 1.0] {
+            let corners = rectangle(turn(-side * (length + 6.0), 0.0), DVec2::new(3.0, width), angle);
+            let journey = journey_into(&mut world, Goal::Exit { corners });
+            let lanes = 4;
+            for k in 0..each {
+                let (x, y) = (2.5 + length * f64::from(k) / f64::from(each), f64::from(k % lanes) / f64::from(lanes - 1));
+                let place = turn(side * x + draw.between(-0.02, 0.02), (half - 0.22) * (2.0 * y - 1.0));
+                let preferred_speed = draw.between(1.1, 1.6) as f32;
+                let agent = Agent { radius: 0.2, preferred_speed, position: place, journey, ..Agent::default() };
+                world.add_agent(agent).unwrap();
+            }
+        }
+        assert_all_arrive(&mut world, 200.0, &format!("{width} m, {each} from each side"));
     }
 }
 
