@@ -284,8 +284,8 @@ impl World {
         for other in self.neighbours(row).iter().map(|&other| other as usize).filter(level).take(MOST) {
             let their = &self.step.shown[other].way;
             let offset = agents.offset(row, other);
-            // a long body turns its narrow side to where it goes
-            let radii = (agents.body(row).girth() + agents.body(other).bound()) * (1.0 + MARGIN);
+            // a long body turns its narrow side to where it goes; how long it is the local model knows
+            let radii = (agents.body(row).girth() + agents.body(other).girth()) * (1.0 + MARGIN);
             // the nearer, the less of it they claim
             let space = || group.personal_space * ((offset.length() - radii).max(0.0) / ROOMY).min(1.0);
             let velocity = agents.velocity[other];

@@ -30,10 +30,14 @@ impl World {
 }
 
 impl Group {
-    /// Whether its agents come to the velocities that they would like in their relaxation time. Those that a field governs do
-    /// not: they would leave its flow at every bend.
+    /// Whether its agents come to the velocities that they would like in their relaxation time.
     fn relaxes(&self) -> bool {
-        let walks = self.steering.is_none() && self.field.is_none();
-        self.look_ahead && self.relaxation_time > 0.0 && walks && !self.model.relaxes()
+        self.relaxation_time > 0.0 && self.walks_by_looking_ahead()
+    }
+
+    /// Whether its agents walk where they look ahead. Those that a field governs do not: they would leave its flow at every
+    /// bend. Nor do those whose model has forces, with a relaxation and contacts of its own.
+    pub(super) fn walks_by_looking_ahead(&self) -> bool {
+        self.look_ahead && self.steering.is_none() && self.field.is_none() && !self.model.relaxes()
     }
 }
