@@ -47,9 +47,11 @@ const TURNING: f32 = 0.3;
 const STEADY: f32 = 0.25;
 /// Greatest cost, in lengths of sight, that an agent adds at random to directions when it does not get on, and the seconds
 /// without progress after which it does: an agent tries other directions when its way is blocked. After twice as many seconds it
-/// walks in any direction rather than stand. So a crowd of agents that block each other dissolves from its rim.
+/// walks in any direction rather than stand. So a crowd of agents that block each other dissolves from its rim. After so many
+/// times as many seconds it is patient again, and tries its way anew.
 const IMPATIENCE: f32 = 0.5;
 const PATIENCE: f32 = 5.0;
+const RESTLESS: f32 = 6.0;
 /// Seconds that it keeps them.
 const WHIM: f64 = 1.0;
 /// Seconds without progress up to which an agent keeps to its lane while streams meet; then all agents count for the direction.
@@ -352,7 +354,7 @@ impl World {
         walls.keep(self.clear_of_walls(row));
         let course = agents.velocity[row] / sight.speed;
         let course = course + way * (STEADY * (1.0 - course.length()).max(0.0));
-        let patience = self.without_progress(row) / PATIENCE;
+        let patience = (self.without_progress(row) / PATIENCE) % RESTLESS;
         let (impatience, restlessness) = (IMPATIENCE * patience.min(1.0), (patience - 1.0).clamp(0.0, 1.0));
         // finite where restlessness is 1: times the sine of no angle it is 0
         let beyond = (restlessness / (1.0 - restlessness * restlessness).sqrt()).min(f32::MAX);
