@@ -47,7 +47,7 @@ pub use moussaid::Moussaid2009;
 pub use none::Unavoiding;
 pub use orca::{BuiltFrom, Orca};
 pub use orca_3d::Orca3d;
-pub(crate) use orca_lanes::{MOST, MOST_WALLS, MOST_WITH_WALLS, Own, Views, choose};
+pub(crate) use orca_lanes::{MOST, MOST_WALLS, MOST_WITH_WALLS, Others, Own, Views, choose};
 pub use outline::Outline;
 pub use power_law::PowerLaw;
 pub use rvo::Rvo;

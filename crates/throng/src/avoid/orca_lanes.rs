@@ -52,13 +52,16 @@ struct Permitted {
 pub(crate) struct Others {
     /// Position and velocity of each.
     pub motion: [[f32; 4]; LANES],
+    /// Where each wants to go, where that counts.
+    pub way: [[f32; LANES]; 2],
     pub radii: [f32; LANES],
     pub share: [f32; LANES],
 }
 
 impl Default for Views {
     fn default() -> Self {
-        let others = || Others { motion: [[0.0; 4]; LANES], radii: [0.0; LANES], share: [0.5; LANES] };
+        let others =
+            || Others { motion: [[0.0; 4]; LANES], way: [[0.0; LANES]; 2], radii: [0.0; LANES], share: [0.5; LANES] };
         let walls = Vec::with_capacity(MOST_WALLS);
         Self { most: 0, there: [0; MOST], neighbours: std::array::from_fn(|_| others()), walls }
     }

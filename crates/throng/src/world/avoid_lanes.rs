@@ -3,6 +3,7 @@
 
 use super::World;
 use super::avoid::Sight;
+use super::squeeze::may_squeeze;
 use super::way::{GOAL, WALKS};
 use crate::agent::Group;
 use crate::avoid::{Line, LocalModel, MOST, MOST_WALLS, MOST_WITH_WALLS, Orca, Own, Views, Workspace, choose, margin};
@@ -34,8 +35,9 @@ pub(super) struct Common {
     radius: Option<f32>,
     /// Whether all have the same priority.
     equals: bool,
-    /// Whether some squeeze past others.
+    /// Whether some squeeze past others, and whether all do.
     squeeze: bool,
+    all_squeeze: bool,
     margin: f32,
     step: f32,
 }
@@ -63,6 +65,7 @@ impl World {
             radius: agents.radius.uniform(),
             equals: agents.priority.uniform().is_some(),
             squeeze: self.groups_in_use().any(Group::squeezes),
+            all_squeeze: self.groups_in_use().all(Group::squeezes),
             margin: margin(seconds),
             step: seconds,
         })
@@ -177,7 +180,7 @@ impl World {
         let (mut own_motion, mut preferred) = ([[0.0; 4]; LANES], [[0.0; LANES]; 2]);
         let (mut own_keys, mut keys) = ([0; LANES], [[0; LANES]; MOST]);
         let (mut count, mut most) = ([0.0; LANES], 0);
-        let mut squeezed = [0; MOST];
+        let mut own_way = [[0.0; LANES]; 2];
         for (lane, &row) in rows.iter().enumerate() {
             let own = &step.shown[row as usize];
             (own_motion[lane], own_keys[lane]) = (own.motion, own.way.key());
@@ -185,21 +188,21 @@ impl World {
             let neighbours = step.near.at(start + lane);
             most = most.max(neighbours.len());
             count[lane] = neighbours.len() as f32;
+            set(&mut own_way, lane, own.way.direction);
             for ((&other, others), keys) in neighbours.iter().zip(&mut views.neighbours).zip(&mut keys) {
                 let shown = &step.shown[other as usize];
                 others.motion[lane] = shown.motion;
-                keys[lane] = shown.way.key();
-            }
-            if common.squeeze {
-                for (&other, squeezed) in neighbours.iter().zip(&mut squeezed) {
-                    *squeezed |= u64::from(self.squeezes_past(row as usize, other as usize)) << lane;
+                if common.squeeze {
+                    set(&mut others.way, lane, shown.way.direction);
                 }
+                keys[lane] = shown.way.key();
             }
         }
         let lanes = |keys: &[u32; LANES]| S::u32s::from_slice(simd, &keys[..S::f32s::LEN]);
         let (own, zero) = (lanes(&own_keys), S::u32s::splat(simd, 0));
         let (walks, goal) = (S::u32s::splat(simd, WALKS), S::u32s::splat(simd, GOAL));
         let count = load(simd, &count);
+        let [position, velocity] = load_pairs(simd, &own_motion);
         views.most = most;
         for (index, (others, keys)) in views.neighbours[..most].iter_mut().zip(&keys).enumerate() {
             others.share = [0.5; LANES];
@@ -207,7 +210,20 @@ impl World {
             // both walk, to different goals: neither has the right of way
             let equals = !(own & theirs & walks).simd_eq(zero) & !((own ^ theirs) & goal).simd_eq(zero);
             let there = count.simd_gt(S::f32s::splat(simd, index as f32));
-            views.there[index] = there.to_bitmask() & !squeezed[index];
+            views.there[index] = there.to_bitmask();
+            if common.squeeze {
+                let touch = may_squeeze(simd, [position, velocity], Vec2s::load(simd, &own_way), others);
+                let touch = (touch & there).to_bitmask();
+                let both = |&lane: &usize| {
+                    let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
+                    self.both_squeeze(row, other)
+                };
+                views.there[index] &= !if common.all_squeeze {
+                    touch
+                } else {
+                    ones(touch).filter(both).fold(0, |bits, lane| bits | 1 << lane)
+                };
+            }
             let unlike = if common.equals { !equals & there } else { there };
             for lane in ones(unlike.to_bitmask()) {
                 let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
@@ -224,7 +240,6 @@ impl World {
                 }
             }
         }
-        let [position, velocity] = load_pairs(simd, &own_motion);
         let max_speed = agents.max_speed.lanes_of(simd, rows);
         Own { position, velocity, preferred: Vec2s::load(simd, &preferred), max_speed }
     }

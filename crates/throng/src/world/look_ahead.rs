@@ -282,16 +282,20 @@ impl World {
         let gets_on = self.without_progress(row) < GETS_ON;
         let mut oncoming = Oncoming { time: SIGHT.min(to_goal), turn: 0.0, any: false };
         let mut crosses = false;
+        // a long body turns its narrow side to where it goes; how long it is the local model knows
+        let discs = agents.all_discs();
+        let breadth = |row: usize| if discs { agents.radius[row] } else { agents.body(row).girth() };
         let level = |other: &usize| !in_space || !agents.passes_clear(row, *other);
         for other in self.neighbours(row).iter().map(|&other| other as usize).filter(level).take(MOST) {
             let their = &self.step.shown[other].way;
             let offset = agents.offset(row, other);
-            // a long body turns its narrow side to where it goes; how long it is the local model knows
-            let radii = (agents.body(row).girth() + agents.body(other).girth()) * (1.0 + MARGIN);
+            let radii = (breadth(row) + breadth(other)) * (1.0 + MARGIN);
             // the nearer, the less of it they claim
             let space = || group.personal_space * ((offset.length() - radii).max(0.0) / ROOMY).min(1.0);
             let velocity = agents.velocity[other];
-            let goes_along = !their.walks() || their.direction.dot(way.direction) > SAME_WAY || velocity.length_squared() < STANDS * STANDS;
+            let goes_along = !their.walks()
+                || their.direction.dot(way.direction) > SAME_WAY
+                || velocity.length_squared() < STANDS * STANDS;
             let is_ahead = offset.dot(way.direction) > 0.0;
             if goes_along || (is_ahead && !gets_on) {
                 // agents on one journey stand close where it ends

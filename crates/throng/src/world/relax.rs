@@ -22,9 +22,8 @@ impl World {
         let change = wanted - velocity;
         let along = way * change.dot(way);
         let part = |time: f32| seconds / (seconds + time);
-        let relaxed = velocity
-            + along * part(group.relaxation_time)
-            + (change - along) * part(SIDEWAYS * group.relaxation_time);
+        let relaxed =
+            velocity + along * part(group.relaxation_time) + (change - along) * part(SIDEWAYS * group.relaxation_time);
         relaxed.clamp_length_max(self.arriving(row, &agents.travel[row], seconds))
     }
 }

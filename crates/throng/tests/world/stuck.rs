@@ -136,7 +136,8 @@ fn crowds_that_meet_in_a_corridor_squeeze_past_each_other() {
             let journey = journey_into(&mut world, Goal::Exit { corners });
             let lanes = 4;
             for k in 0..each {
-                let (x, y) = (2.5 + length * f64::from(k) / f64::from(each), f64::from(k % lanes) / f64::from(lanes - 1));
+                let (x, y) =
+                    (2.5 + length * f64::from(k) / f64::from(each), f64::from(k % lanes) / f64::from(lanes - 1));
                 let place = turn(side * x + draw.between(-0.02, 0.02), (half - 0.22) * (2.0 * y - 1.0));
                 let preferred_speed = draw.between(1.1, 1.6) as f32;
                 let agent = Agent { radius: 0.2, preferred_speed, position: place, journey, ..Agent::default() };
