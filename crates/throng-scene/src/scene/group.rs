@@ -98,7 +98,7 @@ pub struct Group {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shoulders: Option<f64>,
     /// Metres that agents that look ahead like to keep from agents that come the other way or stay where they are; the nearer
-    /// they are, the less of it counts. Without it, 0.5. Limit: 0 to 10.
+    /// they are, the less of it counts. Without it, 0.4. Limit: 0 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub personal_space: Option<f64>,
     /// Seconds in which an agent that looks ahead comes to the velocity it would like; 0: at once, as hard as it can. Without

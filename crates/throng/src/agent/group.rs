@@ -150,7 +150,7 @@ impl Default for Group {
             neighbours: 10,
             look_ahead: true,
             shoulders: 0.415,
-            personal_space: 0.5,
+            personal_space: 0.4,
             relaxation_time: 0.45,
             keep_right: 20.0_f32.to_radians(),
             resolve: true,
