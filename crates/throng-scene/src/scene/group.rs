@@ -101,8 +101,8 @@ pub struct Group {
     /// they are, the less of it counts. Without it, 0.4. Limit: 0 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub personal_space: Option<f64>,
-    /// Seconds in which an agent that looks ahead comes to the velocity it would like; 0: at once, as hard as it can. Without
-    /// it, 0.45. Limit: 0 to 10.
+    /// Seconds in which an agent that looks ahead comes to the velocity it would like, across its way in half
+    /// of them; 0: at once, as hard as it can. Without it, 0.45. Limit: 0 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub relaxation_time: Option<f64>,
     /// Greatest angle by which an agent that looks ahead turns from one that comes the other way, degrees. An undecided

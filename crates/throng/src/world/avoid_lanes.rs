@@ -188,7 +188,9 @@ impl World {
             let neighbours = step.near.at(start + lane);
             most = most.max(neighbours.len());
             count[lane] = neighbours.len() as f32;
-            set(&mut own_way, lane, own.way.direction);
+            if common.squeeze {
+                set(&mut own_way, lane, own.way.direction);
+            }
             for ((&other, others), keys) in neighbours.iter().zip(&mut views.neighbours).zip(&mut keys) {
                 let shown = &step.shown[other as usize];
                 others.motion[lane] = shown.motion;
@@ -212,17 +214,13 @@ impl World {
             let there = count.simd_gt(S::f32s::splat(simd, index as f32));
             views.there[index] = there.to_bitmask();
             if common.squeeze {
-                let touch = may_squeeze(simd, [position, velocity], Vec2s::load(simd, &own_way), others);
-                let touch = (touch & there).to_bitmask();
-                let both = |&lane: &usize| {
+                let may = may_squeeze(simd, [position, velocity], Vec2s::load(simd, &own_way), others);
+                for lane in ones((may & there).to_bitmask()) {
                     let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
-                    self.both_squeeze(row, other)
-                };
-                views.there[index] &= !if common.all_squeeze {
-                    touch
-                } else {
-                    ones(touch).filter(both).fold(0, |bits, lane| bits | 1 << lane)
-                };
+                    if common.all_squeeze || self.both_squeeze(row, other) {
+                        views.there[index] &= !(1 << lane);
+                    }
+                }
             }
             let unlike = if common.equals { !equals & there } else { there };
             for lane in ones(unlike.to_bitmask()) {

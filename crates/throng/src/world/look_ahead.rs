@@ -51,7 +51,7 @@ const STEADY: f32 = 0.25;
 /// times as many seconds it is patient again, and tries its way anew.
 const IMPATIENCE: f32 = 0.5;
 const PATIENCE: f32 = 5.0;
-const RESTLESS: f32 = 6.0;
+const PATIENT_AGAIN: f32 = 6.0;
 /// Seconds that it keeps them.
 const WHIM: f64 = 1.0;
 /// Seconds without progress up to which an agent keeps to its lane while streams meet; then all agents count for the direction.
@@ -358,7 +358,7 @@ impl World {
         walls.keep(self.clear_of_walls(row));
         let course = agents.velocity[row] / sight.speed;
         let course = course + way * (STEADY * (1.0 - course.length()).max(0.0));
-        let patience = (self.without_progress(row) / PATIENCE) % RESTLESS;
+        let patience = (self.without_progress(row) / PATIENCE) % PATIENT_AGAIN;
         let (impatience, restlessness) = (IMPATIENCE * patience.min(1.0), (patience - 1.0).clamp(0.0, 1.0));
         // finite where restlessness is 1: times the sine of no angle it is 0
         let beyond = (restlessness / (1.0 - restlessness * restlessness).sqrt()).min(f32::MAX);

@@ -34,8 +34,8 @@ impl Group {
         self.relaxation_time > 0.0 && self.walks_by_looking_ahead()
     }
 
-    /// Whether its agents walk where they look ahead. Those that a field governs do not: they would leave its flow at every
-    /// bend. Nor do those whose model has forces, with a relaxation and contacts of its own.
+    /// Whether its agents walk where they look ahead. Agents that a field governs do not: they would leave its flow at every
+    /// bend. Agents whose model has forces do not: the model has a relaxation and contacts of its own.
     pub(super) fn walks_by_looking_ahead(&self) -> bool {
         self.look_ahead && self.steering.is_none() && self.field.is_none() && !self.model.relaxes()
     }
