@@ -57,7 +57,8 @@ pub struct Agent {
     pub max_speed: f32,
     /// Greatest change of velocity a second; infinite for none. Limit: > 0.
     pub max_acceleration: f32,
-    /// Greatest change of heading a second; infinite for none. Limit: > 0.
+    /// Greatest change of heading a second; infinite for none. The ends of a body that is no disc turn no faster than
+    /// `preferred_speed` besides. Limit: > 0.
     pub max_turn_rate: f32,
     /// Time gap, seconds: an agent that looks ahead walks no faster than the gap to the agent ahead divided by it. People in
     /// single file need 0.36 m and 1.06 s of their speed each (Seyfried et al. 2005); bodies 0.26 m deep are as far apart with

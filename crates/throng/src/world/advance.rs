@@ -101,8 +101,9 @@ impl World {
         }
     }
 
-    /// The heading that an agent would like at the end of the sub-step, for those whose turning touches others: where
-    /// its script says, or where its wish leads.
+    /// The heading that an agent would like at the end of the sub-step, if its turning touches others: where its script says,
+    /// or where its wish leads. The ends of a body turn no faster than the agent likes to walk: others avoid them as they move,
+    /// and flee from a long body that whirls.
     fn wished_heading(&self, row: usize, seconds: f32, now: f64) -> f32 {
         let agents = &self.agents;
         let (heading, most) = (agents.heading[row], agents.max_turn_rate[row]);
@@ -115,7 +116,10 @@ impl World {
             let turn = turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
             wrap(heading + (turn as f32).clamp(-most, most))
         } else {
-            turn(heading, faces(self.step.wishes.ground[row], self.step.preferred.ground[row], most), seconds, most)
+            let facing = faces(self.step.wishes.ground[row], self.step.preferred.ground[row], most);
+            let turned = wrap(turn(heading, facing, seconds, most) - heading);
+            let most = agents.preferred_speed[row] / agents.core[row].length() * seconds;
+            wrap(heading + turned.clamp(-most, most))
         }
     }
 

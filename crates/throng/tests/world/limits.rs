@@ -3,7 +3,7 @@
 use crate::common::{Draw, run, run_for, walker, with_settings, world};
 use crate::oracle::rounding_speed;
 use glam::{DVec2, Vec2};
-use throng::{Agent, Group, Obstacle, SubSteps, World};
+use throng::{Agent, Body, Group, Obstacle, SubSteps, World};
 
 /// Steps one sub-step at a time until `limit`, and holds the first agent to its limits.
 fn hold_to_limits(world: &mut World, limit: f64) {
@@ -48,6 +48,40 @@ fn a_lone_agent_keeps_its_limits_from_start_to_rest() {
         hold_to_limits(&mut world, 40.0 + 12.0 / f64::from(preferred_speed));
         assert_eq!(world.summary().arrived, 1, "case {case} at {step} s: {:?}", world.agents());
         assert!(world.agents().velocity[0].length() < 1e-3, "case {case}: it rests");
+    }
+}
+
+/// Others avoid the ends of a body as they move, so that long bodies that whirl scatter a crowd.
+#[test]
+fn the_ends_of_a_long_body_turn_no_faster_than_the_agent_walks() {
+    let mut draw = Draw::new(12);
+    for case in 0..20 {
+        let seconds = draw.one_of(&[0.02, 0.05, 0.1]);
+        let origin = draw.point(DVec2::splat(-5e3), DVec2::splat(5e3));
+        let mut world = with_settings(seconds, SubSteps::Fixed(1), origin);
+        let way = DVec2::from_angle(draw.between(0.0, 6.3)) * 12.0;
+        let back = libm::atan2(-way.y, -way.x) as f32;
+        let (length, width) = (draw.between(1.0, 4.0) as f32, draw.between(0.3, 0.8) as f32);
+        let preferred_speed = draw.between(0.5, 2.0) as f32;
+        let agent = Agent {
+            heading: Some(back),
+            preferred_speed,
+            max_speed: 2.0 * preferred_speed,
+            max_turn_rate: draw.one_of(&[12.0, f32::INFINITY]),
+            ..walker(&mut world, origin, origin + way)
+        };
+        let body = draw.one_of(&[Body::capsule(length, width), Body::rectangle(length, width)]);
+        world.add_agent(agent.with_body(body)).unwrap();
+        let (mut heading, mut fastest) = (f64::from(world.agents().heading[0]), 0.0);
+        run_for(&mut world, 60.0, |world| {
+            let turned = f64::from(world.agents().heading[0]) - heading;
+            fastest = turned.sin().atan2(turned.cos()).abs().max(fastest);
+            heading = f64::from(world.agents().heading[0]);
+        });
+        let most = f64::from(preferred_speed / body.core.length()) * seconds;
+        assert!(fastest <= most + 1e-5, "case {case}: {fastest} of {most} rad");
+        assert!(fastest > 0.5 * most, "case {case}: it turns, {fastest} of {most} rad");
+        assert_eq!(world.summary().arrived, 1, "case {case}: {:?}", world.agents());
     }
 }
 

@@ -178,17 +178,23 @@ pub fn gate(random: &mut Random, pose: &Pose) -> String {
     )
 }
 
-/// Long bodies at a tenth of the ground that each go to the place opposite.
+/// Long bodies on up to a sixth of the ground that each go to the place opposite; every second crowd goes only where its bodies
+/// face, and turns slowly.
 pub fn planks(random: &mut Random, pose: &Pose) -> String {
     let (side, length, width) = (random.between(12.0, 20.0), random.between(0.8, 1.6), random.between(0.4, 0.6));
-    let share = random.between(0.03, 0.1);
-    let count = (share * side * side / (length * width)).floor().clamp(2.0, 50.0);
+    let share = random.between(0.03, 0.17);
+    let count = (share * side * side / (length * width)).floor().clamp(2.0, 60.0);
+    let turns = if random.between(0.0, 1.0) < 0.5 {
+        format!("turn_rate = {:.0}\n", random.between(90.0, 720.0))
+    } else {
+        String::new()
+    };
     let half = 0.5 * side;
     let room = half - 0.5 * length - 0.2;
     let place = pose.rectangle([-room, -room], [room, room]);
     format!(
         "time = {{ step = 0.05, until = \"arrived\", limit = {:.0} }}\nwalkable.rectangle = {}\n\n[[group]]\ncount = {count}\nplace.rectangle = {place}\n\
-         goal.opposite = {{ center = {}, tolerance = 0.5 }}\nbody.rectangle = {{ length = {length:.3}, width = {width:.3} }}\nheading = {:.3}\n{SPEED}\n",
+         goal.opposite = {{ center = {}, tolerance = 0.5 }}\nbody.rectangle = {{ length = {length:.3}, width = {width:.3} }}\nheading = {:.3}\n{turns}{SPEED}\n",
         limit(side, count, 2.0),
         pose.rectangle([-half, -half], [half, half]),
         pose.point(0.0, 0.0),
