@@ -49,6 +49,7 @@ fn people_are_met() {
         ("single-file", "1.45", &["v"]),
         ("single-file", "2.24", &["v"]),
         ("door", "0.8 m", &["J/b", "rho", "in vain", "back", "a p99"]),
+        ("door", "2.4 m", &["J/b", "rho", "a p99"]),
         ("corridor", "2.4-2.4-2.4", &["J"]),
         ("bidirectional", "1.5 per", &["phi", "in vain", "back", "a p99"]),
         ("loop", "1 per", &["v", "in vain", "back", "a p99"]),
@@ -102,16 +103,16 @@ fn bodies_overlap_in_no_family() {
     assert!(found.is_empty(), "{found}");
 }
 
-/// `cargo test -p throng-record --test validate -- --ignored` at night.
-/// Long bodies that stood in each other's way turned to and fro for ever before agents that do not get on became restless.
+/// Without restlessness 27 of the long bodies of the first scene stand for ever, and 2 of the second.
 #[test]
 fn a_crowd_in_its_own_way_dissolves() {
-    for index in [127, 535] {
+    for index in [95, 399] {
         let found = flaws(1, index..index + 1, |_| true);
         assert!(found.is_empty(), "{found}");
     }
 }
 
+/// `cargo test -p throng-record --test validate -- --ignored` at night.
 #[test]
 #[ignore = "takes many minutes"]
 fn everything_holds_in_500_random_scenes() {

@@ -39,7 +39,8 @@ pub struct Group {
     /// Greatest change of velocity, m/s². Without it, the library's default (5). Limit: > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub acceleration: Option<Number>,
-    /// Greatest change of heading, degrees a second. Without it, no limit. Limit: > 0.
+    /// Greatest change of heading, degrees a second. Without it, no limit. The ends of a body that is no disc turn no faster than the
+    /// agent likes to walk besides. Limit: > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub turn_rate: Option<Number>,
     /// How far beside the straight way to what it chose a body may get while it turns, metres: more than 0 makes it a
