@@ -7,7 +7,7 @@
 //! 1969).
 
 use super::World;
-use crate::agent::{GoalId, JourneyId, Status};
+use crate::agent::{GoalId, JourneyId, ProgressMark, Status};
 use crate::navigate::Path;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -108,6 +108,8 @@ impl World {
                 self.agents.journey.set(row, journey);
                 let mut travel = std::mem::take(&mut self.agents.travel[row]);
                 travel.set_out_again();
+                // it gets on towards the goal that it has now
+                self.agents.progress_mark[row] = ProgressMark::default();
                 self.step.shown[row].way = self.take_way(row, &mut travel, (to, &path, gap), seconds);
                 self.agents.travel[row] = travel;
             }
