@@ -15,6 +15,10 @@ fn at(x: f64, y: f64) -> DVec2 {
 /// A room of 20 m by 10 m with exits of two widths in the middles of its short sides, and agents anywhere in it, each on its
 /// way to the nearer exit.
 fn room(widths: [f64; 2], count: usize, look_ahead: bool) -> (World, Vec<AgentId>) {
+    room_at_speed(widths, count, look_ahead, Agent::default().preferred_speed)
+}
+
+fn room_at_speed(widths: [f64; 2], count: usize, look_ahead: bool, preferred_speed: f32) -> (World, Vec<AgentId>) {
     let mut world = with_settings(0.05, SubSteps::Auto, MIDDLE);
     let [west, east] = widths.map(|width| width / 2.0);
     let outer = [
@@ -44,7 +48,7 @@ fn room(widths: [f64; 2], count: usize, look_ahead: bool) -> (World, Vec<AgentId
     draw.shuffle(&mut places);
     let agents = places.into_iter().take(count).map(|[x, y]| {
         let journey = journeys[usize::from(x > 0.0)];
-        world.add_agent(Agent { position: at(x, y), group, journey, ..Agent::default() }).unwrap()
+        world.add_agent(Agent { position: at(x, y), group, journey, preferred_speed, ..Agent::default() }).unwrap()
     });
     let agents = agents.collect();
     (world, agents)
@@ -80,6 +84,15 @@ fn exits_are_used_by_their_widths() {
     assert!((0.27..0.40).contains(&share), "a third by the narrow exit, of 0.9 m beside 1.8 m: {counts:?}");
     let (longer, shorter) = (last[0].max(last[1]), last[0].min(last[1]));
     assert!(longer < 1.25 * shorter, "both are used to the end: {last:?}");
+}
+
+/// The way to the other exit is longer than what was left to the first, and takes more than 30 s.
+#[test]
+fn agents_that_change_to_the_far_exit_get_on() {
+    let (mut world, agents) = room_at_speed([0.5, 2.0], 240, true, 0.3);
+    run(&mut world, 900.0, |_| {});
+    assert!(world.finished(), "all of {} leave", agents.len());
+    assert_eq!(world.summary().without_progress_30s, 0);
 }
 
 #[test]
