@@ -34,8 +34,8 @@ impl Group {
         self.relaxation_time > 0.0 && self.walks_by_looking_ahead()
     }
 
-    /// Whether its agents walk where they look ahead. Agents that a field governs do not: they would leave its flow at every
-    /// bend. Agents whose model has forces do not: the model has a relaxation and contacts of its own.
+    /// Whether its agents walk where they look ahead. It is false where a field governs them: they would leave its flow at every
+    /// bend. It is false where the local model has forces: such a model relaxes velocities and parts bodies itself.
     pub(super) fn walks_by_looking_ahead(&self) -> bool {
         self.look_ahead && self.steering.is_none() && self.field.is_none() && !self.model.relaxes()
     }

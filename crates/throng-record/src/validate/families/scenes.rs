@@ -178,8 +178,8 @@ pub fn gate(random: &mut Random, pose: &Pose) -> String {
     )
 }
 
-/// Long bodies on up to a sixth of the ground that each go to the place opposite; every second crowd goes only where its bodies
-/// face, and turns slowly.
+/// Long bodies on up to a sixth of the ground that each go to the place opposite. The bodies of every second crowd have a turn
+/// rate, so they go only where they face.
 pub fn planks(random: &mut Random, pose: &Pose) -> String {
     let (side, length, width) = (random.between(12.0, 20.0), random.between(0.8, 1.6), random.between(0.4, 0.6));
     let share = random.between(0.03, 0.17);
