@@ -16,9 +16,21 @@ pub(crate) struct Vec2s<S: Simd> {
 }
 
 impl<S: Simd> Vec2s<S> {
+    /// The same in every lane.
+    #[inline(always)]
+    pub fn splat(simd: S, v: Vec2) -> Self {
+        Self { x: S::f32s::splat(simd, v.x), y: S::f32s::splat(simd, v.y) }
+    }
+
     #[inline(always)]
     pub fn load(simd: S, all: &[[f32; LANES]; 2]) -> Self {
-        Self { x: load(simd, &all[0]), y: load(simd, &all[1]) }
+        Self::load_from(simd, all, 0)
+    }
+
+    /// A vector of lanes from a lane of arrays on.
+    #[inline(always)]
+    pub fn load_from(simd: S, all: &[[f32; LANES]; 2], from: usize) -> Self {
+        Self { x: load_from(simd, &all[0], from), y: load_from(simd, &all[1], from) }
     }
 
     /// Those that lie side by side in memory, at most a vector; zero in the lanes that are left.
@@ -246,7 +258,13 @@ impl<S: Simd> Mul<S::f32s> for Vec3s<S> {
 /// The first lanes of an array.
 #[inline(always)]
 pub(crate) fn load<S: Simd>(simd: S, all: &[f32; LANES]) -> S::f32s {
-    S::f32s::from_slice(simd, &all[..S::f32s::LEN])
+    load_from(simd, all, 0)
+}
+
+/// A vector of lanes from a lane of an array on.
+#[inline(always)]
+pub(crate) fn load_from<S: Simd>(simd: S, all: &[f32; LANES], from: usize) -> S::f32s {
+    S::f32s::from_slice(simd, &all[from..from + S::f32s::LEN])
 }
 
 /// Numbers side by side in memory, at most a vector; zero in the lanes that are left.
@@ -324,6 +342,12 @@ pub(crate) fn set(all: &mut [[f32; LANES]; 2], lane: usize, v: Vec2) {
 #[inline(always)]
 pub(crate) fn set3(all: &mut [[f32; LANES]; 3], lane: usize, v: Vec3) {
     (all[0][lane], all[1][lane], all[2][lane]) = (v.x, v.y, v.z);
+}
+
+/// The vector in a lane of arrays.
+#[inline(always)]
+pub(crate) fn get(all: &[[f32; LANES]; 2], lane: usize) -> Vec2 {
+    Vec2::new(all[0][lane], all[1][lane])
 }
 
 /// The vector of space in a lane of arrays.

@@ -10,6 +10,7 @@ mod avoid;
 mod avoid_lanes;
 mod build;
 mod choose;
+mod crowd_ahead;
 mod explain;
 mod fill;
 mod flock;
@@ -37,6 +38,7 @@ mod status;
 mod steer;
 mod tune;
 mod velocities;
+mod walls_ahead;
 mod way;
 
 pub use account::{Account, Asked};
@@ -162,7 +164,7 @@ struct StepMemory {
     stuck: Vec<usize>,
     /// What each agent found when it looked ahead; empty if none does.
     ahead: Vec<look_ahead::Ahead>,
-    looking: Vec<look_ahead::WallsAhead>,
+    looking: Vec<look_ahead::Scratch>,
     manners: Vec<intend::Manners>,
     preferred: Velocities,
     avoiding: Vec<avoid::Scratch>,

@@ -2,6 +2,9 @@
 //! (MODELS 1.1, 1.2).
 
 use super::View;
+use crate::lanes::Vec2s;
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
 use glam::Vec2;
 
 /// Seconds until a point that moves with `velocity` comes within `radii` of `offset`; infinite if it never does. Who is
@@ -25,6 +28,18 @@ pub fn time_to_disc(offset: Vec2, velocity: Vec2, radii: f32) -> f32 {
     let discriminant = approach * approach - velocity.length_squared() * gap;
     // gap / (b + root) is (b - root) / a without the cancellation
     if discriminant < 0.0 { f32::INFINITY } else { gap / (approach + discriminant.sqrt()) }
+}
+
+/// As [`time_to_disc`], a lane a disc.
+#[inline(always)]
+pub(crate) fn times_to_discs<S: Simd>(simd: S, offset: Vec2s<S>, velocity: Vec2s<S>, radii: S::f32s) -> S::f32s {
+    let (zero, never) = (S::f32s::splat(simd, 0.0), S::f32s::splat(simd, f32::INFINITY));
+    let approach = offset.dot(velocity);
+    let gap = offset.dot(offset) - radii * radii;
+    let discriminant = approach * approach - velocity.dot(velocity) * gap;
+    let time = gap / (approach + discriminant.sqrt());
+    let time = gap.simd_le(zero).select(zero, discriminant.simd_lt(zero).select(never, time));
+    approach.simd_le(zero).select(never, time)
 }
 
 /// Seconds until a point that moves with `velocity` comes within `radius` of the segment from `start` to `end`;
@@ -62,5 +77,41 @@ impl View<'_> {
             .iter()
             .map(|near| near.outline.time_to_collision(near.offset, velocity, near.disc.radius as f32 + radius));
         edges.chain(discs).fold(f32::INFINITY, f32::min)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::{LANES, load, set};
+    use crate::perceive::Instructions;
+    use fearless_simd::dispatch;
+    use proptest::prelude::*;
+
+    fn vector(most: f32) -> impl Strategy<Value = Vec2> {
+        (-most..most, -most..most).prop_map(Vec2::from)
+    }
+
+    proptest! {
+        #[test]
+        fn discs_in_lanes_are_met_when_each_is(
+            discs in prop::collection::vec((vector(4.0), vector(2.0), 0.0f32..2.0), LANES),
+        ) {
+            let (mut offsets, mut velocities, mut radii) = ([[0.0; LANES]; 2], [[0.0; LANES]; 2], [0.0; LANES]);
+            for (lane, &(offset, velocity, radius)) in discs.iter().enumerate() {
+                set(&mut offsets, lane, offset);
+                set(&mut velocities, lane, velocity);
+                radii[lane] = radius;
+            }
+            for level in Instructions::ALL.into_iter().filter_map(Instructions::level) {
+                let times = dispatch!(level, simd => {
+                    let (offset, velocity) = (Vec2s::load(simd, &offsets), Vec2s::load(simd, &velocities));
+                    times_to_discs(simd, offset, velocity, load(simd, &radii)).as_slice().to_vec()
+                });
+                for (&(offset, velocity, radius), time) in discs.iter().zip(times) {
+                    prop_assert_eq!(time, time_to_disc(offset, velocity, radius), "{:?}", level);
+                }
+            }
+        }
     }
 }

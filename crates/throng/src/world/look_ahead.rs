@@ -16,28 +16,25 @@
 //! and each keeps to its own. Agents with a model in space never compare directions. Agents that a wall hides do not count.
 
 use super::World;
-use super::avoid::is_between;
-use super::way::SAME_WAY;
+use super::crowd_ahead::{CrowdAhead, Eye, MOST, Met};
+use super::walls_ahead::WallsAhead;
 use crate::agent::Group;
-use crate::avoid::{MARGIN, time_to_disc, time_to_segment};
+use crate::avoid::{MARGIN, time_to_disc};
 use crate::parallel;
 use crate::random::{Purpose, unit};
-use crate::space::{Met, Wall, Walls};
-use glam::{DVec2, Vec2};
+use fearless_simd::{Level, Simd, dispatch};
+use glam::Vec2;
+use std::ops::Range;
 
 /// Angles between the way and the directions that are compared, degrees. Only impatience leads an agent back.
 const ANGLES: [f32; 7] = [10.0, 20.0, 35.0, 50.0, 70.0, 85.0, 115.0];
+/// Directions that are compared: straight on, and these angles to both sides.
+const DIRECTIONS: usize = 1 + 2 * ANGLES.len();
 /// Seconds that an agent sees ahead, and within which agents that are about to cross its way count.
 const SIGHT: f32 = 4.0;
 const SIGHT_CROSSING: f32 = 2.0;
 /// Metres from the wall of sight beyond which walls are not looked for.
 const SIGHT_WALLS: f32 = 2.0;
-/// Metres by which an agent may come nearer to a wall than it is, where it has less room than it likes.
-const NEARER: f32 = 0.01;
-/// Gap at which all of the personal space is kept, metres: the nearer two agents are, the less of it they claim.
-const ROOMY: f32 = 1.5;
-/// Exponent of the part of the shoulders that do not overlap, among streams that meet: it is 2 elsewhere.
-const STEPS_ASIDE: f32 = 0.55;
 /// Speed that a gap never takes, m/s: without it the last agents of an arch before a door wait for each other.
 const LEAST_SPEED: f32 = 0.05;
 /// Cost of a direction at a right angle to the present one, in lengths of sight: an agent keeps to the side on which it
@@ -60,10 +57,6 @@ const GETS_ON: f32 = 2.0;
 const UNDECIDED: f32 = 0.3;
 /// Least time in which an agent makes room for one that comes the other way, seconds.
 const SOONEST: f32 = 0.1;
-/// Speed below which an agent stands, m/s: it is in the way, wherever it wants to go.
-const STANDS: f32 = 0.1;
-/// Neighbours that an agent takes into account, at most.
-const MOST: usize = 16;
 
 /// What an agent found when it looked ahead.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,6 +73,9 @@ impl Ahead {
 
     /// As fast as it likes, turned to the right by an angle, radians.
     fn turned_by(angle: f32) -> Self {
+        if angle == 0.0 {
+            return Self::FREE;
+        }
         let (sin, cos) = libm::sincosf(angle);
         Self { turn: Vec2::new(cos, sin), ..Self::FREE }
     }
@@ -91,120 +87,35 @@ impl Ahead {
     }
 }
 
-/// A neighbour that counts for the direction.
-#[derive(Clone, Copy, Debug, Default)]
-struct Seen {
-    offset: Vec2,
-    velocity: Vec2,
-    /// Sum of the radii, with the margin of the local models.
-    radii: f32,
-    /// The same, with the personal space that it keeps from one that stays where it is.
-    wanted: f32,
-    /// Distance across the way of an agent within which it is ahead: the breadth of shoulders.
-    breadth: f32,
-    /// Where it wants to go; zero if it stands.
-    direction: Vec2,
-}
-
-impl Seen {
-    /// Speed that the gap to it allows an agent that walks in `direction`. The time gap counts as far as the shoulders of the
-    /// two overlap across the direction: nearly whole until they hardly do; among streams that meet, only where they nearly
-    /// do whole, for there agents step aside all the time.
-    fn speed(&self, direction: Vec2, time_gap: f32, streams_meet: bool) -> f32 {
-        let along = self.offset.dot(direction);
-        let aside = self.offset.perp_dot(direction).abs();
-        if self.direction.dot(direction) < SAME_WAY || along <= 0.0 || aside >= self.breadth {
-            return f32::INFINITY;
-        }
-        let gap = along - (self.radii * self.radii - aside * aside).max(0.0).sqrt();
-        let part = aside / self.breadth;
-        let overlap = 1.0 - if streams_meet { libm::powf(part, STEPS_ASIDE) } else { part * part };
-        gap.max(0.0) / (time_gap * overlap)
-    }
-}
-
-/// The walls near an agent: what a thread keeps from agent to agent.
+/// What a thread keeps from agent to agent.
 #[derive(Clone, Debug, Default)]
-pub(super) struct WallsAhead {
-    met: Met,
-    /// Whether the walls near the present agent were found, and the distance of the nearest from its centre.
-    found: bool,
-    nearest: f32,
-    /// Distances of the edges, and their ends, from the agent's centre.
-    edges: Vec<(f32, Vec2, Vec2)>,
-    /// Centres of the discs, from the agent's centre, and their radii.
-    discs: Vec<(Vec2, f32)>,
-    /// Distance that the agent's centre keeps from them, metres.
-    clearance: f32,
+pub(super) struct Scratch {
+    crowd: CrowdAhead,
+    walls: WallsAhead,
 }
 
-impl WallsAhead {
-    /// Finds the walls within `range` of `at`, unless they were found since the last `forget`.
-    fn find(&mut self, walls: &Walls, at: DVec2, range: f32) {
-        let Self { met, found, nearest, edges, discs, .. } = self;
-        if std::mem::replace(found, true) {
-            return;
-        }
-        *nearest = range;
-        edges.clear();
-        discs.clear();
-        walls.visit_once(at, f64::from(range), met, |wall| match wall {
-            Wall::Edge(edge) => {
-                let start = (edge.start - at).as_vec2();
-                // seen from behind, it is hidden by what is solid
-                if edge.direction.perp_dot(start) < 0.0 {
-                    return;
-                }
-                let distance = edge.nearest(at).distance(at) as f32;
-                if distance <= range {
-                    *nearest = nearest.min(distance);
-                    edges.push((distance, start, (edge.end - at).as_vec2()));
-                }
-            }
-            Wall::Disc(disc) => {
-                let (center, radius) = ((disc.center - at).as_vec2(), disc.radius as f32);
-                let distance = center.length() - radius;
-                if distance <= range {
-                    *nearest = nearest.min(distance);
-                    discs.push((center, radius));
-                }
-            }
-        });
-    }
+/// What is the same for all agents in a step.
+struct Common {
+    /// Whether all bodies are discs.
+    discs: bool,
+    /// Whether any agent is above the ground.
+    in_space: bool,
+    /// The directions that are compared, for an agent that turns from no other.
+    directions: [(f32, Ahead); DIRECTIONS],
+}
 
-    /// Forgets the walls near the last agent.
-    fn forget(&mut self) {
-        self.found = false;
-    }
-
-    /// Keeps the agent's centre this far from walls, as far as it is now.
-    fn keep(&mut self, clearance: f32) {
-        self.clearance = clearance.min(self.nearest - NEARER).max(0.0);
-    }
-
-    /// Whether an edge lies between the agent and what is at `offset`.
-    fn hide(&self, offset: Vec2) -> bool {
-        let reach = offset.length();
-        self.edges.iter().any(|&(distance, start, end)| distance < reach && is_between(start, end, offset))
-    }
-
-    /// Seconds until an agent with this velocity meets a wall, `most` at most.
-    fn time(&self, velocity: Vec2, most: f32) -> f32 {
-        let (clearance, speed) = (self.clearance, velocity.length());
-        let discs = self.discs.iter().map(|&(center, radius)| time_to_disc(center, velocity, radius + clearance));
-        let mut time = discs.fold(most, f32::min);
-        for &(distance, start, end) in &self.edges {
-            if distance - clearance < speed * time {
-                time = time.min(time_to_segment(start, end, velocity, clearance));
-            }
-        }
-        time
-    }
+/// The room that neighbours leave an agent in a direction.
+#[derive(Clone, Copy)]
+struct Room {
+    /// Seconds until it meets one, if it walks as fast as it likes.
+    time: f32,
+    /// Speed that the gaps ahead allow.
+    speed: f32,
 }
 
 /// What an agent looks at, and how.
 struct Sight<'a> {
-    seen: &'a [Seen],
+    crowd: &'a mut CrowdAhead,
     /// Preferred speed.
     speed: f32,
     time_gap: f32,
@@ -216,20 +127,26 @@ struct Sight<'a> {
 
 impl Sight<'_> {
     /// Seconds until an agent with this velocity meets a neighbour, as far as it sees.
-    fn time(&self, velocity: Vec2) -> f32 {
-        let times = self.seen.iter().map(|n| time_to_disc(n.offset, velocity - n.velocity, n.wanted));
-        times.fold(self.seconds, f32::min)
-    }
-
-    /// Whether no neighbour hinders an agent that walks this way as fast as it likes.
-    fn is_free(&self, direction: Vec2) -> bool {
-        self.time(direction * self.speed) >= self.seconds && self.gap_speed(direction) >= self.speed
+    #[inline(always)]
+    fn time<S: Simd>(&self, simd: S, velocity: Vec2) -> f32 {
+        self.crowd.time(simd, velocity, self.seconds)
     }
 
     /// Speed that the gaps ahead allow in a direction.
-    fn gap_speed(&self, direction: Vec2) -> f32 {
-        let speeds = self.seen.iter().map(|n| n.speed(direction, self.time_gap, self.streams_meet));
-        speeds.fold(f32::INFINITY, f32::min).max(LEAST_SPEED)
+    #[inline(always)]
+    fn gap_speed<S: Simd>(&self, simd: S, direction: Vec2) -> f32 {
+        self.crowd.gap_speed(simd, direction, self.time_gap, self.streams_meet).max(LEAST_SPEED)
+    }
+
+    /// The room in a direction.
+    #[inline(always)]
+    fn room<S: Simd>(&self, simd: S, direction: Vec2) -> Room {
+        Room { time: self.time(simd, direction * self.speed), speed: self.gap_speed(simd, direction) }
+    }
+
+    /// Whether no neighbour hinders an agent that walks as fast as it likes.
+    fn is_free(&self, room: Room) -> bool {
+        room.time >= self.seconds && room.speed >= self.speed
     }
 }
 
@@ -241,10 +158,27 @@ impl World {
         let mut scratch = std::mem::take(&mut self.step.looking);
         ahead.resize(if looks { self.agents.len() } else { 0 }, Ahead::FREE);
         let world = &*self;
-        parallel::ranges_with(&mut ahead[..], &mut scratch, |walls, rows, ahead| {
-            rows.zip(ahead).for_each(|(row, ahead)| *ahead = world.ahead_of(row, walls));
+        let (discs, in_space) = (self.agents.all_discs(), self.agents.anybody_flies());
+        let common = Common { discs, in_space, directions: directions(0.0) };
+        let level = self.instructions.level().unwrap_or(Level::baseline());
+        parallel::ranges_with(&mut ahead[..], &mut scratch, |scratch, rows, ahead| {
+            dispatch!(level, simd => world.look_ahead_of_rows(simd, rows, ahead, &common, scratch));
         });
         (self.step.ahead, self.step.looking) = (ahead, scratch);
+    }
+
+    #[inline(always)]
+    fn look_ahead_of_rows<S: Simd>(
+        &self,
+        simd: S,
+        rows: Range<usize>,
+        ahead: &mut [Ahead],
+        common: &Common,
+        scratch: &mut Scratch,
+    ) {
+        for (row, ahead) in rows.zip(ahead) {
+            *ahead = self.ahead_of(simd, row, common, scratch);
+        }
     }
 
     /// What an agent found.
@@ -253,10 +187,12 @@ impl World {
         self.step.ahead.get(row).copied().unwrap_or(Ahead::FREE)
     }
 
-    fn ahead_of(&self, row: usize, walls: &mut WallsAhead) -> Ahead {
+    #[inline(always)]
+    fn ahead_of<S: Simd>(&self, simd: S, row: usize, common: &Common, scratch: &mut Scratch) -> Ahead {
         let agents = &self.agents;
         let group = &self.groups[agents.group[row].index()];
-        let (way, speed) = (&self.step.shown[row].way, agents.preferred_speed[row]);
+        let own = &self.step.shown[row];
+        let (way, speed) = (&own.way, agents.preferred_speed[row]);
         if !group.look_ahead {
             // one that is blocked for long tries any side
             let blocked = group.keep_right != 0.0 && self.without_progress(row) >= PATIENCE;
@@ -266,95 +202,102 @@ impl World {
         if way.direction == Vec2::ZERO || speed <= 0.0 || self.neighbours(row).is_empty() {
             return Ahead::FREE;
         }
+        let Scratch { crowd, walls } = scratch;
         walls.forget();
         let at = agents.position[row].as_dvec2();
-        let in_space = agents.anybody_flies() && self.model(row).looks_in_space();
+        let in_space = common.in_space && self.model(row).looks_in_space();
+        let gets_on = self.without_progress(row) < GETS_ON;
+        self.see_crowd(row, (common.discs, in_space), crowd);
+        let Group { personal_space, shoulders, .. } = *group;
+        crowd.sort(simd, &Eye { way: way.direction, gets_on, personal_space, shoulders });
         let mut hidden = |offset: Vec2| {
             if in_space {
                 return false;
             }
-            walls.find(&self.walls, at, self.range_of_walls(row));
+            walls.find(&self.walls, at, || self.range_of_walls(row));
             walls.hide(offset)
         };
         // nothing beyond the point where it stops concerns it
         let to_goal = if way.stops() { way.remaining / speed } else { f32::INFINITY };
-        let (mut seen, mut count) = ([Seen::default(); MOST], 0);
-        let gets_on = self.without_progress(row) < GETS_ON;
         let mut oncoming = Oncoming { time: SIGHT.min(to_goal), turn: 0.0, any: false };
         let mut crosses = false;
-        // a long body turns its narrow side to where it goes; how long it is the local model knows
-        let discs = agents.all_discs();
-        let breadth = |row: usize| if discs { agents.radius[row] } else { agents.body(row).girth() };
-        let level = |other: &usize| !in_space || !agents.passes_clear(row, *other);
-        for other in self.neighbours(row).iter().map(|&other| other as usize).filter(level).take(MOST) {
-            let their = &self.step.shown[other].way;
-            let offset = agents.offset(row, other);
-            let radii = (breadth(row) + breadth(other)) * (1.0 + MARGIN);
-            // the nearer, the less of it they claim
-            let space = || group.personal_space * ((offset.length() - radii).max(0.0) / ROOMY).min(1.0);
-            let velocity = agents.velocity[other];
-            let goes_along = !their.walks()
-                || their.direction.dot(way.direction) > SAME_WAY
-                || velocity.length_squared() < STANDS * STANDS;
-            let is_ahead = offset.dot(way.direction) > 0.0;
-            if goes_along || (is_ahead && !gets_on) {
-                // agents on one journey stand close where it ends
-                let close = their.walks() || agents.journey[row] == agents.journey[other];
-                let wanted = if close { radii } else { radii + space() };
-                let breadth = if goes_along { radii.max(group.shoulders) } else { radii };
-                seen[count] = Seen { offset, velocity, radii, wanted, breadth, direction: their.direction };
-                count += 1;
-            }
-            if is_ahead && !goes_along {
-                let relative = way.direction * speed - velocity;
-                if their.is_opposite(way) {
-                    if !hidden(offset) {
-                        let share = if agents.avoids(other, row) { self.share(row, other, 0.0) } else { 1.0 };
-                        oncoming.meet((offset, relative), radii + 2.0 * space(), speed, share, group.keep_right);
-                    }
-                } else if !crosses {
-                    crosses = time_to_disc(offset, relative, radii) < SIGHT_CROSSING && !hidden(offset);
+        for Met { row: other, offset, velocity, radii, space, is_opposite } in crowd.met() {
+            let relative = way.direction * speed - velocity;
+            if is_opposite {
+                if !hidden(offset) {
+                    let share = if agents.avoids(other, row) { self.share(row, other, 0.0) } else { 1.0 };
+                    oncoming.meet((offset, relative), radii + 2.0 * space, speed, share, group.keep_right);
                 }
+            } else if !crosses {
+                crosses = time_to_disc(offset, relative, radii) < SIGHT_CROSSING && !hidden(offset);
             }
         }
         let streams_meet = oncoming.any || crosses;
         let straight = Ahead::turned_by(oncoming.turn);
         let direction = straight.turned(way.direction);
         let seconds = SIGHT.min(to_goal);
-        let sight = Sight { seen: &seen[..count], speed, time_gap: agents.time_gap[row], seconds, streams_meet };
-        if in_space || sight.is_free(direction) {
+        let sight = Sight { crowd, speed, time_gap: agents.time_gap[row], seconds, streams_meet };
+        if in_space {
             return straight;
         }
         // walls are looked at only where an agent would hinder it
-        let (mut clear, mut kept) = ([Seen::default(); MOST], 0);
-        for one in seen[..count].iter().filter(|one| !hidden(one.offset)) {
-            clear[kept] = *one;
-            kept += 1;
+        let mut room = sight.room(simd, direction);
+        if !sight.is_free(room) && sight.crowd.forget(hidden) {
+            room = sight.room(simd, direction);
         }
-        let sight = Sight { seen: &clear[..kept], ..sight };
-        if kept < count && sight.is_free(direction) {
+        if sight.is_free(room) {
             return straight;
         }
-        let gap_speed = sight.gap_speed(direction);
         if streams_meet && gets_on {
-            return Ahead { speed: gap_speed, ..straight };
+            return Ahead { speed: room.speed, ..straight };
         }
-        self.freest(row, &sight, (way.direction, oncoming.turn), gap_speed < speed && !oncoming.any, walls)
+        let queues = room.speed < speed && !oncoming.any;
+        self.freest(simd, row, &sight, (way.direction, oncoming.turn, room), queues, (common, walls))
+    }
+
+    /// Lets an agent see its neighbours.
+    #[inline(always)]
+    fn see_crowd(&self, row: usize, (discs, in_space): (bool, bool), crowd: &mut CrowdAhead) {
+        let (agents, shown) = (&self.agents, &self.step.shown);
+        let own = &shown[row];
+        // a long body turns its narrow side to where it goes; how long it is the local model knows
+        let breadth = |row: usize| if discs { agents.radius[row] } else { agents.body(row).girth() };
+        let own_breadth = breadth(row);
+        crowd.clear();
+        let mut left = MOST;
+        for &other in self.neighbours(row) {
+            let other = other as usize;
+            if left == 0 {
+                break;
+            }
+            if in_space && agents.passes_clear(row, other) {
+                continue;
+            }
+            left -= 1;
+            let their = &shown[other];
+            let offset = if discs { their.position() - own.position() } else { agents.offset(row, other) };
+            // agents on one journey stand close where it ends
+            let close = their.way.walks() || agents.journey[row] == agents.journey[other];
+            let radii = (own_breadth + breadth(other)) * (1.0 + MARGIN);
+            crowd.push(other, (offset, their.velocity()), &their.way, radii, close);
+        }
     }
 
     /// The direction in which an agent gets farthest.
-    fn freest(
+    #[inline(always)]
+    fn freest<S: Simd>(
         &self,
+        simd: S,
         row: usize,
         sight: &Sight<'_>,
-        (way, side): (Vec2, f32),
+        (way, side, straight): (Vec2, f32, Room),
         queues: bool,
-        walls: &mut WallsAhead,
+        (common, walls): (&Common, &mut WallsAhead),
     ) -> Ahead {
         let (agents, range) = (&self.agents, sight.speed * sight.seconds);
         let group = &self.groups[agents.group[row].index()];
         let at = agents.position[row].as_dvec2();
-        walls.find(&self.walls, at, self.range_of_walls(row));
+        walls.find(&self.walls, at, || self.range_of_walls(row));
         walls.keep(self.clear_of_walls(row));
         let course = agents.velocity[row] / sight.speed;
         let course = course + way * (STEADY * (1.0 - course.length()).max(0.0));
@@ -363,9 +306,8 @@ impl World {
         // finite where restlessness is 1: times the sine of no angle it is 0
         let beyond = (restlessness / (1.0 - restlessness * restlessness).sqrt()).min(f32::MAX);
         let mut best = (f32::INFINITY, Ahead::FREE);
-        let sides = ANGLES.iter().flat_map(|&angle| [angle, -angle]);
-        for (index, angle) in (0..).zip([0.0].into_iter().chain(sides)) {
-            let ahead = Ahead::turned_by(angle.to_radians() + side);
+        let turned = (side != 0.0).then(|| directions(side));
+        for (index, &(angle, ahead)) in (0..).zip(turned.as_ref().unwrap_or(&common.directions)) {
             let Vec2 { x: cos, y: sin } = ahead.turn;
             let direction = ahead.turned(way);
             let turning = course.length() - course.dot(direction);
@@ -384,11 +326,11 @@ impl World {
                 continue;
             }
             let velocity = direction * sight.speed;
-            let time = sight.time(velocity);
+            let time = if index == 0 { straight.time } else { sight.time(simd, velocity) };
             if cost(sight.speed * time) >= best.0 {
                 continue;
             }
-            let speed = sight.gap_speed(direction).min(sight.speed);
+            let speed = if index == 0 { straight.speed } else { sight.gap_speed(simd, direction) }.min(sight.speed);
             if cost(speed * time) >= best.0 {
                 continue;
             }
@@ -424,6 +366,19 @@ impl World {
         let (sin, cos) = libm::sincosf(std::f32::consts::TAU * self.whim(row, u64::from(u8::MAX)));
         Vec2::new(cos, sin)
     }
+}
+
+/// The angles between its way and the directions that an agent compares, degrees, and what they are if it turns to the right by
+/// an angle, radians.
+fn directions(side: f32) -> [(f32, Ahead); DIRECTIONS] {
+    std::array::from_fn(|index| {
+        let angle = match index.checked_sub(1) {
+            Some(index) if index % 2 == 0 => ANGLES[index / 2],
+            Some(index) => -ANGLES[index / 2],
+            None => 0.0,
+        };
+        (angle, Ahead::turned_by(angle.to_radians() + side))
+    })
 }
 
 /// The agent that comes the other way and is met first.

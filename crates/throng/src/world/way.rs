@@ -16,6 +16,14 @@ impl Shown {
     pub fn new(position: Vec2, velocity: Vec2, way: Way) -> Self {
         Self { motion: [position.x, position.y, velocity.x, velocity.y], way }
     }
+
+    pub fn position(&self) -> Vec2 {
+        Vec2::new(self.motion[0], self.motion[1])
+    }
+
+    pub fn velocity(&self) -> Vec2 {
+        Vec2::new(self.motion[2], self.motion[3])
+    }
 }
 
 /// What others see of where somebody wants to go: 16 bytes.

@@ -1,0 +1,93 @@
+//! The walls that an agent sees when it looks ahead.
+
+use super::avoid::is_between;
+use crate::avoid::{time_to_disc, time_to_segment};
+use crate::space::{Met, Wall, Walls};
+use glam::{DVec2, Vec2};
+
+/// Metres by which an agent may come nearer to a wall than it is, where it has less room than it likes.
+const NEARER: f32 = 0.01;
+
+/// The walls near an agent: what a thread keeps from agent to agent.
+#[derive(Clone, Debug, Default)]
+pub(super) struct WallsAhead {
+    met: Met,
+    /// Whether the walls near the present agent were found, and the distance of the nearest from its centre.
+    found: bool,
+    nearest: f32,
+    /// Distances of the edges, and their ends, from the agent's centre.
+    edges: Vec<(f32, Vec2, Vec2)>,
+    /// Centres of the discs, from the agent's centre, and their radii.
+    discs: Vec<(Vec2, f32)>,
+    /// Distance that the agent's centre keeps from them, metres.
+    clearance: f32,
+}
+
+impl WallsAhead {
+    /// Finds the walls within a range of `at`, unless they were found since the last `forget`.
+    #[inline]
+    pub fn find(&mut self, walls: &Walls, at: DVec2, range: impl FnOnce() -> f32) {
+        if !self.found {
+            self.found = true;
+            self.find_within(walls, at, range());
+        }
+    }
+
+    fn find_within(&mut self, walls: &Walls, at: DVec2, range: f32) {
+        let Self { met, nearest, edges, discs, .. } = self;
+        *nearest = range;
+        edges.clear();
+        discs.clear();
+        walls.visit_once(at, f64::from(range), met, |wall| match wall {
+            Wall::Edge(edge) => {
+                let start = (edge.start - at).as_vec2();
+                // seen from behind, it is hidden by what is solid
+                if edge.direction.perp_dot(start) < 0.0 {
+                    return;
+                }
+                let distance = edge.nearest(at).distance(at) as f32;
+                if distance <= range {
+                    *nearest = nearest.min(distance);
+                    edges.push((distance, start, (edge.end - at).as_vec2()));
+                }
+            }
+            Wall::Disc(disc) => {
+                let (center, radius) = ((disc.center - at).as_vec2(), disc.radius as f32);
+                let distance = center.length() - radius;
+                if distance <= range {
+                    *nearest = nearest.min(distance);
+                    discs.push((center, radius));
+                }
+            }
+        });
+    }
+
+    /// Forgets the walls near the last agent.
+    pub fn forget(&mut self) {
+        self.found = false;
+    }
+
+    /// Keeps the agent's centre this far from walls, as far as it is now.
+    pub fn keep(&mut self, clearance: f32) {
+        self.clearance = clearance.min(self.nearest - NEARER).max(0.0);
+    }
+
+    /// Whether an edge lies between the agent and what is at `offset`.
+    pub fn hide(&self, offset: Vec2) -> bool {
+        let reach = offset.length();
+        self.edges.iter().any(|&(distance, start, end)| distance < reach && is_between(start, end, offset))
+    }
+
+    /// Seconds until an agent with this velocity meets a wall, `most` at most.
+    pub fn time(&self, velocity: Vec2, most: f32) -> f32 {
+        let (clearance, speed) = (self.clearance, velocity.length());
+        let discs = self.discs.iter().map(|&(center, radius)| time_to_disc(center, velocity, radius + clearance));
+        let mut time = discs.fold(most, f32::min);
+        for &(distance, start, end) in &self.edges {
+            if distance - clearance < speed * time {
+                time = time.min(time_to_segment(start, end, velocity, clearance));
+            }
+        }
+        time
+    }
+}
