@@ -100,7 +100,7 @@ pub struct Walls {
 }
 
 /// How far from a cell the walls lie that it lists, metres: what pedestrians look for needs one cell only.
-const REACH: f64 = 2.0;
+const REACH: f64 = 2.25;
 
 /// Width of the cells that walls are sorted into, metres.
 const CELL: f64 = 2.0;
@@ -286,7 +286,11 @@ impl Walls {
 
     /// Calls `see` once with every wall within `range` of `from`, and with some that are farther; always in the same order.
     pub(crate) fn visit_once<'a>(&'a self, from: DVec2, range: f64, met: &mut Met, mut see: impl FnMut(Wall<'a>)) {
-        self.each_once(from, range, met, |item| see(self.wall(item)));
+        self.each_once(from, range, met, |item| {
+            if self.may_be_near(item, from, range) {
+                see(self.wall(item));
+            }
+        });
     }
 
     /// As [`visit_once`](Self::visit_once), by number: edges, then discs.

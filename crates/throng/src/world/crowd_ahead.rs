@@ -161,16 +161,22 @@ impl CrowdAhead {
         least_of(simd, least)
     }
 
-    /// Speed that the gaps ahead allow an agent that walks in `direction`; infinite if there are none.
+    /// Speed that the gaps ahead allow an agent that walks in `direction`, `most` at most.
     ///
     /// The time gap counts as far as the shoulders of the two overlap across the direction: nearly whole until they hardly do;
     /// among streams that meet, only where they nearly do whole, for there agents step aside all the time.
     #[inline(always)]
-    pub fn gap_speed<S: Simd>(&self, simd: S, direction: Vec2, time_gap: f32, streams_meet: bool) -> f32 {
+    pub fn gap_speed<S: Simd>(
+        &self,
+        simd: S,
+        direction: Vec2,
+        (time_gap, most): (f32, f32),
+        streams_meet: bool,
+    ) -> f32 {
         let splat = |value: f32| S::f32s::splat(simd, value);
         let (zero, one) = (splat(0.0), splat(1.0));
         let direction = Vec2s::<S>::splat(simd, direction);
-        let mut least = splat(f32::INFINITY);
+        let mut least = splat(most);
         for from in (0..self.len).step_by(S::f32s::LEN) {
             let offset = Vec2s::load_from(simd, &self.offset, from);
             let breadth = load_from(simd, &self.breadth, from);
@@ -181,23 +187,23 @@ impl CrowdAhead {
                 & along.simd_gt(zero)
                 & aside.simd_lt(breadth)
                 & S::mask32s::from_bitmask(simd, self.counts >> from);
-            if !ahead.any_true() {
+            let radii = load_from(simd, &self.radii, from);
+            let gap = (along - (radii * radii - aside * aside).max(zero).sqrt()).max(zero);
+            let hinders = ahead & gap.simd_lt(splat(most * time_gap));
+            if !hinders.any_true() {
                 continue;
             }
-            let radii = load_from(simd, &self.radii, from);
-            let gap = along - (radii * radii - aside * aside).max(zero).sqrt();
             let mut apart = aside / breadth;
             if streams_meet {
                 let parts = apart.as_mut_slice();
-                for lane in ones(ahead.to_bitmask()) {
+                for lane in ones(hinders.to_bitmask()) {
                     parts[lane] = libm::powf(parts[lane], STEPS_ASIDE);
                 }
             } else {
                 apart = apart * apart;
             }
-            let speed = gap.max(zero) / (splat(time_gap) * (one - apart));
-            // without a time gap agents that touch allow no number
-            least = (ahead & speed.simd_lt(least)).select(speed, least);
+            let speed = gap / (splat(time_gap) * (one - apart));
+            least = hinders.select(speed.min(least), least);
         }
         least_of(simd, least)
     }
@@ -269,7 +275,7 @@ mod tests {
             let eye = Eye { way: Vec2::X, gets_on, personal_space: 0.4, shoulders: 0.415 };
             let direction = Vec2::from_angle(angle);
             let least = all.iter().map(|one| expected(&eye, direction, streams_meet, one));
-            let least = least.fold((4.0f32, f32::INFINITY), |a, b| (a.0.min(b.0), a.1.min(b.1)));
+            let least = least.fold((4.0f32, 1.3f32), |a, b| (a.0.min(b.0), a.1.min(b.1)));
             for level in Instructions::ALL.into_iter().filter_map(Instructions::level) {
                 let mut crowd = CrowdAhead::default();
                 for (row, &(offset, velocity, walks, radii, close)) in all.iter().enumerate() {
@@ -277,7 +283,7 @@ mod tests {
                 }
                 let found = dispatch!(level, simd => {
                     crowd.sort(simd, &eye);
-                    (crowd.time(simd, direction * 1.3, 4.0), crowd.gap_speed(simd, direction, 1.15, streams_meet))
+                    (crowd.time(simd, direction * 1.3, 4.0), crowd.gap_speed(simd, direction, (1.15, 1.3), streams_meet))
                 });
                 let near = |a: f32, b: f32| a == b || (a - b).abs() <= 1e-4 * (1.0 + b.abs());
                 prop_assert!(near(found.0, least.0) && near(found.1, least.1), "{level:?}: {found:?} {least:?}");

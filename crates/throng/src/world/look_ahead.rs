@@ -96,8 +96,9 @@ pub(super) struct Scratch {
 
 /// What is the same for all agents in a step.
 struct Common {
-    /// Whether all bodies are discs.
+    /// Whether all bodies are discs, and their radius if all have the same.
     discs: bool,
+    radius: Option<f32>,
     /// Whether any agent is above the ground.
     in_space: bool,
     /// The directions that are compared, for an agent that turns from no other.
@@ -132,10 +133,11 @@ impl Sight<'_> {
         self.crowd.time(simd, velocity, self.seconds)
     }
 
-    /// Speed that the gaps ahead allow in a direction.
+    /// Speed that the gaps ahead allow in a direction, as fast as it likes at most.
     #[inline(always)]
     fn gap_speed<S: Simd>(&self, simd: S, direction: Vec2) -> f32 {
-        self.crowd.gap_speed(simd, direction, self.time_gap, self.streams_meet).max(LEAST_SPEED)
+        let speed = self.crowd.gap_speed(simd, direction, (self.time_gap, self.speed), self.streams_meet);
+        speed.max(LEAST_SPEED)
     }
 
     /// The room in a direction.
@@ -159,7 +161,8 @@ impl World {
         ahead.resize(if looks { self.agents.len() } else { 0 }, Ahead::FREE);
         let world = &*self;
         let (discs, in_space) = (self.agents.all_discs(), self.agents.anybody_flies());
-        let common = Common { discs, in_space, directions: directions(0.0) };
+        let radius = self.agents.radius.uniform().filter(|_| discs);
+        let common = Common { discs, radius, in_space, directions: directions(0.0) };
         let level = self.instructions.level().unwrap_or(Level::baseline());
         parallel::ranges_with(&mut ahead[..], &mut scratch, |scratch, rows, ahead| {
             dispatch!(level, simd => world.look_ahead_of_rows(simd, rows, ahead, &common, scratch));
@@ -207,7 +210,7 @@ impl World {
         let at = agents.position[row].as_dvec2();
         let in_space = common.in_space && self.model(row).looks_in_space();
         let gets_on = self.without_progress(row) < GETS_ON;
-        self.see_crowd(row, (common.discs, in_space), crowd);
+        self.see_crowd(row, common, in_space, crowd);
         let Group { personal_space, shoulders, .. } = *group;
         crowd.sort(simd, &Eye { way: way.direction, gets_on, personal_space, shoulders });
         let mut hidden = |offset: Vec2| {
@@ -241,6 +244,13 @@ impl World {
             return straight;
         }
         // walls are looked at only where an agent would hinder it
+        if streams_meet && gets_on {
+            let mut gap_speed = sight.gap_speed(simd, direction);
+            if gap_speed < speed && sight.crowd.forget(hidden) {
+                gap_speed = sight.gap_speed(simd, direction);
+            }
+            return Ahead { speed: gap_speed, ..straight };
+        }
         let mut room = sight.room(simd, direction);
         if !sight.is_free(room) && sight.crowd.forget(hidden) {
             room = sight.room(simd, direction);
@@ -248,20 +258,21 @@ impl World {
         if sight.is_free(room) {
             return straight;
         }
-        if streams_meet && gets_on {
-            return Ahead { speed: room.speed, ..straight };
-        }
         let queues = room.speed < speed && !oncoming.any;
         self.freest(simd, row, &sight, (way.direction, oncoming.turn, room), queues, (common, walls))
     }
 
     /// Lets an agent see its neighbours.
     #[inline(always)]
-    fn see_crowd(&self, row: usize, (discs, in_space): (bool, bool), crowd: &mut CrowdAhead) {
+    fn see_crowd(&self, row: usize, common: &Common, in_space: bool, crowd: &mut CrowdAhead) {
         let (agents, shown) = (&self.agents, &self.step.shown);
         let own = &shown[row];
         // a long body turns its narrow side to where it goes; how long it is the local model knows
-        let breadth = |row: usize| if discs { agents.radius[row] } else { agents.body(row).girth() };
+        let breadth = |row: usize| match common.radius {
+            Some(radius) => radius,
+            None if common.discs => agents.radius[row],
+            None => agents.body(row).girth(),
+        };
         let own_breadth = breadth(row);
         crowd.clear();
         let mut left = MOST;
@@ -275,7 +286,7 @@ impl World {
             }
             left -= 1;
             let their = &shown[other];
-            let offset = if discs { their.position() - own.position() } else { agents.offset(row, other) };
+            let offset = if common.discs { their.position() - own.position() } else { agents.offset(row, other) };
             // agents on one journey stand close where it ends
             let close = their.way.walks() || agents.journey[row] == agents.journey[other];
             let radii = (own_breadth + breadth(other)) * (1.0 + MARGIN);

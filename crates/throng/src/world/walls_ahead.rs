@@ -74,6 +74,9 @@ impl WallsAhead {
 
     /// Whether an edge lies between the agent and what is at `offset`.
     pub fn hide(&self, offset: Vec2) -> bool {
+        if self.edges.is_empty() {
+            return false;
+        }
         let reach = offset.length();
         self.edges.iter().any(|&(distance, start, end)| distance < reach && is_between(start, end, offset))
     }
