@@ -1,9 +1,9 @@
 //! A body's limits hold where the guard leaves it alone: acceleration, top speed, turning; and headings rest.
 
-use crate::common::{Draw, run, run_for, walker, with_settings, world};
+use crate::common::{Draw, journey_into, run, run_for, walker, with_settings, world};
 use crate::oracle::rounding_speed;
 use glam::{DVec2, Vec2};
-use throng::{Agent, Body, Group, Obstacle, SubSteps, World};
+use throng::{Agent, Body, Goal, Group, Obstacle, SubSteps, World};
 
 /// Steps one sub-step at a time until `limit`, and holds the first agent to its limits.
 fn hold_to_limits(world: &mut World, limit: f64) {
@@ -83,6 +83,61 @@ fn the_ends_of_a_long_body_turn_no_faster_than_the_agent_walks() {
         assert!(fastest > 0.5 * most, "case {case}: it turns, {fastest} of {most} rad");
         assert_eq!(world.summary().arrived, 1, "case {case}: {:?}", world.agents());
     }
+}
+
+/// A car that can neither turn on the spot nor stop at once drives through people that cross its way: it brakes for them as hard as
+/// its body can, and only the guard, where a person would be touched, may ask for more.
+#[test]
+fn a_car_brakes_for_people_that_cross_its_way() {
+    let (mut steps, mut beyond, mut slowest) = (0, 0, f32::INFINITY);
+    for seed in 1..=6 {
+        let mut draw = Draw::new(seed);
+        let angle = draw.between(0.0, 6.3);
+        let origin = draw.point(DVec2::splat(-3e3), DVec2::splat(3e3));
+        let turned = |x: f64, y: f64| origin + DVec2::from_angle(angle).rotate(DVec2::new(x, y));
+        let seconds = draw.one_of(&[0.02, 0.04, 0.05]);
+        let mut world = with_settings(seconds, SubSteps::Fixed(1), origin);
+        let plain = Group { name: "car".into(), look_ahead: false, ..Group::default() };
+        let cars = world.add_group(plain).unwrap();
+        let car = Agent {
+            group: cars,
+            heading: Some(angle as f32),
+            preferred_speed: 2.5,
+            max_speed: 3.0,
+            max_acceleration: 2.0,
+            max_turn_rate: 0.35,
+            priority: 0.8,
+            position: turned(-14.0, 0.0),
+            journey: journey_into(&mut world, Goal::Point { at: turned(18.0, 0.0), tolerance: 1.0 }),
+            ..Agent::default()
+        };
+        world.add_agent(car.with_body(Body::rectangle(4.2, 1.8))).unwrap();
+        for place in 0..60 {
+            let (x, y) = (f64::from(place % 10) * 1.5 - 7.0, 5.0 + f64::from(place / 10 % 3) * 1.8);
+            let side = if place < 30 { 1.0 } else { -1.0 };
+            let (x, y) = (x + draw.between(-0.4, 0.4), side * (y + draw.between(-0.4, 0.4)));
+            let person = walker(&mut world, turned(x, y), turned(x, -y));
+            world.add_agent(person).unwrap();
+        }
+        let mut velocity = Vec2::ZERO;
+        let middle = turned(0.0, 0.0);
+        run_for(&mut world, 60.0, |world| {
+            let agents = world.agents();
+            let change = agents.velocity[0].distance(velocity) / seconds as f32;
+            velocity = agents.velocity[0];
+            steps += 1;
+            beyond += u32::from(change > 2.0 * 1.01);
+            let heading = Vec2::from_angle(agents.heading[0]);
+            assert!(velocity.dot(heading) > -1e-3, "seed {seed}: it goes backwards at {:.2} s", world.time());
+            if (agents.position[0].as_dvec2() + origin).distance(middle) < 6.0 {
+                slowest = slowest.min(velocity.length());
+            }
+        });
+        let summary = world.summary();
+        assert_eq!((summary.arrived, summary.overlaps), (61, 0), "seed {seed}: {summary:?}");
+    }
+    assert!(slowest < 2.0, "it brakes, to {slowest} m/s");
+    assert!(100 * beyond <= steps, "it brakes harder than it can in {beyond} of {steps} steps");
 }
 
 #[test]
