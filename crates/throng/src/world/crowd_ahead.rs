@@ -6,9 +6,6 @@ use crate::lanes::{LANES, Vec2s, get, load_from, ones, set};
 use fearless_simd::prelude::*;
 use glam::Vec2;
 
-/// Neighbours that an agent takes into account, at most.
-pub(super) const MOST: usize = LANES;
-
 /// Speed below which an agent stands, m/s: it is in the way, wherever it wants to go.
 const STANDS: f32 = 0.1;
 /// Gap at which all of the personal space is kept, metres: the nearer two agents are, the less of it they claim.
@@ -77,8 +74,13 @@ impl CrowdAhead {
         (self.len, self.walk, self.close) = (0, 0, 0);
     }
 
-    /// Adds the neighbour of a row, one of [`MOST`]. The sum of the radii is with the margin of the local models. From one that
-    /// is `close` the agent keeps no space where it stays.
+    /// Whether it holds as many neighbours as an agent takes into account.
+    pub fn is_full(&self) -> bool {
+        self.len == LANES
+    }
+
+    /// Adds the neighbour of a row; there has to be room for it. The sum of the radii is with the margin of the local models. From
+    /// one that is `close` the agent keeps no space where it stays.
     #[inline(always)]
     pub fn push(&mut self, row: usize, (offset, velocity): (Vec2, Vec2), way: &Way, radii: f32, close: bool) {
         let at = self.len;
@@ -269,7 +271,7 @@ mod tests {
     proptest! {
         #[test]
         fn the_crowd_leaves_what_each_neighbour_leaves(
-            all in prop::collection::vec(one(), 1..=MOST),
+            all in prop::collection::vec(one(), 1..=LANES),
             (angle, gets_on, streams_meet) in (-2.0f32..2.0, any::<bool>(), any::<bool>()),
         ) {
             let eye = Eye { way: Vec2::X, gets_on, personal_space: 0.4, shoulders: 0.415 };

@@ -16,7 +16,7 @@
 //! and each keeps to its own. Agents with a model in space never compare directions. Agents that a wall hides do not count.
 
 use super::World;
-use super::crowd_ahead::{CrowdAhead, Eye, MOST, Met};
+use super::crowd_ahead::{CrowdAhead, Eye, Met};
 use super::walls_ahead::WallsAhead;
 use crate::agent::Group;
 use crate::avoid::{MARGIN, time_to_disc};
@@ -63,7 +63,7 @@ const SOONEST: f32 = 0.1;
 pub(super) struct Ahead {
     /// Cosine and sine of the angle by which it turns from its way to the right.
     pub turn: Vec2,
-    /// Speed that the gap ahead allows, m/s; infinite if there is no agent ahead.
+    /// Speed that the gap ahead allows, m/s; as fast as it likes, or infinite, if no agent hinders it.
     pub speed: f32,
 }
 
@@ -190,6 +190,7 @@ impl World {
         self.step.ahead.get(row).copied().unwrap_or(Ahead::FREE)
     }
 
+    /// What one agent finds.
     #[inline(always)]
     fn ahead_of<S: Simd>(&self, simd: S, row: usize, common: &Common, scratch: &mut Scratch) -> Ahead {
         let agents = &self.agents;
@@ -238,11 +239,11 @@ impl World {
         let streams_meet = oncoming.any || crosses;
         let straight = Ahead::turned_by(oncoming.turn);
         let direction = straight.turned(way.direction);
-        let seconds = SIGHT.min(to_goal);
-        let sight = Sight { crowd, speed, time_gap: agents.time_gap[row], seconds, streams_meet };
         if in_space {
             return straight;
         }
+        let seconds = SIGHT.min(to_goal);
+        let sight = Sight { crowd, speed, time_gap: agents.time_gap[row], seconds, streams_meet };
         // walls are looked at only where an agent would hinder it
         if streams_meet && gets_on {
             let mut gap_speed = sight.gap_speed(simd, direction);
@@ -275,16 +276,14 @@ impl World {
         };
         let own_breadth = breadth(row);
         crowd.clear();
-        let mut left = MOST;
         for &other in self.neighbours(row) {
             let other = other as usize;
-            if left == 0 {
-                break;
-            }
             if in_space && agents.passes_clear(row, other) {
                 continue;
             }
-            left -= 1;
+            if crowd.is_full() {
+                break;
+            }
             let their = &shown[other];
             let offset = if common.discs { their.position() - own.position() } else { agents.offset(row, other) };
             // agents on one journey stand close where it ends
