@@ -70,6 +70,10 @@ impl LocalModel for AnticipationVelocity {
         self.glide(view, direction) * optimal_speed(view, gap, self.time_gap)
     }
 
+    fn relaxes(&self) -> bool {
+        true
+    }
+
     fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
         let mut reasons: Vec<Reason> = self.pushes(view).map(|(cause, push)| Reason::Push(cause, push)).collect();
         reasons.extend(speed_limit(view, self.direction(view), self.time_gap));

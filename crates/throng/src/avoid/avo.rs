@@ -40,6 +40,10 @@ impl LocalModel for Avo {
         view.velocity + (new - view.velocity) * (1.0 - libm::expf(-view.step / self.delay))
     }
 
+    fn relaxes(&self) -> bool {
+        true
+    }
+
     fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
         self.permit(view, workspace);
         workspace.permissions()

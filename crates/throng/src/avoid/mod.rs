@@ -232,6 +232,11 @@ pub trait LocalModel: std::fmt::Debug + Send + Sync {
         false
     }
 
+    /// Whether the model has forces that part bodies. Then agents do not squeeze past each other (docs/look-ahead.md).
+    fn parts_bodies(&self) -> bool {
+        false
+    }
+
     /// The model as a plain ORCA, if it is one: the step makes those choose many at a time, with the same bits.
     fn as_orca(&self) -> Option<Orca> {
         None

@@ -73,6 +73,10 @@ impl LocalModel for Moussaid2009 {
         true
     }
 
+    fn parts_bodies(&self) -> bool {
+        true
+    }
+
     fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
         self.pushes(view).map(|(cause, push)| Reason::Push(cause, push)).collect()
     }

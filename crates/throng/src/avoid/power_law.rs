@@ -66,6 +66,10 @@ impl LocalModel for PowerLaw {
         true
     }
 
+    fn parts_bodies(&self) -> bool {
+        true
+    }
+
     fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
         let chosen = self.velocity(view, workspace);
         let pushes = self.interactions(view, chosen).map(|(cause, (_, gradient))| (cause, -gradient));

@@ -31,12 +31,12 @@ impl World {
 impl Group {
     /// Whether its agents come to the velocities that they would like in their relaxation time.
     fn relaxes(&self) -> bool {
-        self.relaxation_time > 0.0 && self.walks_by_looking_ahead()
+        self.relaxation_time > 0.0 && self.walks_by_looking_ahead() && !self.model.relaxes()
     }
 
     /// Whether its agents walk where they look ahead. It is false where a field governs them: they would leave its flow at every
-    /// bend. It is false where the local model has forces: such a model relaxes velocities and parts bodies itself.
+    /// bend.
     pub(super) fn walks_by_looking_ahead(&self) -> bool {
-        self.look_ahead && self.steering.is_none() && self.field.is_none() && !self.model.relaxes()
+        self.look_ahead && self.steering.is_none() && self.field.is_none()
     }
 }

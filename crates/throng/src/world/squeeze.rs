@@ -55,6 +55,6 @@ impl Group {
     /// Whether its agents squeeze past others: they look ahead, which keeps them apart while there is room, and the guard keeps
     /// their bodies apart.
     pub(super) fn squeezes(&self) -> bool {
-        self.guard && self.walks_by_looking_ahead() && !self.model.looks_in_space()
+        self.guard && self.walks_by_looking_ahead() && !self.model.parts_bodies() && !self.model.looks_in_space()
     }
 }

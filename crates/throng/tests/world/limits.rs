@@ -3,6 +3,8 @@
 use crate::common::{Draw, journey_into, run, run_for, walker, with_settings, world};
 use crate::oracle::rounding_speed;
 use glam::{DVec2, Vec2};
+use std::sync::Arc;
+use throng::avoid::{AnticipationVelocity, Avo, LocalModel};
 use throng::{Agent, Body, Goal, Group, Obstacle, SubSteps, World};
 
 /// Steps one sub-step at a time until `limit`, and holds the first agent to its limits.
@@ -177,6 +179,34 @@ fn an_agent_comes_to_its_speed_in_its_relaxation_time() {
             assert!((speed - before) / step < 1.3 / f64::from(time), "{} m/s2", (speed - before) / step);
             before = speed;
         }
+    }
+}
+
+/// A defect: agents relaxed velocities for models that do so themselves. Both together took many seconds.
+#[test]
+fn a_model_with_a_delay_of_its_own_relaxes_by_that_alone() {
+    let velocity_after = |model: Arc<dyn LocalModel>, seconds: f64, (angle, start): (f64, Vec2)| {
+        let mut world = with_settings(0.01, SubSteps::Fixed(1), DVec2::new(-90.0, 7.0));
+        let origin = world.settings().origin;
+        let group = world.add_group(Group { model, ..Group::default() }).unwrap();
+        let velocity = Vec2::from_angle(angle as f32).rotate(start);
+        let walks = walker(&mut world, origin, origin + DVec2::from_angle(angle) * 400.0);
+        world.add_agent(Agent { group, velocity, max_acceleration: 50.0, ..walks }).unwrap();
+        run_for(&mut world, seconds, |_| {});
+        Vec2::from_angle(-angle as f32).rotate(world.agents().velocity[0])
+    };
+    for (delay, angle) in [(0.25f32, 0.7), (0.8, -2.5)] {
+        let model = Arc::new(Avo { delay, ..Avo::default() });
+        let velocity = velocity_after(model, 3.0 * f64::from(delay), (angle, Vec2::ZERO));
+        let exact = 1.3 * (1.0 - (-3.0f32).exp());
+        assert!((velocity.x - exact).abs() < 0.03, "delay {delay} s: {velocity}, not {exact} m/s");
+    }
+    for (reaction_time, angle) in [(0.3f32, 1.9), (1.0, -0.4)] {
+        let model = Arc::new(AnticipationVelocity { reaction_time, ..AnticipationVelocity::default() });
+        let start = Vec2::from_angle(1.0) * 1.3;
+        let velocity = velocity_after(model, 3.0 * f64::from(reaction_time), (angle, start));
+        let off = velocity.to_angle().to_degrees();
+        assert!(off.abs() < 6.0, "reaction time {reaction_time} s: {off} degrees off the way");
     }
 }
 
