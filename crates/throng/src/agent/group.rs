@@ -30,7 +30,8 @@ pub struct Group {
     pub personal_space: f32,
     /// Time in which an agent that looks ahead comes to the velocity it would like, seconds: it accelerates by the difference
     /// divided by it, across its way by half of it (Moussaïd et al. 2009 measured 0.54 ± 0.05 s along the way). 0: at once, as
-    /// hard as it can. Agents that a field governs follow it at once. Limit: 0 to 10.
+    /// hard as it can. Agents that a field governs follow it at once, and models with a delay of their own do without. Limit:
+    /// 0 to 10.
     pub relaxation_time: f32,
     /// Greatest angle by which an agent that looks ahead turns from one that comes the other way, radians. An undecided
     /// meeting is passed on the right; negative: on the left. Agents that do not look ahead are turned by it all the time.

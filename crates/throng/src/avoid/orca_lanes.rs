@@ -118,7 +118,7 @@ pub(crate) fn choose<S: Simd, const N: usize>(
     step: f32,
     fallback: &mut [Vec<Line>; 2],
 ) -> Chosen<S> {
-    let none: Vec2s<S> = Vec2s { x: S::f32s::splat(simd, 0.0), y: S::f32s::splat(simd, 0.0) };
+    let none: Vec2s<S> = Vec2s::splat(simd, Vec2::ZERO);
     let nobody = none.x.simd_lt(none.x);
     let mut lines = [Lines { point: none, direction: none, there: nobody }; N];
     let lanes = |bits: u64| S::mask32s::from_bitmask(simd, bits);

@@ -102,7 +102,7 @@ struct Common {
     /// Whether any agent is above the ground.
     in_space: bool,
     /// The directions that are compared, for an agent that turns from no other.
-    directions: [(f32, Ahead); DIRECTIONS],
+    directions: [Ahead; DIRECTIONS],
 }
 
 /// The room that neighbours leave an agent in a direction.
@@ -317,7 +317,7 @@ impl World {
         let beyond = (restlessness / (1.0 - restlessness * restlessness).sqrt()).min(f32::MAX);
         let mut best = (f32::INFINITY, Ahead::FREE);
         let turned = (side != 0.0).then(|| directions(side));
-        for (index, &(angle, ahead)) in (0..).zip(turned.as_ref().unwrap_or(&common.directions)) {
+        for (index, &ahead) in (0..).zip(turned.as_ref().unwrap_or(&common.directions)) {
             let Vec2 { x: cos, y: sin } = ahead.turn;
             let direction = ahead.turned(way);
             let turning = course.length() - course.dot(direction);
@@ -348,7 +348,7 @@ impl World {
             let cost = cost(free);
             if cost < best.0 {
                 // beside a queue it walks as far as that helps, and no faster than it comes to rest there
-                let useful = if angle == 0.0 || !queues { f32::INFINITY } else { walked(free) / group.relaxation_time };
+                let useful = if index == 0 || !queues { f32::INFINITY } else { walked(free) / group.relaxation_time };
                 best = (cost, Ahead { speed: speed.min(useful.max(LEAST_SPEED)), ..ahead });
             }
         }
@@ -378,16 +378,15 @@ impl World {
     }
 }
 
-/// The angles between its way and the directions that an agent compares, degrees, and what they are if it turns to the right by
-/// an angle, radians.
-fn directions(side: f32) -> [(f32, Ahead); DIRECTIONS] {
+/// The directions that an agent compares if it turns to the right by an angle, radians; the first is straight on.
+fn directions(side: f32) -> [Ahead; DIRECTIONS] {
     std::array::from_fn(|index| {
         let angle = match index.checked_sub(1) {
             Some(index) if index % 2 == 0 => ANGLES[index / 2],
             Some(index) => -ANGLES[index / 2],
             None => 0.0,
         };
-        (angle, Ahead::turned_by(angle.to_radians() + side))
+        Ahead::turned_by(angle.to_radians() + side)
     })
 }
 
