@@ -61,7 +61,9 @@ impl Brush {
             out.push(round(corner + right(leave) * self.radius));
             return;
         }
-        let angle = libm::atan2(sine.max(0.0), cosine);
+        // `max` may take either of two zeros, and the angle of -0.0 is half a turn to the right
+        let sine = if sine > 0.0 { sine } else { 0.0 };
+        let angle = libm::atan2(sine, cosine);
         let sides = (angle / self.side).ceil().max(1.0);
         let half = angle / (2.0 * sides);
         let reach = right(enter) * (self.radius / libm::cos(half));
