@@ -41,6 +41,31 @@ fn truncated_files_never_panic() {
 }
 
 #[test]
+fn files_that_are_too_large_are_not_read_to_their_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("large.toml");
+    std::fs::File::create(&path).unwrap().set_len(65 << 20).unwrap();
+    let error = Scene::load(&path).unwrap_err();
+    assert_eq!(error.message, format!("{} is larger than 64 MB", path.display()));
+    #[cfg(unix)]
+    {
+        let scene = "walkable.file = \"/dev/zero\"\n[[group]]\ncount = 1\nplace.point = [0, 0]\n".parse::<Scene>();
+        let error = scene.and_then(|scene| scene.plan().map(drop)).unwrap_err();
+        assert_eq!(error.message, "/dev/zero is larger than 64 MB");
+    }
+}
+
+#[test]
+fn tables_without_end_are_refused_before_they_are_read() {
+    let text = "[[group]]\n".repeat(100_001);
+    let error = Scene::parse("many.toml", text).unwrap_err();
+    assert!(
+        error.to_string().starts_with("many.toml:100001:1: there are more than 100000 tables `[[group]]`"),
+        "{error}"
+    );
+}
+
+#[test]
 fn large_scenes_are_laid_out_in_good_time() {
     let scene: Scene = "[[group]]\nplace.grid = { columns = 500, rows = 400, spacing = 1 }\ngoal.shift = { by = [9, 0] }\n\
                         [[group]]\nname = \"b\"\ncount = 20_000\nplace.rectangle = { center = [500, 500], size = [200, 200] }\n"

@@ -62,9 +62,8 @@ impl Scene {
         if !plan.walkable.is_empty() {
             world.set_walkable(plan.walkable.clone()).map_err(|error| self.refused("walkable", None, &error))?;
         }
-        for (i, obstacle) in plan.obstacles.iter().enumerate() {
-            world.add_obstacle(obstacle.clone()).map_err(|error| self.refused("obstacle", Some(i), &error))?;
-        }
+        let added = world.add_obstacles(plan.obstacles.iter().cloned());
+        added.map_err(|(index, error)| self.refused("obstacle", Some(index), &error))?;
         let groups: Vec<GroupId> = self.each(&plan.groups, |group| world.add_group(group.clone()))?;
         let goals: Vec<GoalId> = self.each(&plan.goals, |goal| world.add_goal(goal.clone()))?;
         let journeys: Vec<JourneyId> = self.each(&plan.journeys, |journey| {

@@ -36,6 +36,9 @@ pub(crate) struct Document {
     overrides: Vec<Override>,
 }
 
+/// Tables of one kind that a scene has at most.
+const MOST_TABLES: usize = 100_000;
+
 impl Document {
     pub fn new(name: Option<String>, text: String) -> Self {
         Self { name, text, overrides: vec![] }
@@ -64,7 +67,21 @@ impl Document {
 
     /// Reads the document as a `T`.
     pub fn read<T: for<'de> Deserialize<'de>>(&self) -> Result<T, Error> {
-        T::deserialize(Value::from(self.tree()?)).map_err(|misread| {
+        let tree = self.tree()?;
+        for (key, value) in tree.get_ref() {
+            let surplus = value.get_ref().as_array().and_then(|tables| <[_]>::get(tables, MOST_TABLES));
+            if let Some(surplus) = surplus {
+                let message = format!("there are more than {MOST_TABLES} tables `[[{}]]`", key.get_ref());
+                let out = Error::new(Kind::Count, message);
+                return Err(self.place(
+                    out.hint(
+                        "say many agents of one kind by the `count` of a group, and much ground by `walkable.file`",
+                    ),
+                    surplus.span(),
+                ));
+            }
+        }
+        T::deserialize(Value::from(tree)).map_err(|misread| {
             let out = serde_message::explain(&misread.message);
             self.place(out, misread.span.unwrap_or(0..0))
         })

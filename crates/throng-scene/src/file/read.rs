@@ -3,7 +3,7 @@
 use super::document::Document;
 use crate::error::{Error, Kind};
 use crate::scene::Scene;
-use std::io::ErrorKind;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 use std::str::FromStr;
 use std::sync::Arc;
@@ -53,9 +53,26 @@ impl FromStr for Scene {
     }
 }
 
+/// Bytes that are read of a file, at most.
+pub(crate) const LARGEST: u64 = 64 << 20;
+
+/// The error of a file with more bytes.
+pub(crate) fn too_large(name: &str) -> Error {
+    Error::new(Kind::File, format!("{name} is larger than {} MB", LARGEST >> 20))
+        .hint("leave out what the scene does not need, and say many agents of one kind by `count`")
+}
+
+/// The bytes of a file, or why not.
+pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Error> {
+    let mut bytes = vec![];
+    let file = std::fs::File::open(path).map_err(|error| missing(path, &error))?;
+    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| missing(path, &error))?;
+    if bytes.len() as u64 > LARGEST { Err(too_large(&path.display().to_string())) } else { Ok(bytes) }
+}
+
 /// The text of a file, or why not.
 pub(crate) fn read_text(path: &Path) -> Result<String, Error> {
-    let bytes = std::fs::read(path).map_err(|error| missing(path, &error))?;
+    let bytes = read_bytes(path)?;
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").map(<[u8]>::to_vec).unwrap_or(bytes);
     String::from_utf8(bytes).map_err(|_| {
         Error::new(Kind::Syntax, format!("{} is not a text file", path.display()))

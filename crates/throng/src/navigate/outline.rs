@@ -10,6 +10,15 @@ use i_overlay::core::{fill_rule::FillRule, overlay::Overlay, overlay::ShapeType,
 /// Polygons with holes: each a list of contours, the ground to their left.
 pub(super) type Shapes = Vec<Vec<Vec<LatticePoint>>>;
 
+/// Obstacles that are taken off the ground as they are, at most: more are united first.
+const MANY: usize = 64;
+/// Contours that are united all at once, at most.
+const GROUP: usize = 8;
+/// Corners of a boundary whose strip is one contour, at most.
+const LONG: usize = 4096;
+/// Edges of the pieces of a longer boundary.
+const PIECE: usize = 8;
+
 /// The free ground for the centre of a disc of `radius`. Without walkable areas the ground is the box `bounds`, grown
 /// so that there is a way round every obstacle.
 pub(super) fn free_ground(
@@ -20,7 +29,7 @@ pub(super) fn free_ground(
 ) -> Result<(Lattice, Shapes), NavError> {
     let (low, high) = extent(walkable, obstacles, radius, bounds)?;
     let lattice = Lattice::near((low + high) * 0.5);
-    let mut solid = solids(&lattice, obstacles, radius)?;
+    let mut solid = merge(solids(&lattice, obstacles, radius)?);
     let ground = if walkable.is_empty() {
         vec![vec![[low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)].map(|p| lattice.point(p)).to_vec()]]
     } else {
@@ -170,10 +179,43 @@ fn unite(lattice: &Lattice, walkable: &[Walkable]) -> Result<Shapes, NavError> {
 fn strips(shapes: &Shapes, radius: f64, solid: &mut Vec<Vec<LatticePoint>>) {
     let brush = Brush::new(radius);
     for contour in shapes.iter().flatten() {
+        if contour.len() > LONG {
+            let closed = [contour, &contour[..1]].concat();
+            // pieces share the corners where they meet
+            let pieces =
+                (0..contour.len()).step_by(PIECE).map(|from| &closed[from..closed.len().min(from + PIECE + 1)]);
+            solid.extend(merge(pieces.map(|piece| brush.chain(piece)).collect()));
+            continue;
+        }
         let wall: Vec<_> = contour.iter().rev().copied().collect();
         solid.push(brush.ring(&wall));
         solid.push(contour.clone());
     }
+}
+
+/// Contours that go round the same ground as these together, fewer if there are many.
+fn merge(contours: Vec<Vec<LatticePoint>>) -> Vec<Vec<LatticePoint>> {
+    if contours.len() > MANY { united(contours) } else { contours }
+}
+
+/// The union of contours. Neighbours are united first: crossings of all with all would take memory and time by the square of
+/// their number.
+fn united(mut parts: Vec<Vec<LatticePoint>>) -> Vec<Vec<LatticePoint>> {
+    if parts.len() > GROUP {
+        let middle = |contour: &[LatticePoint], across: fn(&LatticePoint) -> i64| {
+            let (low, high) = (contour.iter().map(across).min(), contour.iter().map(across).max());
+            low.zip(high).map_or(0, |(low, high)| low.midpoint(high))
+        };
+        let spread = |across| {
+            let middles = || parts.iter().map(|contour| middle(contour, across));
+            middles().max().zip(middles().min()).map_or(0, |(most, least)| most - least)
+        };
+        let across: fn(&LatticePoint) -> i64 = if spread(|p| p.x) > spread(|p| p.y) { |p| p.x } else { |p| p.y };
+        parts.sort_by_cached_key(|contour| middle(contour, across));
+        let rest = parts.split_off(parts.len() / 2);
+        parts = [parts, rest].map(united).concat();
+    }
+    Overlay::from_subj(&parts).overlay(OverlayRule::Subject, FillRule::Positive).concat()
 }
 
 /// `shapes` without what `solid` goes round.

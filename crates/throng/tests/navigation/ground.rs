@@ -15,26 +15,68 @@ fn room(width: f64, height: f64) -> Walkable {
 
 const NOWHERE: (DVec2, DVec2) = (DVec2::ZERO, DVec2::ZERO);
 
+/// A mesh of this ground keeps the radius from its walls, and what it does not cover has hardly more.
+fn check_clearance(name: &str, (walkable, obstacles): (&[Walkable], &[Obstacle]), radius: f64, points: &[DVec2]) {
+    let mesh = NavMesh::build(walkable, obstacles, radius, NOWHERE).unwrap();
+    for &vertex in mesh.vertices().iter().step_by(1 + mesh.vertices().len() / 2000) {
+        let least = clearance(walkable, obstacles, vertex);
+        assert!(least >= radius - 1e-6, "{name}: vertex {vertex} has only {least}");
+    }
+    let mut covered = 0;
+    for &at in points {
+        let least = clearance(walkable, obstacles, at);
+        match mesh.locate(at) {
+            Some(_) => assert!(least >= radius - 1e-6, "{name}: {at} has only {least}"),
+            None => assert!(least <= radius + 0.0041, "{name}: {at} has {least} but is no ground"),
+        }
+        covered += usize::from(mesh.locate(at).is_some());
+    }
+    assert!(covered > points.len() / 20, "{name}: only {covered} of {} points are ground", points.len());
+}
+
 #[test]
 fn the_mesh_keeps_the_radius_from_walls_and_loses_hardly_more() {
     for seed in 0..30 {
         let scene = Scene::random(seed);
         let radius = 0.1 + 0.05 * (seed % 6) as f64;
-        let mesh = scene.mesh(radius);
         let mut dice = Dice(seed);
-        for &vertex in mesh.vertices() {
-            let least = clearance(&scene.walkable, &scene.obstacles, vertex);
-            assert!(least >= radius - 1e-6, "seed {seed}: vertex {vertex} has only {least}");
-        }
-        for _ in 0..500 {
-            let at = scene.point(&mut dice);
-            let least = clearance(&scene.walkable, &scene.obstacles, at);
-            match mesh.locate(at) {
-                Some(_) => assert!(least >= radius - 1e-6, "seed {seed}: {at} has only {least}"),
-                None => assert!(least <= radius + 0.0041, "seed {seed}: {at} has {least} but is no ground"),
-            }
-        }
+        let points: Vec<DVec2> = (0..500).map(|_| scene.point(&mut dice)).collect();
+        check_clearance(&format!("seed {seed}"), (&scene.walkable, &scene.obstacles), radius, &points);
     }
+}
+
+#[test]
+fn so_does_that_of_many_obstacles_that_overlap() {
+    let mut dice = Dice(1);
+    let side = 30.0;
+    let obstacles: Vec<Obstacle> = (0..1500)
+        .map(|index| {
+            let at = dice.point(DVec2::ZERO, DVec2::splat(side));
+            let size = DVec2::new(dice.between(0.1, 1.5), dice.between(0.1, 0.5));
+            match index % 3 {
+                0 => Obstacle::Circle { center: at, radius: 0.5 * size.x },
+                1 => Obstacle::rectangle(at, size, dice.between(0.0, 3.0)),
+                _ => Obstacle::Wall { points: vec![at, at + size, at + DVec2::X * size.x] },
+            }
+        })
+        .collect();
+    let points: Vec<DVec2> = (0..1500).map(|_| dice.point(DVec2::ZERO, DVec2::splat(side))).collect();
+    check_clearance("obstacles", (&[room(side, side)], &obstacles), 0.1, &points);
+}
+
+#[test]
+fn so_does_that_of_ground_with_many_corners() {
+    let corner = |index: u32| {
+        let angle = f64::from(index) * std::f64::consts::TAU / 6000.0;
+        // bays of half a metre, and teeth of a centimetre
+        let out = 10.0 + 0.25 * (40.0 * angle).sin() + 0.01 * f64::from(index % 2);
+        DVec2::from_angle(angle) * out
+    };
+    let ground = Walkable { outer: (0..6000).map(corner).collect(), holes: vec![] };
+    let mut dice = Dice(2);
+    let points: Vec<DVec2> =
+        (0..1000).map(|_| DVec2::from_angle(dice.between(0.0, 6.3)) * dice.between(9.0, 10.5)).collect();
+    check_clearance("corners", (&[ground], &[]), 0.2, &points);
 }
 
 #[test]

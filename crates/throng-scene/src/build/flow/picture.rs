@@ -4,7 +4,7 @@ use super::sketch::SPEED;
 use super::{At, Made, Make};
 use crate::build::limits::{Limit, check};
 use crate::error::{Error, Kind};
-use crate::file::{Problem, missing};
+use crate::file::{Problem, read_bytes};
 use crate::geometry::DVec2;
 use crate::scene::flow::{Picture, Says};
 use glam::Vec2;
@@ -79,7 +79,7 @@ pub(super) fn read(at: &At, name: &str) -> Result<Image, Problem> {
         let problem = Problem::new(&path, error.kind, error.message);
         Problem { hint: error.hint, ..problem }
     };
-    let bytes = std::fs::read(&file).map_err(|error| problem(missing(&file, &error)))?;
+    let bytes = read_bytes(&file).map_err(problem)?;
     let no_png = |error: png::DecodingError| {
         let problem = Problem::new(&path, Kind::Syntax, format!("{shown} is no PNG that can be read: {error}"));
         problem.hint("save it as PNG, 8 or 16 bits a channel")

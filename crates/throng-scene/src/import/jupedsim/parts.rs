@@ -1,12 +1,9 @@
 //! The texts a scenario consists of.
 
 use crate::error::{Error, Kind};
-use crate::file::read_text;
+use crate::file::{LARGEST, read_text, too_large};
 use std::io::Read;
 use std::path::Path;
-
-/// The most bytes of one file inside a zip.
-const LARGEST: u64 = 64 << 20;
 
 pub(super) struct Parts {
     pub config: String,
@@ -44,7 +41,7 @@ fn zipped(path: &Path) -> Result<Parts, Error> {
         let mut text = String::new();
         entry.take(LARGEST + 1).read_to_string(&mut text).map_err(|error| broken(&error))?;
         if text.len() as u64 > LARGEST {
-            return Err(Error::new(Kind::OutOfRange, format!("{name} is larger than {LARGEST} bytes")));
+            return Err(too_large(&name));
         }
         *slot = Some(text);
     }
