@@ -44,9 +44,9 @@ fn truncated_files_never_panic() {
 fn files_that_are_too_large_are_not_read_to_their_end() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("large.toml");
-    std::fs::File::create(&path).unwrap().set_len(65 << 20).unwrap();
+    std::fs::File::create(&path).unwrap().set_len(17 << 20).unwrap();
     let error = Scene::load(&path).unwrap_err();
-    assert_eq!(error.message, format!("{} is larger than 64 MB", path.display()));
+    assert_eq!(error.message, format!("{} is larger than 16 MB", path.display()));
     #[cfg(unix)]
     {
         let scene = "walkable.file = \"/dev/zero\"\n[[group]]\ncount = 1\nplace.point = [0, 0]\n".parse::<Scene>();

@@ -16,7 +16,7 @@ impl Scene {
     /// do not have. What the values mean together is checked by [`Scene::plan`] and [`Scene::build`].
     pub fn load(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
-        let text = read_text(path)?;
+        let text = text(path, read_at_most(path, LARGEST_SCENE)?)?;
         let mut scene = Self::parse(&path.display().to_string(), text)?;
         scene.origin.folder = path.parent().unwrap_or(Path::new("")).to_owned();
         Ok(scene)
@@ -53,26 +53,36 @@ impl FromStr for Scene {
     }
 }
 
-/// Bytes that are read of a file, at most.
+/// Bytes of a floor plan, a picture or a scenario, at most.
 pub(crate) const LARGEST: u64 = 64 << 20;
+/// Bytes of a scene file, at most: what its text says takes up to a hundred times as much memory.
+const LARGEST_SCENE: u64 = 16 << 20;
 
-/// The error of a file with more bytes.
-pub(crate) fn too_large(name: &str) -> Error {
-    Error::new(Kind::File, format!("{name} is larger than {} MB", LARGEST >> 20))
+/// The error of a file with more bytes than `most`.
+pub(crate) fn too_large(name: &str, most: u64) -> Error {
+    Error::new(Kind::File, format!("{name} is larger than {} MB", most >> 20))
         .hint("leave out what the scene does not need, and say many agents of one kind by `count`")
 }
 
 /// The bytes of a file, or why not.
 pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Error> {
+    read_at_most(path, LARGEST)
+}
+
+fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
     let mut bytes = vec![];
     let file = std::fs::File::open(path).map_err(|error| missing(path, &error))?;
-    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| missing(path, &error))?;
-    if bytes.len() as u64 > LARGEST { Err(too_large(&path.display().to_string())) } else { Ok(bytes) }
+    file.take(most + 1).read_to_end(&mut bytes).map_err(|error| missing(path, &error))?;
+    if bytes.len() as u64 > most { Err(too_large(&path.display().to_string(), most)) } else { Ok(bytes) }
 }
 
 /// The text of a file, or why not.
 pub(crate) fn read_text(path: &Path) -> Result<String, Error> {
-    let bytes = read_bytes(path)?;
+    text(path, read_bytes(path)?)
+}
+
+/// A file's bytes as text.
+fn text(path: &Path, bytes: Vec<u8>) -> Result<String, Error> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").map(<[u8]>::to_vec).unwrap_or(bytes);
     String::from_utf8(bytes).map_err(|_| {
         Error::new(Kind::Syntax, format!("{} is not a text file", path.display()))

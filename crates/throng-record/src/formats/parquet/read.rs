@@ -18,6 +18,8 @@ use throng::Status;
 const HINT: &str = "a table of trajectories has the columns number (or id), time (or frame), x and y, and may have group, z, vx, vy, \
                     vz, heading, radius and status, as `throng run -o NAME.parquet` writes them";
 
+const TOO_MANY: &str = "it has more rows than fit into a file of this size";
+
 /// Rows that are read at once.
 const BATCH: usize = 1 << 14;
 
@@ -42,7 +44,10 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, String> {
     let rate = describe(metadata, &mut tracks, &mut names)?;
     let columns = Columns::find(metadata, reading.rate.or(rate))?;
     // A row of ours takes a byte at least, but for a crowd that stands still: that is little in a file of any size.
-    let most = (1usize << 20).saturating_add(bytes.len().saturating_mul(64));
+    let most = (1usize << 20).saturating_add(bytes.len().saturating_mul(8));
+    let rows: i64 = metadata.row_groups().iter().map(|group| group.num_rows()).fold(0, i64::saturating_add);
+    let rows = usize::try_from(rows).ok().filter(|&rows| rows <= most).ok_or(TOO_MANY)?;
+    tracks.spots.reserve_exact(rows);
     for group in 0..file.num_row_groups() {
         let group = file.get_row_group(group).map_err(broken)?;
         columns.rows(&*group, most, reading.unit.unwrap_or(1.0), &mut names, &mut tracks.spots)?;
@@ -230,7 +235,7 @@ fn values<T: DataType>(mut from: ColumnReaderImpl<T>, most: usize) -> Result<Vec
             return Err("a value is missing".to_owned());
         }
         if values.len() > most {
-            return Err("it has more rows than fit into a file of this size".to_owned());
+            return Err(TOO_MANY.to_owned());
         }
     }
 }

@@ -41,7 +41,7 @@ fn zipped(path: &Path) -> Result<Parts, Error> {
         let mut text = String::new();
         entry.take(LARGEST + 1).read_to_string(&mut text).map_err(|error| broken(&error))?;
         if text.len() as u64 > LARGEST {
-            return Err(too_large(&name));
+            return Err(too_large(&name, LARGEST));
         }
         *slot = Some(text);
     }
