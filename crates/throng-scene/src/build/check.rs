@@ -18,7 +18,7 @@ pub(super) fn check_scene(scene: &Scene) -> Checked {
         return Err(Problem::new(&Path::of("seed"), Kind::OutOfRange, message));
     }
     let time = Path::of("time");
-    check(&time.key("step"), scene.time.step, Limit::UpTo(10.0))?;
+    check(&time.key("step"), scene.time.step, Limit::Between(1e-5, 10.0))?;
     check(&time.key("limit"), scene.time.limit, Limit::Positive)?;
     if let SubSteps::Fixed(n) = scene.time.sub_steps {
         check(&time.key("sub_steps"), f64::from(n), Limit::Between(1.0, 1000.0))?;

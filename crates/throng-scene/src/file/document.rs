@@ -1,5 +1,6 @@
 //! A scene file as it was read: its text, what `--set` changed, and where each value stands.
 
+use super::about::about;
 use super::path::{Path, Problem, Step};
 use super::serde_message;
 use super::set::{self, Override};
@@ -65,15 +66,21 @@ impl Document {
     /// Reads the document as a `T`.
     pub fn read<T: for<'de> Deserialize<'de>>(&self) -> Result<T, Error> {
         T::deserialize(Value::from(self.tree()?)).map_err(|misread| {
-            let out = serde_message::explain(&misread.message);
-            self.place(out, misread.span.unwrap_or(0..0))
+            let mut out = serde_message::explain(&misread.message);
+            let span = misread.span.unwrap_or(0..0);
+            if let (None, true, Ok(tree)) = (&out.hint, is_of_value(out.kind), self.tree()) {
+                let path = holding(&DeValue::Table(tree.into_inner()), span.start, &Path::default());
+                out.hint = path.and_then(|path| about(&path)).map(Into::into);
+            }
+            self.place(out, span)
         })
     }
 
     /// Turns a problem with a value into an error with the value's place.
     pub fn explain(&self, problem: Problem) -> Error {
         let mut error = Error::new(problem.kind, problem.message);
-        error.hint = problem.hint;
+        let hint = || about(&problem.path).filter(|_| is_of_value(problem.kind)).map(Into::into);
+        error.hint = problem.hint.or_else(hint);
         match self.tree() {
             Ok(tree) => self.place(error, locate(&tree, &problem.path)),
             Err(_) => error,
@@ -91,6 +98,23 @@ impl Document {
         }
         let name = self.name.clone().unwrap_or_else(|| "scene".into());
         error.file(name).place(&self.text, span)
+    }
+}
+
+/// Whether a mistake is a value of the wrong type or out of its range.
+fn is_of_value(kind: Kind) -> bool {
+    matches!(kind, Kind::WrongType | Kind::OutOfRange)
+}
+
+/// The path to the innermost value that has the byte `at` of the text, below the value at `path`.
+fn holding(value: &DeValue<'_>, at: usize, path: &Path) -> Option<Path> {
+    let within = |value: &Spanned<DeValue<'_>>, path: Path| {
+        holding(value.get_ref(), at, &path).or_else(|| value.span().contains(&at).then_some(path))
+    };
+    match value {
+        DeValue::Table(items) => items.iter().find_map(|(key, value)| within(value, path.name(key.get_ref()))),
+        DeValue::Array(items) => items.iter().enumerate().find_map(|(k, value)| within(value, path.index(k))),
+        _ => None,
     }
 }
 
