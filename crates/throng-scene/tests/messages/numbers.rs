@@ -18,18 +18,19 @@ a.toml:6:19: group `walkers`: body.radius is -0.2, but must be more than 0 and a
         &group("place.point = [nan, 0]"),
         Kind::OutOfRange,
         r"
-a.toml:1:13: time.step is inf, but must be from 0.00001 to 10
-  1 | time.step = inf
-    |             ^^^
-  hint: `step`: Seconds from one output to the next. Limit: 0.00001 to 10. Default: 0.04.",
+a.toml:5:16: group `walkers`: place.point[0] is NaN, but must be a finite number of at most 100,000,000 in size
+  5 | place.point = [nan, 0]
+    |                ^^^
+  hint: `point`: One spot: for a single agent, or for a source.",
     );
     assert_message(
         "time.step = inf",
         Kind::OutOfRange,
         r"
-a.toml:1:13: time.step is inf, but must be more than 0 and at most 10
+a.toml:1:13: time.step is inf, but must be from 0.00001 to 10
   1 | time.step = inf
-    |             ^^^",
+    |             ^^^
+  hint: `step`: Seconds from one output to the next. Limit: 0.00001 to 10. Default: 0.04.",
     );
     assert_message(
         &group("place.point = [0, 0]\nspeed = { preferred = 1.5, max = 1.2 }"),
