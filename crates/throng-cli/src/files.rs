@@ -22,7 +22,7 @@ pub fn create(paths: &[PathBuf], plan: &Plan) -> Result<Files, Failure> {
         }
         Ok::<_, Failure>(Recorder::create(path, plan)?)
     };
-    Ok(Files::new(paths.iter().map(begin).collect::<Result<_, _>>()?, plan.pace(), plan.choice))
+    Ok(Files::new(paths.iter().map(begin).collect::<Result<_, _>>()?, plan.pace(), plan.choice).stopped_by(plan.stop))
 }
 
 /// How the names of trajectories end that are written.

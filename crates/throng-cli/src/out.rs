@@ -1,6 +1,7 @@
 //! Standard output and standard error.
 
 use crate::failure::Failure;
+use std::borrow::Cow;
 use std::fmt::Arguments;
 use std::io::{self, BufWriter, ErrorKind, Stdout, Write};
 
@@ -20,15 +21,16 @@ impl Out {
     /// # Errors
     /// The reader has gone, or what standard output was sent to cannot be written.
     pub fn line(&mut self, text: Arguments) -> Result<(), Failure> {
-        writeln!(self.stdout, "{text}").map_err(|error| failure(&error))
+        self.text(format!("{text}\n").as_bytes())
     }
 
-    /// Writes text as it is.
+    /// Writes text, its control characters escaped.
     ///
     /// # Errors
     /// Those of [`line`](Self::line).
     pub fn text(&mut self, text: &[u8]) -> Result<(), Failure> {
-        self.stdout.write_all(text).map_err(|error| failure(&error))
+        let text = String::from_utf8_lossy(text);
+        self.stdout.write_all(escaped(&text).as_bytes()).map_err(|error| failure(&error))
     }
 
     /// Hands on everything written so far.
@@ -48,9 +50,41 @@ fn failure(error: &io::Error) -> Failure {
     }
 }
 
-/// Writes a line to standard error. If that cannot be done there is nobody to tell.
+/// Writes a line to standard error, its control characters escaped. A failure to do so is ignored.
 pub fn complain(text: &str) {
-    let _ = writeln!(io::stderr(), "{text}");
+    let _ = writeln!(io::stderr(), "{}", escaped(text));
+}
+
+/// Text that is safe to write to a terminal: characters that control the terminal or the direction of the text become
+/// `\u001b`, which JSON reads as the same character. Newlines and tabs stay.
+pub fn escaped(text: &str) -> Cow<'_, str> {
+    if !text.contains(controls) {
+        return text.into();
+    }
+    let escape = |c: char| if controls(c) { format!("\\u{:04x}", u32::from(c)) } else { c.to_string() };
+    text.chars().map(escape).collect::<String>().into()
+}
+
+/// Whether a character is a control character other than newline and tab, or overrides the direction of the text.
+fn controls(c: char) -> bool {
+    c.is_control() && !matches!(c, '\n' | '\t') || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn control_characters_are_escaped_and_json_stays_the_same() {
+        let title = "a\u{0}\u{1b}[31m\r\u{7f}\u{9b}1m\u{202e}\u{2066}\t\n größe";
+        let shown = escaped(title);
+        assert_eq!(shown, "a\\u0000\\u001b[31m\\u000d\\u007f\\u009b1m\\u202e\\u2066\t\n größe");
+        assert!(!shown.contains(controls));
+        let json = serde_json::json!({ "title": title });
+        let read: serde_json::Value = serde_json::from_str(&escaped(&json.to_string())).unwrap();
+        assert_eq!(read, json);
+        assert!(matches!(escaped("plain\n\ttext"), Cow::Borrowed(_)));
+    }
 }
 
 /// Says to standard error what was left out of a file, or changed.

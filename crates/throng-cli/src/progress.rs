@@ -1,5 +1,6 @@
 //! The progress bar.
 
+use crate::out::escaped;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use throng::World;
 
@@ -26,7 +27,7 @@ impl Progress {
     pub fn show(&self, share: f64, message: impl FnOnce() -> String) {
         if !self.bar.is_hidden() {
             self.bar.set_position((share * PARTS as f64) as u64);
-            self.bar.set_message(message());
+            self.bar.set_message(escaped(&message()).into_owned());
         }
     }
 

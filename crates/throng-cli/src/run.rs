@@ -77,6 +77,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         still: args.film.still(),
         from: choice.from.max(0.0),
         choice: &choice,
+        stop: interrupt::asked,
     };
     let paths = outputs(args, name);
     let mut files = files::create(&paths, &plan)?;

@@ -6,6 +6,21 @@ use clap::Args;
 use std::path::Path;
 use throng_record::{Reading, Tracks};
 
+/// Greatest number of moments, pictures or steps that a command makes of a file: five days at 25 a second.
+const MOST: f64 = 1e7;
+
+/// Checks that a command makes at most [`MOST`] moments, pictures or steps, which `what` names, of a file.
+///
+/// # Errors
+/// There are more: a time in the file is far from the others.
+pub fn limit(path: &Path, what: &str, count: f64, [from, to]: [f64; 2], hint: &str) -> Result<(), Failure> {
+    if count <= MOST {
+        return Ok(());
+    }
+    let text = format!("{}: {count:.0} {what} from {from:.2} to {to:.2} s, but the limit is {MOST}", path.display());
+    Err(Failure::hint(text, hint))
+}
+
 /// What a file of trajectories does not say itself.
 #[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
 #[command(next_help_heading = "Trajectories")]

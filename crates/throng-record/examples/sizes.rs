@@ -22,7 +22,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut files = Vec::new();
     for format in FORMATS.iter().filter(|format| format.is_written()) {
         let path = folder.join(&name).with_extension(format.ending);
-        let writer = Choice::default().create(format, format.output(&path)?, &setting).ok_or("it is not written")??;
+        let writer = Choice::default()
+            .create(format, format.output(&path)?, &setting, || false)
+            .ok_or("it is not written")??;
         files.push((format, path, writer, Duration::ZERO));
     }
     let (mut frame, mut rows, mut moments, mut stepping) = (Frame::default(), 0, 0, Duration::ZERO);

@@ -103,6 +103,7 @@ impl Choice {
     }
 
     /// Begins a file of a kind that is [written](Format::is_written), in which only what is chosen comes; `None` if it is not.
+    /// Moments between two steps are left out as soon as `stop` returns true.
     ///
     /// # Errors
     /// The system's, such as a full disk.
@@ -111,13 +112,14 @@ impl Choice {
         format: &Format,
         output: Output,
         setting: &Setting,
+        stop: fn() -> bool,
     ) -> Option<Result<Box<dyn Writer>, OutputError>> {
         let writer = match format.create(output, setting, &self.columns)? {
             Ok(writer) => self.members(writer, setting),
             Err(error) => return Some(Err(error)),
         };
         Some(Ok(match self.beat() {
-            Some(beat) => Box::new(Resampled::new(writer, beat)),
+            Some(beat) => Box::new(Resampled::new(writer, beat, stop)),
             None => writer,
         }))
     }

@@ -15,6 +15,7 @@ mod draws;
 mod flow;
 pub mod formats;
 mod frame;
+mod limits;
 mod map;
 pub mod moment;
 mod moments;

@@ -91,11 +91,11 @@ impl Moments {
         self.at(moment).map_or(0.0, |moment| self.spots[moment.spots.start].time)
     }
 
-    /// Seconds between most moments; 0.04 where there are not two.
+    /// Median of the seconds between moments, of an even number the lower one; 0.04 where there are not two.
     pub fn period(&self) -> f64 {
         let mut periods: Vec<f64> = (1..self.count()).map(|k| self.time(k) - self.time(k - 1)).collect();
         periods.sort_by(f64::total_cmp);
-        periods.get(periods.len() / 2).copied().filter(|period| *period > 0.0).unwrap_or(0.04)
+        periods.get(periods.len().saturating_sub(1) / 2).copied().filter(|period| *period > 0.0).unwrap_or(0.04)
     }
 
     /// Makes `frame` show a moment; of those after the last, the last.

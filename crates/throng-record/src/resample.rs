@@ -36,6 +36,8 @@ impl Beat {
 pub(crate) struct Resampled {
     writer: Box<dyn Writer>,
     beat: Beat,
+    /// Whether to leave out the rest of the moments between two that come.
+    stop: fn() -> bool,
     /// The moment that came last.
     last: Option<Frame>,
     /// What lies between.
@@ -43,8 +45,8 @@ pub(crate) struct Resampled {
 }
 
 impl Resampled {
-    pub fn new(writer: Box<dyn Writer>, beat: Beat) -> Self {
-        Self { writer, beat, last: None, between: Frame::default() }
+    pub fn new(writer: Box<dyn Writer>, beat: Beat, stop: fn() -> bool) -> Self {
+        Self { writer, beat, stop, last: None, between: Frame::default() }
     }
 }
 
@@ -52,7 +54,7 @@ impl Writer for Resampled {
     fn push(&mut self, frame: &Frame) -> Result<(), OutputError> {
         let after = self.last.as_ref().map_or(frame.time, |last| last.time + 2.0 * SLACK);
         let mut next = self.beat.at_or_after(after);
-        while let Some(due) = next.filter(|due| *due <= frame.time + SLACK) {
+        while let Some(due) = next.filter(|due| *due <= frame.time + SLACK && !(self.stop)()) {
             match &self.last {
                 Some(last) if due < frame.time - SLACK => {
                     between(last, frame, due, &mut self.between);
@@ -113,7 +115,7 @@ mod tests {
 
     fn resampled(frames: &[Frame], beat: Beat) -> Vec<Frame> {
         let kept = Arc::new(Mutex::new(Vec::new()));
-        let mut writer = Resampled::new(Box::new(Kept(kept.clone())), beat);
+        let mut writer = Resampled::new(Box::new(Kept(kept.clone())), beat, || false);
         frames.iter().for_each(|frame| writer.push(frame).unwrap());
         drop(writer);
         Arc::into_inner(kept).unwrap().into_inner().unwrap()

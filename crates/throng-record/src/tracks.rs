@@ -3,6 +3,7 @@
 use crate::Setting;
 use crate::consistency;
 use crate::formats::{FORMATS, Flaw, Format, Reading};
+use crate::limits;
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -111,7 +112,9 @@ impl Tracks {
         let read = Format::of_file(path, bytes)
             .and_then(Format::reader)
             .ok_or_else(|| TracksError::Unknown { path: path.into() })?;
-        let mut tracks = read(bytes, reading).map_err(|flaw| TracksError::Content { path: path.into(), flaw })?;
+        let content = |flaw| TracksError::Content { path: path.into(), flaw };
+        let mut tracks = read(bytes, reading).map_err(content)?;
+        limits::tracks(&tracks).map_err(content)?;
         tracks.notes.extend(consistency::contradiction(&tracks.spots, reading));
         tracks.notes.iter_mut().for_each(|note| *note = format!("{}: {note}", path.display()));
         Ok(tracks)

@@ -43,8 +43,10 @@ fn frame(time: f64) -> Frame {
 fn write() {
     let path = std::env::var("REC").expect("set by the other test");
     let format = Format::of(&path).unwrap();
-    let mut writer =
-        Choice::default().create(format, format.output(&path).unwrap(), &Setting::default()).unwrap().unwrap();
+    let mut writer = Choice::default()
+        .create(format, format.output(&path).unwrap(), &Setting::default(), || false)
+        .unwrap()
+        .unwrap();
     let (start, mut said) = (Instant::now(), std::io::stdout().lock());
     loop {
         let time = start.elapsed().as_secs_f64();

@@ -64,7 +64,7 @@ mod random;
 mod scene;
 mod watch;
 
-pub use build::{Built, BuiltGroup, MAX_AGENTS, Plan, PlannedAgent, PlannedField, PlannedJourney};
+pub use build::{Built, BuiltGroup, MAX_AGENTS, MAX_COORDINATE, Plan, PlannedAgent, PlannedField, PlannedJourney};
 pub use caught::{caught, hush};
 pub use error::{Error, Kind};
 pub use import::{Imported, open};

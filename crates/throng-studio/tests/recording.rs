@@ -143,7 +143,7 @@ fn trajectories_have_what_is_chosen() {
         moments("circle", |setting, frame| {
             if choice.rate.is_some() || frame.time > choice.from - 1e-6 {
                 let writer = writer.get_or_insert_with(|| {
-                    choice.create(format, Output::create(&expected).unwrap(), setting).unwrap().unwrap()
+                    choice.create(format, Output::create(&expected).unwrap(), setting, || false).unwrap().unwrap()
                 });
                 writer.push(frame).unwrap();
             }

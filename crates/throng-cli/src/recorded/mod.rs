@@ -8,15 +8,13 @@ use crate::files;
 use crate::interrupt;
 use crate::out::{Out, complain, note};
 use crate::progress::Progress;
+use crate::tracks::limit;
 use args::{ConvertArgs, RenderArgs};
 use recording::Recording;
 use std::path::{Path, PathBuf};
 use throng_draw::record::Plan;
 use throng_draw::{Still, Style, WorldBox};
 use throng_record::{Choice, Format};
-
-/// More moments than anybody means to write.
-const MOST: f64 = 1e7;
 
 /// Writes trajectories as other trajectories.
 ///
@@ -44,6 +42,7 @@ pub fn convert(args: &ConvertArgs, out: &mut Out) -> Result<(), Failure> {
         still: Still::Last,
         from,
         choice: &choice,
+        stop: interrupt::asked,
     };
     write(&recording, &args.output, &plan, args.quiet, out)
 }
@@ -71,6 +70,7 @@ pub fn render(args: &RenderArgs, out: &mut Out) -> Result<(), Failure> {
         still: args.film.still(),
         from: recording.start(&choice),
         choice: &choice,
+        stop: interrupt::asked,
     };
     let own = [PathBuf::from(format!("{}.mp4", recording.name))];
     let paths = if args.output.is_empty() { &own[..] } else { &args.output };
@@ -80,6 +80,9 @@ pub fn render(args: &RenderArgs, out: &mut Out) -> Result<(), Failure> {
 /// Writes the moments of a recording.
 fn write(recording: &Recording, paths: &[PathBuf], plan: &Plan, quiet: bool, out: &mut Out) -> Result<(), Failure> {
     recording.spans(plan.choice)?;
+    if paths.iter().any(|path| Format::of(path).is_none()) {
+        recording.lasts(plan)?;
+    }
     if let Some(path) = paths.iter().find(|path| recording.is(path)) {
         let text = format!("{} is what is read", path.display());
         return Err(Failure::hint(text, "write under another name"));
@@ -124,11 +127,23 @@ impl Recording {
             let text = format!("nothing is there from {:.2} to {:.2} s", choice.from.max(0.0), choice.to);
             return Err(Failure::hint(text, format!("it was recorded from {first:.2} to {last:.2} s")));
         }
-        let count = choice.rate.map_or(0.0, |rate| rate * (choice.to.min(last) - choice.from.max(first)));
-        if count > MOST {
-            return Err(Failure::hint(format!("--rate: that makes {count:.0} moments"), "write a lower rate"));
-        }
-        Ok(())
+        let within = [choice.from.max(first), choice.to.min(last)];
+        let count = choice.rate.unwrap_or_default() * (within[1] - within[0]);
+        limit(
+            &self.path,
+            "moments of --rate",
+            count,
+            within,
+            "write a lower rate, or choose a part with --from and --to",
+        )
+    }
+
+    /// Checks that it makes no more pictures than the limit.
+    fn lasts(&self, plan: &Plan) -> Result<(), Failure> {
+        let within = [plan.from, self.moments.time(self.moments.count()).min(plan.choice.to)];
+        let count = (within[1] - within[0]) * plan.rate / plan.speed_up;
+        let hint = "choose a part with --from and --to, a lower --fps or a higher --speed-up";
+        limit(&self.path, "pictures", count, within, hint)
     }
 
     /// Whether it was read from this file.

@@ -6,6 +6,7 @@ use super::setup::Setup;
 use super::stage;
 use crate::failure::Failure;
 use crate::files::{self, distinct, is, title, written};
+use crate::interrupt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use throng_draw::Sheet;
@@ -66,8 +67,17 @@ impl<'a> Outputs<'a> {
         let name = title(&args.data);
         let (rate, still, speed_up) = (args.film.rate(scene), args.film.still(), args.film.speed_up);
         let (alone, choice, [start, _]) = (setup.setting(&name), Choice::default(), setup.span());
-        let plan =
-            Plan { setting: &alone, sheet: None, style: &panel, rate, speed_up, still, from: start, choice: &choice };
+        let plan = Plan {
+            setting: &alone,
+            sheet: None,
+            style: &panel,
+            rate,
+            speed_up,
+            still,
+            from: start,
+            choice: &choice,
+            stop: interrupt::asked,
+        };
         let (mut files, mut pages) = (Vec::new(), Vec::new());
         for path in &args.output {
             if is_table(path) {
@@ -87,7 +97,7 @@ impl<'a> Outputs<'a> {
             }
         }
         let pages = (!pages.is_empty()).then(|| Pages { outputs: pages, page: Page::new(setup, &panel) });
-        let files = Files::new(files, plan.pace(), &choice);
+        let files = Files::new(files, plan.pace(), &choice).stopped_by(plan.stop);
         Ok(Self { files, pages, frames: Pool::default(), seen: Seen::new(cast), setup })
     }
 

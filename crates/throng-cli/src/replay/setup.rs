@@ -6,6 +6,7 @@ use super::stage;
 use crate::failure::Failure;
 use crate::map::{Map, beside};
 use crate::models::models;
+use crate::tracks::limit;
 use std::path::PathBuf;
 use throng_record::pedestrian::replay::{Cast, Stage};
 use throng_record::pedestrian::{People, Walk};
@@ -51,6 +52,10 @@ impl<'a> Setup<'a> {
             true => Map::default(),
             false => Map::read(&args.stage.map, &args.data, &tracks.setting, beside(&args.data, "map.xml"))?,
         };
+        let (times, step) = (cast.times(), scenes.first().map_or(1.0, |scene| scene.time.step));
+        let within = [times[0], times[times.len() - 1]];
+        let steps = (within[1] - within[0]) / step;
+        limit(&args.data, "steps", steps, within, "choose a part with --from and --until, or a longer --step")?;
         let notes = tracks.notes.iter().chain(&map.notes).cloned().collect();
         let stages = scenes.iter().map(|scene| stage::stage(args, scene, &cast, &map)).collect::<Result<_, _>>()?;
         let groups = together(&args.stage, &args.data)?;

@@ -365,6 +365,18 @@ const CASES: &[Case] = &[
         code: 2,
     },
     Case {
+        what: "A place that is too far away",
+        files: &[("run.csv", "number,time,x,y\n0,0,0,1e16\n")],
+        command: "throng measure run.csv",
+        code: 2,
+    },
+    Case {
+        what: "A time far from the others",
+        files: &[("run.csv", "number,time,x,y\n0,0,0,0\n0,0.04,0.05,0\n0,1e9,1,0\n")],
+        command: "throng render run.csv",
+        code: 2,
+    },
+    Case {
         what: "What is to be solid is not there",
         files: &[("scene.toml", "[[group]]\nplace.point = [0, 0]\nsolid = \"column\"\n")],
         command: "throng check scene.toml",

@@ -3,11 +3,16 @@
 use crate::shared::{folder, names};
 use serde_json::Value;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 /// Interrupts the program with these arguments when it has begun; what it says then.
 fn interrupted(folder: &Path, arguments: &str, begun: impl Fn() -> bool) -> Value {
+    serde_json::from_slice(&output(folder, arguments, begun).stdout).unwrap()
+}
+
+/// Interrupts the program with these arguments when it has begun.
+fn output(folder: &Path, arguments: &str, begun: impl Fn() -> bool) -> Output {
     let child = Command::new(env!("CARGO_BIN_EXE_throng"))
         .current_dir(folder)
         .args(arguments.split_whitespace())
@@ -23,7 +28,7 @@ fn interrupted(folder: &Path, arguments: &str, begun: impl Fn() -> bool) -> Valu
     assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130), "{output:?}");
-    serde_json::from_slice(&output.stdout).unwrap()
+    output
 }
 
 #[test]
@@ -119,4 +124,21 @@ fn an_interrupted_replay_finishes_its_files() {
     assert_eq!(names(folder.path()), ["a.csv", "f", "long.txt"]);
     assert_eq!((&all["interrupted"], &all["predicted"]), (&Value::from(true), &Value::Null));
     assert!(std::fs::read_to_string(folder.path().join("a.csv")).unwrap().ends_with('\n'));
+}
+
+/// A recording with a gap of nearly a day, which pictures and moments fill.
+#[test]
+fn an_interrupt_ends_a_long_gap() {
+    let folder = folder();
+    let path = folder.path();
+    std::fs::write(path.join("gap.csv"), "number,time,x,y\n1,0,0,0\n1,0.1,0,0\n1,80000,1,0\n1,80000.1,1,0\n").unwrap();
+    output(path, "render gap.csv -o f/ --size 64x64", || path.join("f/frame_000009.png").exists());
+    let written = names(&path.join("f")).len();
+    assert!((10..1_000_000).contains(&written), "{written}");
+    // a file grows under another name until it is complete
+    let grown = |entry: std::fs::DirEntry| entry.metadata().is_ok_and(|m| m.is_file() && m.len() > 10_000);
+    let begun = || std::fs::read_dir(path).unwrap().flatten().any(grown);
+    output(path, "convert gap.csv -o a.csv --rate 100", begun);
+    let rows = std::fs::read_to_string(path.join("a.csv")).unwrap().lines().count();
+    assert!((100..8_000_000).contains(&rows), "{rows}");
 }

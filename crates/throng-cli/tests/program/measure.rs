@@ -207,3 +207,18 @@ fn what_is_in_a_file_is_told() {
     let wrong = stderr(&call(folder.path(), "measure flocking --line 0,0,1,1").code(2));
     assert!(wrong.contains("throng run SCENE -o NAME.csv"), "{wrong}");
 }
+
+/// Coordinates that no place on Earth has are refused, and at the limit nothing panics.
+#[test]
+fn coordinates_out_of_their_limits_are_refused() {
+    let folder = folder();
+    for (y, code) in [("1e16", 2), ("1e300", 2), ("1.1e8", 2), ("nan", 2), ("1e8", 0), ("1e-300", 0)] {
+        let row = |number: u32, time: u32, x: u32, sign: &str| format!("{number},{time},{x},{sign}{y}\n");
+        let rows = [row(1, 0, 0, ""), row(1, 1, 1, ""), row(2, 0, 5, "-"), row(2, 1, 4, "-"), row(3, 0, 9, "")];
+        std::fs::write(folder.path().join("far.csv"), format!("number,time,x,y\n{}", rows.concat())).unwrap();
+        for asked in ["", " --area=-1,-1,2,2", " --area=-1,-1,2,2 --cut-off 2 --line 0,0,1,1"] {
+            let told = stderr(&call(folder.path(), &format!("measure far.csv{asked}")).code(code));
+            assert!(code == 0 || told.starts_with("error: far.csv:2: "), "{y}: {told}");
+        }
+    }
+}

@@ -113,13 +113,48 @@ fn outputs_that_cannot_be() {
 fn values_that_cannot_be() {
     refuses("run headon --set foo=1", &["--set foo=1", "no key `foo`"]);
     refuses("run headon --set time.step=abc", &["--set time.step", "should be a number"]);
-    refuses("run headon --set time.step=0", &["--set time.step=0", "more than 0"]);
+    refuses("run headon --set time.step=0", &["--set time.step=0", "from 0.00001 to 10"]);
+    refuses("run headon --set time.step=1e-9", &["time.step is 0.000000001", "from 0.00001 to 10"]);
     refuses("run headon --set foo", &["write KEY=VALUE"]);
     refuses("run headon --size 3", &["width x height"]);
     refuses("run headon --fps 0", &["greater than 0"]);
     refuses("run headon --limit nan", &["greater than 0"]);
     refuses("run headon --camera 1,1,1,1", &["the camera sees 0 by 0 m"]);
     refuses("run headon --camera 1,1,1", &["four numbers"]);
+}
+
+/// Text of files comes to a terminal without its control characters, in reports and in errors.
+#[test]
+fn control_characters_are_escaped() {
+    let folder = folder();
+    let path = folder.path();
+    let evil = r"\u001b]0;pwn\u0007\u001b[31m\u007f\u009b31m\u202e\r";
+    let scene = WALK.replace("\"a\"", &format!("\"g{evil}\""));
+    let scene = format!("title = \"t{evil}\"\n{scene}");
+    std::fs::write(path.join("scene.toml"), &scene).unwrap();
+    std::fs::write(path.join("wrong.toml"), format!("{scene}body.radius = -1\n")).unwrap();
+    // a file that has them as they are
+    std::fs::write(path.join("raw.toml"), "title = \"\u{1b}[31m\"\n").unwrap();
+    std::fs::write(path.join("run.csv"), "number,group,time,x,y\n1,g\u{1b}[31m\u{9b}m,0,0,0\n").unwrap();
+    call(path, "run scene.toml -o a.csv").success();
+    for (arguments, code) in [
+        ("check scene.toml", 0),
+        ("run scene.toml -o a.csv --groups b", 2),
+        ("run scene.toml -o a.csv --set group.b.count=1", 2),
+        ("run wrong.toml", 2),
+        ("check wrong.toml", 2),
+        ("check raw.toml", 2),
+        ("info run.csv", 0),
+        ("info run.csv --json", 0),
+        ("info a.csv", 0),
+        ("measure run.csv --group b", 2),
+    ] {
+        let output = call(path, arguments).code(code).get_output().clone();
+        let told = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+        assert!(told.contains(r"\u001b["), "{arguments}: {told}");
+        let control = |c: char| c.is_control() && !matches!(c, '\n' | '\t') || c == '\u{202e}';
+        assert!(!told.contains(control), "{arguments}: {told:?}");
+    }
 }
 
 #[cfg(unix)]

@@ -1,8 +1,9 @@
 //! `throng convert` and `throng render`.
 
-use crate::shared::{call, folder, names, stderr, stdout};
+use crate::shared::{call, folder, names, stderr, stdout, throng};
 use std::fmt::Write;
 use std::path::Path;
+use std::time::Duration;
 
 /// Two people who walk east at 1 m/s, one of them from 2 s on, ten moments a second.
 fn walk() -> String {
@@ -127,4 +128,33 @@ fn mistakes_are_named() {
         assert!(told.contains(text), "{arguments}: {told}");
     }
     assert_eq!(names(folder.path()), ["none.csv", "walk.csv"]);
+}
+
+/// One time stamp far from the others: trajectories are written at once, and pictures are refused or end with `--to`.
+#[test]
+fn a_time_far_away_is_no_endless_loop() {
+    let folder = folder();
+    let path = folder.path();
+    std::fs::write(path.join("far.csv"), "number,time,x,y\n1,0,0,0\n1,0.04,0.05,0\n1,1e9,1,0\n").unwrap();
+    let call =
+        |arguments: &str| throng(path).args(arguments.split_whitespace()).timeout(Duration::from_secs(20)).assert();
+    for kind in ["csv", "rec", "sqlite", "parquet", "usda", "glb"] {
+        call(&format!("convert far.csv -o a.{kind} -q")).success();
+    }
+    for output in ["a.mp4", "a.gif", "a.png", "a.svg", "a/"] {
+        let told = stderr(&call(&format!("render far.csv -o {output} -q")).code(2));
+        let pictures = "error: far.csv: 25000000000 pictures from 0.00 to 1000000000.00 s";
+        assert!(told.starts_with(pictures) && told.contains("--from and --to"), "{told}");
+        call(&format!("render far.csv -o {output} --size 64x64 --to 1 -q")).success();
+    }
+    assert_eq!(names(&path.join("a")).len(), 26, "25 pictures a second, and none after the end");
+    let told = stderr(&call("convert far.csv -o b.csv --rate 1").code(2));
+    assert!(told.contains("far.csv: 1000000000 moments of --rate from 0.00 to 1000000000.00 s"), "{told}");
+    let told = stderr(&call("info far.csv").success());
+    assert_eq!(told, "");
+    let told = stderr(&call("measure far.csv -o a.html").code(2));
+    assert!(told.contains("far.csv: 25000000000 moments of a page") && told.contains("--from and --to"), "{told}");
+    call("measure far.csv -o a.html --to 1").success();
+    let told = stderr(&call("replay far.csv").code(2));
+    assert!(told.contains("far.csv: 25000000000 steps from 0.00") && told.contains("--from and --until"), "{told}");
 }

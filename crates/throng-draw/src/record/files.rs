@@ -5,6 +5,9 @@ use crate::{Error, Sheet, Still, Style};
 use std::sync::Arc;
 use throng_record::{Choice, Frame, Pool, Setting};
 
+/// How far after the end of what is chosen a picture may be, seconds: times are rounded.
+const SLACK: f64 = 1e-6;
+
 /// What the files of a run have in common.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'a> {
@@ -24,6 +27,8 @@ pub struct Plan<'a> {
     pub from: f64,
     /// What of it is written to trajectories; none of the files has anything after its end.
     pub choice: &'a Choice,
+    /// Whether to stop between two moments: it is called often while a long gap is filled with pictures or moments.
+    pub stop: fn() -> bool,
 }
 
 impl Plan<'_> {
@@ -48,7 +53,8 @@ impl Plan<'_> {
 /// use throng_record::{Choice, Setting};
 /// let (setting, style, choice) = (Setting::default(), Style::default(), Choice::default());
 /// let (rate, speed_up, still) = (25.0, 1.0, Still::Last);
-/// let plan = Plan { setting: &setting, sheet: None, style: &style, rate, speed_up, still, from: 0.0, choice: &choice };
+/// let (sheet, from, stop) = (None, 0.0, || false);
+/// let plan = Plan { setting: &setting, sheet, style: &style, rate, speed_up, still, from, choice: &choice, stop };
 /// let mut files = Files::new(vec![Recorder::create(&path, &plan)?], plan.pace(), &choice);
 /// for k in 0..3 {
 ///     files.push(f64::from(k) * 0.1, 0.1, |frame| frame.time = f64::from(k) * 0.1)?;
@@ -62,6 +68,7 @@ pub struct Files {
     frames: Pool<Frame>,
     pace: Pace,
     choice: Choice,
+    stop: fn() -> bool,
     /// Time of the last moment.
     before: Option<f64>,
     /// Time of the last picture.
@@ -71,7 +78,12 @@ pub struct Files {
 impl Files {
     /// Files that have been begun, with pictures at this pace and trajectories of what is chosen.
     pub fn new(files: Vec<Recorder>, pace: Pace, choice: &Choice) -> Self {
-        Self { files, frames: Pool::default(), pace, choice: choice.clone(), before: None, last: None }
+        Self { files, frames: Pool::default(), pace, choice: choice.clone(), stop: || false, before: None, last: None }
+    }
+
+    /// The same files, of which [`push`](Self::push) leaves out the rest of a moment's pictures as soon as `stop` returns true.
+    pub fn stopped_by(self, stop: fn() -> bool) -> Self {
+        Self { stop, ..self }
     }
 
     /// Whether there are none.
@@ -87,7 +99,7 @@ impl Files {
     pub fn push(&mut self, time: f64, step: f64, capture: impl FnOnce(&mut Frame)) -> Result<(), Error> {
         let Some((pictures, rows)) = self.due(time, step) else { return Ok(()) };
         let frames = vec![self.frames.make(capture)];
-        Recorder::push_all(&mut self.files, &Moment { frames, pictures, rows })
+        self.hand_over(frames, pictures, rows)
     }
 
     /// The same of several runs, a frame each.
@@ -96,14 +108,23 @@ impl Files {
     /// A file cannot be written.
     pub fn push_all(&mut self, time: f64, step: f64, frames: impl FnOnce() -> Vec<Arc<Frame>>) -> Result<(), Error> {
         let Some((pictures, rows)) = self.due(time, step) else { return Ok(()) };
-        Recorder::push_all(&mut self.files, &Moment { frames: frames(), pictures, rows })
+        self.hand_over(frames(), pictures, rows)
+    }
+
+    /// Hands over a moment picture by picture.
+    fn hand_over(&mut self, frames: Vec<Arc<Frame>>, pictures: u64, rows: bool) -> Result<(), Error> {
+        let mut moment = Moment { frames, picture: pictures > 0, rows };
+        Recorder::push_all(&mut self.files, &moment)?;
+        moment.rows = false;
+        (1..pictures).take_while(|_| !(self.stop)()).try_for_each(|_| Recorder::push_all(&mut self.files, &moment))
     }
 
     /// How many pictures are due, and whether trajectories take this moment; none where no file takes it.
     fn due(&mut self, time: f64, step: f64) -> Option<(u64, bool)> {
         let before = self.before.replace(time).unwrap_or(time - step);
         let rows = self.choice.needs(before, time, time + step);
-        let pictures = if time < self.choice.to + 0.5 * step { self.pace.due(time, step) } else { 0 };
+        let films = self.files.iter().any(|file| !file.is_table());
+        let pictures = if films { self.pace.due((time + 0.5 * step).min(self.choice.to + SLACK)) } else { 0 };
         if pictures > 0 {
             self.last = Some(time);
         }
@@ -137,7 +158,7 @@ impl Files {
 
     fn complete(mut self, last: Option<Vec<Arc<Frame>>>) -> Result<(), Error> {
         if let Some(frames) = last {
-            Recorder::push_all(&mut self.files, &Moment { frames, pictures: 1, rows: false })?;
+            Recorder::push_all(&mut self.files, &Moment { frames, picture: true, rows: false })?;
         }
         self.files.into_iter().try_for_each(Recorder::finish)
     }

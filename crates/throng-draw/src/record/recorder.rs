@@ -12,8 +12,8 @@ use throng_record::{Behind, Format, Frame, Output, OutputError, Writer};
 pub struct Moment {
     /// One frame a run.
     pub frames: Vec<Arc<Frame>>,
-    /// How many pictures are due.
-    pub pictures: u64,
+    /// Whether a picture is due.
+    pub picture: bool,
     /// Whether it is new to tables.
     pub rows: bool,
 }
@@ -41,7 +41,7 @@ impl Recorder {
     pub fn create(path: impl AsRef<Path>, plan: &Plan) -> Result<Self, Error> {
         let path = path.as_ref();
         if let Some(format) = table(path) {
-            let writer = plan.choice.create(format, format.output(path)?, plan.setting);
+            let writer = plan.choice.create(format, format.output(path)?, plan.setting, plan.stop);
             let writer = writer.ok_or_else(|| Error::Extension { path: path.into() })??;
             return Ok(Self::table(writer).of_run(0));
         }
@@ -55,7 +55,8 @@ impl Recorder {
     pub fn to(output: Output, plan: &Plan) -> Result<Self, Error> {
         let path = output.path().to_path_buf();
         if let Some(format) = table(&path) {
-            let writer = plan.choice.create(format, output, plan.setting).ok_or(Error::Extension { path })??;
+            let writer =
+                plan.choice.create(format, output, plan.setting, plan.stop).ok_or(Error::Extension { path })??;
             return Ok(Self::table(writer).of_run(0));
         }
         match Kind::of(&path)? {
@@ -71,7 +72,7 @@ impl Recorder {
     pub fn film(film: Film) -> Self {
         let film = Behind::start("throng-film", film, |film: &mut Film, moment: Moment| {
             let frames: Vec<&Frame> = moment.frames.iter().map(Arc::as_ref).collect();
-            (0..moment.pictures).try_for_each(|_| film.push_all(&frames))
+            film.push_all(&frames)
         });
         Self { kind: Written::Film(Box::new(film)), run: None }
     }
@@ -111,7 +112,7 @@ impl Recorder {
             None => moment.clone(),
         };
         match &mut self.kind {
-            Written::Film(film) => moment.pictures == 0 || film.push(own()),
+            Written::Film(film) => !moment.picture || film.push(own()),
             Written::Table(table) => !moment.rows || table.push(own()),
         }
     }

@@ -60,7 +60,11 @@ fn flaw(error: hdf5_reader::error::Error) -> Flaw {
 }
 
 fn walkable(text: &str, unit: f64) -> Result<Vec<Walkable>, Flaw> {
-    let wrong = |error| Flaw { line: None, why: format!("its attribute wkt_geometry: {error}"), hint: None };
+    let wrong = |error| Flaw {
+        line: None,
+        why: format!("its attribute wkt_geometry: {error}"),
+        hint: Some("write the walkable area as WKT, such as POLYGON ((0 0, 9 0, 9 5, 0 0))"),
+    };
     let ring = |ring: Vec<[f64; 2]>| ring.into_iter().map(|corner| DVec2::from_array(corner) * unit).collect();
     let areas = wkt::areas(text).map_err(wrong)?.into_iter();
     Ok(areas

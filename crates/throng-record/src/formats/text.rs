@@ -91,7 +91,11 @@ pub fn walker(number: u32, time: f64, place: DVec2) -> Spot {
 /// Trajectories of people of one group without a name; `velocities`: whether the spots have them.
 pub fn people(spots: Vec<Spot>, velocities: bool) -> Result<Tracks, Flaw> {
     if spots.is_empty() {
-        return Err(Flaw { line: None, why: "nobody is in it".into(), hint: None });
+        return Err(Flaw {
+            line: None,
+            why: "nobody is in it".into(),
+            hint: Some("give a file with at least one row of a person"),
+        });
     }
     let mut tracks = Tracks { spots, ..Tracks::default() };
     tracks.setting.groups.push(String::new());

@@ -1,7 +1,7 @@
 //! Rings of ground: their outlines, and the stops of laps round them.
 
 use super::limits::check_point;
-use super::limits::{FARTHEST, Limit, check};
+use super::limits::{Limit, MAX_COORDINATE, check};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
@@ -16,8 +16,8 @@ pub(super) const SECTORS: usize = 8;
 /// Checks the numbers of an annulus.
 pub(super) fn check_annulus(path: &Path, ring: &Annulus) -> Result<(), Problem> {
     check_point(&path.key("center"), &ring.center)?;
-    check(&path.key("inner"), ring.inner, Limit::UpTo(FARTHEST))?;
-    check(&path.key("outer"), ring.outer, Limit::UpTo(FARTHEST))?;
+    check(&path.key("inner"), ring.inner, Limit::UpTo(MAX_COORDINATE))?;
+    check(&path.key("outer"), ring.outer, Limit::UpTo(MAX_COORDINATE))?;
     if ring.outer <= ring.inner {
         let message = format!("the outer radius, {}, is not more than the inner radius, {}", ring.outer, ring.inner);
         return Err(Problem::new(&path.key("outer"), Kind::OutOfRange, message).hint("make it larger than `inner`"));

@@ -18,7 +18,7 @@ pub(super) fn check_scene(scene: &Scene) -> Checked {
         return Err(Problem::new(&Path::of("seed"), Kind::OutOfRange, message));
     }
     let time = Path::of("time");
-    check(&time.key("step"), scene.time.step, Limit::UpTo(10.0))?;
+    check(&time.key("step"), scene.time.step, Limit::Between(1e-5, 10.0))?;
     check(&time.key("limit"), scene.time.limit, Limit::Positive)?;
     if let SubSteps::Fixed(n) = scene.time.sub_steps {
         check(&time.key("sub_steps"), f64::from(n), Limit::Between(1.0, 1000.0))?;
@@ -82,8 +82,8 @@ fn check_obstacle(path: &Path, obstacle: &Obstacle) -> Checked {
 
 pub(super) fn check_rectangle(path: &Path, r: &Rectangle) -> Checked {
     check_point(&path.key("center"), &r.center)?;
-    check(&path.key("size").index(0), r.size[0], Limit::UpTo(super::limits::FARTHEST))?;
-    check(&path.key("size").index(1), r.size[1], Limit::UpTo(super::limits::FARTHEST))?;
+    check(&path.key("size").index(0), r.size[0], Limit::UpTo(super::limits::MAX_COORDINATE))?;
+    check(&path.key("size").index(1), r.size[1], Limit::UpTo(super::limits::MAX_COORDINATE))?;
     check(&path.key("rotation"), r.rotation, Limit::Finite)
 }
 
@@ -247,7 +247,7 @@ fn check_place(path: &Path, place: &Place) -> Checked {
         }
         Place::Ring(ring) => {
             check_point(&path.key("ring.center"), &ring.center)?;
-            check(&path.key("ring.radius"), ring.radius, Limit::UpTo(super::limits::FARTHEST))?;
+            check(&path.key("ring.radius"), ring.radius, Limit::UpTo(super::limits::MAX_COORDINATE))?;
             check(&path.key("ring.start"), ring.start, Limit::Finite)
         }
         Place::Sphere(sphere) => {
@@ -262,12 +262,12 @@ fn check_place(path: &Path, place: &Place) -> Checked {
             check_point(&path.key("grid.center"), &grid.center)?;
             check(&path.key("grid.columns"), grid.columns as f64, Limit::UpTo(super::MAX_AGENTS as f64))?;
             check(&path.key("grid.rows"), grid.rows as f64, Limit::UpTo(super::MAX_AGENTS as f64))?;
-            check(&path.key("grid.spacing"), grid.spacing, Limit::UpTo(super::limits::FARTHEST))?;
+            check(&path.key("grid.spacing"), grid.spacing, Limit::UpTo(super::limits::MAX_COORDINATE))?;
             check(&path.key("grid.rotation"), grid.rotation, Limit::Finite)
         }
         Place::Disc(disc) => {
             check_point(&path.key("disc.center"), &disc.center)?;
-            check(&path.key("disc.radius"), disc.radius, Limit::UpTo(super::limits::FARTHEST))?;
+            check(&path.key("disc.radius"), disc.radius, Limit::UpTo(super::limits::MAX_COORDINATE))?;
             check(&path.key("disc.gap"), disc.gap, Limit::NotNegative)
         }
         Place::Rectangle(r) => {
@@ -368,7 +368,7 @@ pub(super) fn check_region(path: &Path, region: &Region) -> Checked {
     match region {
         Region::Disc(disc) => {
             check_point(&path.key("disc.center"), &disc.center)?;
-            check(&path.key("disc.radius"), disc.radius, Limit::UpTo(super::limits::FARTHEST))
+            check(&path.key("disc.radius"), disc.radius, Limit::UpTo(super::limits::MAX_COORDINATE))
         }
         Region::Rectangle(r) => check_rectangle(&path.key("rectangle"), r),
         Region::Polygon(corners) => {

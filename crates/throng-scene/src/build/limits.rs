@@ -4,8 +4,8 @@ use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::{Number, Point, Spot};
 
-/// Greatest coordinate, metres: three times round the Earth, and still exact to 2e-8 m in f64.
-pub(super) const FARTHEST: f64 = 1e8;
+/// Greatest coordinate of scenes and of trajectories, metres: twice round the Earth, and still exact to 2e-8 m in f64.
+pub const MAX_COORDINATE: f64 = 1e8;
 
 /// Greatest altitude, metres: the world's.
 pub(super) const HIGHEST: f64 = 20_000.0;
@@ -30,7 +30,7 @@ impl Limit {
     fn holds(self, x: f64) -> bool {
         x.is_finite()
             && match self {
-                Self::Finite => x.abs() <= FARTHEST,
+                Self::Finite => x.abs() <= MAX_COORDINATE,
                 Self::Positive => x > 0.0,
                 Self::NotNegative => x >= 0.0,
                 Self::Between(low, high) => (low..=high).contains(&x),

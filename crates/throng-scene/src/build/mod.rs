@@ -21,6 +21,7 @@ mod tune;
 mod world;
 
 pub use count::MAX_AGENTS;
+pub use limits::MAX_COORDINATE;
 pub use plan::{Plan, PlannedAgent, PlannedField, PlannedJourney};
 pub use world::{Built, BuiltGroup};
 

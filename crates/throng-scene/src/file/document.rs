@@ -1,11 +1,13 @@
 //! A scene file as it was read: its text, what `--set` changed, and where each value stands.
 
+use super::about::about;
 use super::path::{Path, Problem, Step};
 use super::serde_message;
 use super::set::{self, Override};
 use super::value::Value;
 use crate::error::{Error, Kind};
 use serde::Deserialize;
+use std::borrow::Cow;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -68,29 +70,27 @@ impl Document {
     /// Reads the document as a `T`.
     pub fn read<T: for<'de> Deserialize<'de>>(&self) -> Result<T, Error> {
         let tree = self.tree()?;
-        for (key, value) in tree.get_ref() {
-            let surplus = value.get_ref().as_array().and_then(|tables| <[_]>::get(tables, MOST_TABLES));
-            if let Some(surplus) = surplus {
-                let message = format!("there are more than {MOST_TABLES} tables `[[{}]]`", key.get_ref());
-                let out = Error::new(Kind::Count, message);
-                return Err(self.place(
-                    out.hint(
-                        "say many agents of one kind by the `count` of a group, and much ground by `walkable.file`",
-                    ),
-                    surplus.span(),
-                ));
-            }
+        if let Some((key, surplus)) = tree.get_ref().iter().find_map(surplus) {
+            let out = Error::new(Kind::Count, format!("there are more than {MOST_TABLES} tables `[[{key}]]`"));
+            let hint = "say many agents of one kind by the `count` of a group, and much ground by `walkable.file`";
+            return Err(self.place(out.hint(hint), surplus));
         }
         T::deserialize(Value::from(tree)).map_err(|misread| {
-            let out = serde_message::explain(&misread.message);
-            self.place(out, misread.span.unwrap_or(0..0))
+            let mut out = serde_message::explain(&misread.message);
+            let span = misread.span.unwrap_or(0..0);
+            if let (None, true, Ok(tree)) = (&out.hint, is_of_value(out.kind), self.tree()) {
+                let path = holding(&DeValue::Table(tree.into_inner()), span.start, &Path::default());
+                out.hint = path.and_then(|path| about(&path)).map(Into::into);
+            }
+            self.place(out, span)
         })
     }
 
     /// Turns a problem with a value into an error with the value's place.
     pub fn explain(&self, problem: Problem) -> Error {
         let mut error = Error::new(problem.kind, problem.message);
-        error.hint = problem.hint;
+        let hint = || about(&problem.path).filter(|_| is_of_value(problem.kind)).map(Into::into);
+        error.hint = problem.hint.or_else(hint);
         match self.tree() {
             Ok(tree) => self.place(error, locate(&tree, &problem.path)),
             Err(_) => error,
@@ -109,6 +109,29 @@ impl Document {
         let name = self.name.clone().unwrap_or_else(|| "scene".into());
         error.file(name).place(&self.text, span)
     }
+}
+
+/// Whether a mistake is a value of the wrong type or out of its range.
+fn is_of_value(kind: Kind) -> bool {
+    matches!(kind, Kind::WrongType | Kind::OutOfRange)
+}
+
+/// The path to the innermost value that has the byte `at` of the text, below the value at `path`.
+fn holding(value: &DeValue<'_>, at: usize, path: &Path) -> Option<Path> {
+    let within = |value: &Spanned<DeValue<'_>>, path: Path| {
+        holding(value.get_ref(), at, &path).or_else(|| value.span().contains(&at).then_some(path))
+    };
+    match value {
+        DeValue::Table(items) => items.iter().find_map(|(key, value)| within(value, path.name(key.get_ref()))),
+        DeValue::Array(items) => items.iter().enumerate().find_map(|(k, value)| within(value, path.index(k))),
+        _ => None,
+    }
+}
+
+/// The key of a list that is too long, and where its first table too many stands.
+fn surplus<'a>((key, value): (&'a Spanned<Cow<'_, str>>, &Spanned<DeValue<'_>>)) -> Option<(&'a str, Range<usize>)> {
+    let surplus = <[_]>::get(value.get_ref().as_array()?, MOST_TABLES)?;
+    Some((key.get_ref(), surplus.span()))
 }
 
 /// The bytes of the value at a path, or of the nearest enclosing thing that the file has.

@@ -1,5 +1,6 @@
 //! Scene files: TOML in and out, and where in a file a value came from.
 
+mod about;
 mod document;
 mod path;
 mod read;

@@ -9,7 +9,7 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Time {
-    /// Seconds from one output to the next. Limit: > 0, at most 10.
+    /// Seconds from one output to the next. Limit: 0.00001 to 10.
     pub step: f64,
     /// How a step is divided: `"auto"`, or a number of parts.
     pub sub_steps: SubSteps,

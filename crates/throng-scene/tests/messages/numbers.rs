@@ -11,7 +11,8 @@ fn numbers_out_of_range_are_named_with_their_limits() {
         r"
 a.toml:6:19: group `walkers`: body.radius is -0.2, but must be more than 0 and at most 1000
   6 | body = { radius = -0.2 }
-    |                   ^^^^",
+    |                   ^^^^
+  hint: `radius`: A disc of this radius, metres. Limit: > 0, at most 1000.",
     );
     assert_message(
         &group("place.point = [nan, 0]"),
@@ -19,15 +20,17 @@ a.toml:6:19: group `walkers`: body.radius is -0.2, but must be more than 0 and a
         r"
 a.toml:5:16: group `walkers`: place.point[0] is NaN, but must be a finite number of at most 100,000,000 in size
   5 | place.point = [nan, 0]
-    |                ^^^",
+    |                ^^^
+  hint: `point`: One spot: for a single agent, or for a source.",
     );
     assert_message(
         "time.step = inf",
         Kind::OutOfRange,
         r"
-a.toml:1:13: time.step is inf, but must be more than 0 and at most 10
+a.toml:1:13: time.step is inf, but must be from 0.00001 to 10
   1 | time.step = inf
-    |             ^^^",
+    |             ^^^
+  hint: `step`: Seconds from one output to the next. Limit: 0.00001 to 10. Default: 0.04.",
     );
     assert_message(
         &group("place.point = [0, 0]\nspeed = { preferred = 1.5, max = 1.2 }"),
@@ -67,7 +70,8 @@ a.toml:6:47: group `walkers`: place.sphere.radius is 4, but must be more than 0 
         r"
 a.toml:8:14: the goal of agent 0 is -1 m above the ground, but must be from 0 to 20000
   8 | goal.shift = { by = [9, 0], rise = -4 }
-    |              ^^^^^^^^^^^^^^^^^^^^^^^^^^",
+    |              ^^^^^^^^^^^^^^^^^^^^^^^^^^
+  hint: `shift`: For each its own start, shifted.",
     );
     assert_message(
         &count("place.line = { from = [0, 0], to = [3, 0] }\nbody.capsule = { length = 2, width = 1 }\naltitude = 3"),
@@ -84,6 +88,7 @@ a.toml:8:12: group `walkers`: only bodies that are discs have an altitude: other
         r"
 a.toml:7:25: group `walkers`: altitude.uniform[0] is -1, but must be from 0 to 20000
   7 | altitude = { uniform = [-1, 3] }
-    |                         ^^",
+    |                         ^^
+  hint: `uniform`: Evenly between two bounds, the lower first.",
     );
 }

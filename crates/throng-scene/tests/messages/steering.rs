@@ -25,7 +25,8 @@ fn a_wrong_behaviour_is_named_with_its_place() {
         r"
 a.toml:6:85: group `walkers`: slowing distance is -1, but must be 0 or more
   6 | … { target = [0, 0], slowing_distance = -1 } }]
-    |                                         ^^",
+    |                                         ^^
+  hint: `slowing_distance`: How far away it begins to slow down, metres. Without it, 1. Limit: >= 0.",
     );
     assert_message(
         &steers("steer.weighted_sum = [{ weight = -1, of.wander = {} }]"),
@@ -33,7 +34,8 @@ a.toml:6:85: group `walkers`: slowing distance is -1, but must be 0 or more
         r"
 a.toml:6:34: group `walkers`: steer.weighted_sum[0].weight is -1, but must be 0 or more
   6 | steer.weighted_sum = [{ weight = -1, of.wander = {} }]
-    |                                  ^^",
+    |                                  ^^
+  hint: `weight`: What its force is multiplied with. Without it, 1. Limit: >= 0.",
     );
     assert_message(
         &steers("steer.cohesion = { near.angle = 270 }"),
@@ -41,7 +43,8 @@ a.toml:6:34: group `walkers`: steer.weighted_sum[0].weight is -1, but must be 0 
         r"
 a.toml:6:33: group `walkers`: steer.cohesion.near.angle is 270, but must be from 0 to 180
   6 | steer.cohesion = { near.angle = 270 }
-    |                                 ^^^",
+    |                                 ^^^
+  hint: `angle`: How far to either side of ahead, degrees. Without it, 180: all round. Limit: 0 to 180.",
     );
     assert_message(
         &steers("steer.wander = { rate = inf }"),
@@ -49,7 +52,8 @@ a.toml:6:33: group `walkers`: steer.cohesion.near.angle is 270, but must be from
         r"
 a.toml:6:25: group `walkers`: steer.wander.rate is inf, but must be a finite number of at most 100,000,000 in size
   6 | steer.wander = { rate = inf }
-    |                         ^^^",
+    |                         ^^^
+  hint: `rate`: How fast the side changes, degrees per square root of a second. Without it, 57.3. Limit: >= 0.",
     );
 }
 
@@ -79,7 +83,8 @@ a.toml:6:19: group `walkers`: a map of 90000 by 90000 cells; there must be 1 to 
         r"
 a.toml:6:68: group `walkers`: steer.context_steering.directions is 3, but must be from 4 to 64
   6 | steer.context_steering = { of = [{ of.wander = {} }], directions = 3 }
-    |                                                                    ^",
+    |                                                                    ^
+  hint: `directions`: How many directions it weighs all round; those who fly as many again above and below. Without it, 16. Limit: 4 to 64.",
     );
 }
 
@@ -91,7 +96,8 @@ fn a_wrong_target_is_named_with_what_there_is() {
         r#"
 a.toml:6:25: this value cannot be: the text "home", but should be [x, y], [x, y, z], "goal", { group = "name", agent = 0 } or { nearest = "others" }
   6 | steer.seek = { target = "home" }
-    |                         ^^^^^^"#,
+    |                         ^^^^^^
+  hint: `target`: Whom or what."#,
     );
     assert_message(
         &steers("steer.seek = { target = [1, 2, 3, 4] }"),
@@ -99,7 +105,8 @@ a.toml:6:25: this value cannot be: the text "home", but should be [x, y], [x, y,
         r"
 a.toml:6:25: this has the wrong number of entries: 4, but should be [x, y] or [x, y, z]
   6 | steer.seek = { target = [1, 2, 3, 4] }
-    |                         ^^^^^^^^^^^^",
+    |                         ^^^^^^^^^^^^
+  hint: `target`: Whom or what.",
     );
     assert_message(
         &steers("steer.seek = { target = { group = \"wolf\" } }"),

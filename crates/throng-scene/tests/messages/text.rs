@@ -77,7 +77,8 @@ fn a_wrong_type_says_what_belongs_there() {
         r#"
 a.toml:6:25: this is the wrong type: the text "seven", but should be a number
   6 | place.ring = { radius = "seven" }
-    |                         ^^^^^^^"#,
+    |                         ^^^^^^^
+  hint: `radius`: Its radius. Limit: > 0."#,
     );
     assert_message(
         &group("count = -3\nplace.point = [0, 0]"),
@@ -85,7 +86,8 @@ a.toml:6:25: this is the wrong type: the text "seven", but should be a number
         r"
 a.toml:5:9: this value cannot be: the whole number -3, but should be a whole number that is not negative
   5 | count = -3
-    |         ^^",
+    |         ^^
+  hint: `count`: How many. Without it, as many as the place or the sources say. Limit: 1 to 20,000,000.",
     );
     assert_message(
         &group("place.sphere = { center = [0, 0, 9, 1], radius = 2 }"),
@@ -93,7 +95,8 @@ a.toml:5:9: this value cannot be: the whole number -3, but should be a whole num
         r"
 a.toml:5:27: this has the wrong number of entries: 4, but should be three numbers, [x, y, z]
   5 | place.sphere = { center = [0, 0, 9, 1], radius = 2 }
-    |                           ^^^^^^^^^^^^",
+    |                           ^^^^^^^^^^^^
+  hint: `center`: Its middle. Limit of z: at least `radius`, so that all of it is above the ground.",
     );
     assert_message(
         &group("place.sphere = { center = [0, 0], radius = 2 }"),
@@ -101,7 +104,8 @@ a.toml:5:27: this has the wrong number of entries: 4, but should be three number
         r"
 a.toml:5:27: this has the wrong number of entries: 2, but should be three numbers, [x, y, z]
   5 | place.sphere = { center = [0, 0], radius = 2 }
-    |                           ^^^^^^",
+    |                           ^^^^^^
+  hint: `center`: Its middle. Limit of z: at least `radius`, so that all of it is above the ground.",
     );
     assert_message(
         &group("place.point = [0, 0, 0]"),
@@ -109,7 +113,8 @@ a.toml:5:27: this has the wrong number of entries: 2, but should be three number
         r"
 a.toml:5:15: this has the wrong number of entries: 3, but should be two numbers, [x, y]
   5 | place.point = [0, 0, 0]
-    |               ^^^^^^^^^",
+    |               ^^^^^^^^^
+  hint: `point`: One spot: for a single agent, or for a source.",
     );
     assert_message(
         "time.sub_steps = \"often\"",
@@ -117,7 +122,8 @@ a.toml:5:15: this has the wrong number of entries: 3, but should be two numbers,
         r#"
 a.toml:1:18: this value cannot be: the text "often", but should be "auto" or a whole number from 1 to 1000
   1 | time.sub_steps = "often"
-    |                  ^^^^^^^"#,
+    |                  ^^^^^^^
+  hint: `sub_steps`: How a step is divided: `"auto"`, or a number of parts."#,
     );
 }
 

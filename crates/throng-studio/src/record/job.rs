@@ -38,6 +38,7 @@ impl Job {
             still: Still::Last,
             from,
             choice: &take.choice,
+            stop: || false,
         };
         let files = Files::new(vec![begin(&take.path, &plan)?], plan.pace(), plan.choice);
         let mut job = Self { sources, files: Some(files), frames: Pool::default(), from, to: take.choice.to };

@@ -48,7 +48,7 @@ pub fn not_of_scenes(args: &MeasureArgs) -> Result<(), Failure> {
 /// Those of a recording who count; `None` where somebody is above the ground and nothing of people is asked.
 ///
 /// # Errors
-/// The floor plan cannot be read.
+/// The floor plan cannot be read, or a page would have more moments than the limit.
 pub fn of(args: &MeasureArgs, tracks: &Tracks, counts: impl Fn(&Spot) -> bool) -> Result<Option<People>, Failure> {
     let asked = &args.people;
     let flies = tracks.spots.iter().any(|spot| spot.place.z != 0.0);
@@ -70,7 +70,7 @@ pub fn of(args: &MeasureArgs, tracks: &Tracks, counts: impl Fn(&Spot) -> bool) -
     let question = Question { interval: asked.interval, areas: asked.area.clone(), lines: asked.line.clone(), ground };
     let people = pedestrian::People::of(tracks, &counts);
     let page = args.output.iter().any(|path| is(path, "html") || is(path, "htm"));
-    let player = page.then(|| player::player(tracks, &question, &counts));
+    let player = page.then(|| player::player(&args.of, tracks, &question, &counts)).transpose()?;
     Ok(Some(People { figures: Figures::of(&people, &question), question, player }))
 }
 

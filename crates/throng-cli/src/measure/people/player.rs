@@ -1,14 +1,26 @@
 //! Those who are measured, in the page's player.
 
+use crate::failure::Failure;
+use crate::interrupt;
 use crate::page::{Player, Scenery};
+use crate::tracks::limit;
 use glam::DVec2;
 use std::collections::BTreeMap;
+use std::path::Path;
 use throng_draw::{Style, WorldBox, palette};
 use throng_record::pedestrian::Question;
 use throng_record::{Frame, Moments, Spot, Tracks};
 
 /// A player of those of tracks who count, with the areas and lines that figures are of.
-pub fn player(tracks: &Tracks, question: &Question, counts: impl Fn(&Spot) -> bool) -> Player {
+///
+/// # Errors
+/// It has more moments than the limit.
+pub fn player(
+    path: &Path,
+    tracks: &Tracks,
+    question: &Question,
+    counts: impl Fn(&Spot) -> bool,
+) -> Result<Player, Failure> {
     let mut spots: Vec<Spot> = tracks.spots.iter().filter(|spot| counts(spot)).copied().collect();
     // a page holds as many ways as there are numbers
     let mut dense = BTreeMap::new();
@@ -41,8 +53,9 @@ pub fn player(tracks: &Tracks, question: &Question, counts: impl Fn(&Spot) -> bo
     let mut player = Player::new(scenery, 1, dense.len(), step);
     let mut frame = Frame::default();
     // a moment every step, the last that was where one is missing
-    let (mut moment, steps) = (0, ((moments.time(last) - start) / step).round() as u64);
-    for k in 0..=steps {
+    let (mut moment, steps) = (0, ((moments.time(last) - start) / step).round());
+    limit(path, "moments of a page", steps, [start, moments.time(last)], "choose a part with --from and --to")?;
+    for k in (0..=steps as u64).take_while(|_| !interrupt::asked()) {
         while moment < last && moments.time(moment + 1) < start + (k as f64 + 0.5) * step {
             moment += 1;
         }
@@ -51,5 +64,5 @@ pub fn player(tracks: &Tracks, question: &Question, counts: impl Fn(&Spot) -> bo
     }
     moments.capture(last, &mut frame);
     player.end(0, &frame);
-    player
+    Ok(player)
 }

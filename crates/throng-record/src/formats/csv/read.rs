@@ -2,6 +2,7 @@
 
 use super::write::status_of;
 use crate::formats::{Flaw, Reading, text};
+use crate::limits;
 use crate::tracks::{RADIUS, Spot, Tracks};
 use glam::{DVec3, Vec3};
 use std::borrow::Cow;
@@ -17,10 +18,14 @@ const HINT: &str = "a table of trajectories has the columns number, time, x and 
 /// Names may be in capitals. As PedPy and others have them, `id` is the number, `v_x` and `v_y` the velocity; and
 /// where there is no `time`, `frame` counts frames, of which somebody must say how many a second has.
 pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
-    let flaw = |(line, why)| Flaw { line: Some(line), why, hint: Some(HINT) };
-    let table = Table::open(bytes).map_err(flaw)?;
+    let table = Table::open(bytes)?;
     let rate = if table.has("time") { 1.0 } else { text::rate(None, reading)? };
-    table.tracks(rate, reading.unit.unwrap_or(1.0)).map_err(flaw)
+    table.tracks(rate, reading.unit.unwrap_or(1.0))
+}
+
+/// What is wrong with a line.
+fn flaw(line: usize, why: String) -> Flaw {
+    Flaw { line: Some(line), why, hint: Some(HINT) }
 }
 
 /// A table whose line of names was read.
@@ -30,19 +35,19 @@ struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    fn open(bytes: &'a [u8]) -> Result<Self, (usize, String)> {
+    fn open(bytes: &'a [u8]) -> Result<Self, Flaw> {
         let text = std::str::from_utf8(bytes).map_err(|error| {
             let before = &bytes[..error.valid_up_to()];
-            (1 + before.iter().filter(|&&byte| byte == b'\n').count(), "it is no text".to_owned())
+            flaw(1 + before.iter().filter(|&&byte| byte == b'\n').count(), "it is no text".to_owned())
         })?;
         let mut records = Records { rest: text.strip_prefix('\u{feff}').unwrap_or(text), line: 1 };
-        let (_, names) = records.next().ok_or((1, "it is empty".to_owned()))?;
+        let (_, names) = records.next().ok_or_else(|| flaw(1, "it is empty".to_owned()))?;
         let table = Self { names, records };
         match ["number", "time", "x", "y"]
             .iter()
             .find(|&&name| !(table.has(name) || name == "time" && table.has("frame")))
         {
-            Some(name) => Err((1, format!("there is no column `{name}`"))),
+            Some(name) => Err(flaw(1, format!("there is no column `{name}`"))),
             None => Ok(table),
         }
     }
@@ -64,9 +69,9 @@ impl<'a> Table<'a> {
     }
 
     /// What it says: frames of `rate` a second (1 for seconds), lengths of `unit` metres.
-    fn tracks(self, rate: f64, unit: f64) -> Result<Tracks, (usize, String)> {
+    fn tracks(self, rate: f64, unit: f64) -> Result<Tracks, Flaw> {
         let column = |name: &str| self.column(name);
-        let needed = |name: &str| column(name).ok_or_else(|| (1, format!("there is no column `{name}`")));
+        let needed = |name: &str| column(name).ok_or_else(|| flaw(1, format!("there is no column `{name}`")));
         let [number, x, y] = [needed("number")?, needed("x")?, needed("y")?];
         let time = column("time").map_or_else(|| needed("frame"), Ok)?;
         let (group, z) = (column("group"), column("z"));
@@ -76,11 +81,11 @@ impl<'a> Table<'a> {
         let mut tracks = Tracks { unit: Some(unit), ..Tracks::default() };
         for (line, fields) in records {
             if fields.len() < names.len() {
-                return Err((line, format!("{} fields, but {} names", fields.len(), names.len())));
+                return Err(flaw(line, format!("{} fields, but {} names", fields.len(), names.len())));
             }
             let value = |at: usize| {
                 let value = fields[at].trim().parse::<f64>().ok().filter(|value| value.is_finite());
-                value.ok_or_else(|| (line, format!("`{}` is no number for {}", fields[at], names[at])))
+                value.ok_or_else(|| flaw(line, format!("`{}` is no number for {}", fields[at], names[at])))
             };
             let length = |at: usize| value(at).map(|value| value * unit);
             let name = group.map_or("", |at| &*fields[at]);
@@ -92,13 +97,13 @@ impl<'a> Table<'a> {
             let of = fields[number]
                 .trim()
                 .parse()
-                .map_err(|_| (line, format!("`{}` is no number of an agent", fields[number])))?;
+                .map_err(|_| flaw(line, format!("`{}` is no number of an agent", fields[number])))?;
             let or = |column: Option<usize>, or: f32| column.map_or(Ok(or), |at| length(at).map(|value| value as f32));
             let status = status.map_or(Ok(Status::Walking), |at| {
                 let found = status_of(fields[at].trim());
-                found.ok_or_else(|| (line, format!("`{}` is no status", fields[at])))
+                found.ok_or_else(|| flaw(line, format!("`{}` is no status", fields[at])))
             })?;
-            tracks.spots.push(Spot {
+            let spot = Spot {
                 number: of,
                 group: group as u32,
                 time: value(time)? / rate,
@@ -107,7 +112,9 @@ impl<'a> Table<'a> {
                 heading: heading.map_or(Ok(0.0), value)? as f32,
                 radius: or(radius, RADIUS)?,
                 status,
-            });
+            };
+            limits::row(&spot).map_err(|flaw| Flaw { line: Some(line), ..flaw })?;
+            tracks.spots.push(spot);
         }
         tracks.sort();
         tracks.complete(vx.is_none() || vy.is_none(), heading.is_none());
@@ -177,7 +184,8 @@ mod tests {
     use crate::{Body, Frame, Setting, Writer};
 
     fn parse(bytes: &[u8]) -> Result<Tracks, (usize, String)> {
-        Table::open(bytes)?.tracks(1.0, 1.0)
+        let tracks = Table::open(bytes).and_then(|table| table.tracks(1.0, 1.0));
+        tracks.map_err(|flaw| (flaw.line.unwrap(), flaw.why))
     }
 
     fn body(number: u32, group: u32, place: DVec3) -> Body {

@@ -241,3 +241,69 @@ fn every_byte_counts() {
         }
     }
 }
+
+/// Numbers that no file of trajectories may have.
+const ABSURD: [f64; 7] = [1e16, -1e16, 1.1e8, 1e300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+/// Whatever number a file has, what is read is within the limits.
+#[test]
+fn numbers_out_of_their_limits_are_refused() {
+    let (setting, frames) = crowd::small();
+    let fields: [(&str, fn(&mut Frame, f64)); 6] = [
+        ("x", |frame, value| frame.bodies[0].position.x = value),
+        ("y", |frame, value| frame.bodies[0].position.y = value),
+        ("z", |frame, value| frame.bodies[0].altitude = value as f32),
+        ("velocity", |frame, value| frame.bodies[0].velocity.x = value as f32),
+        ("heading", |frame, value| frame.bodies[0].heading = value as f32),
+        ("radius", |frame, value| frame.bodies[0].radius = value as f32),
+    ];
+    for format in both() {
+        for value in ABSURD {
+            for (name, change) in fields {
+                let mut frames = frames.clone();
+                change(&mut frames[2], value);
+                let bytes = written(format, &setting, &frames);
+                let path = format!("run.{}", format.ending);
+                let what = format!("{name} = {value} in {path}");
+                match Tracks::of_file(&path, &bytes, &Reading::default()) {
+                    Ok(tracks) => assert!(crate::limits::tracks(&tracks).is_ok(), "{what}"),
+                    Err(error) => assert!(error.to_string().starts_with(&path), "{what}: {error}"),
+                }
+                // kinds that keep a large place keep one that is refused
+                if matches!(name, "x" | "y") && value.abs() == 1e16 {
+                    assert!(Tracks::of_file(&path, &bytes, &Reading::default()).is_err(), "{what}");
+                }
+            }
+        }
+    }
+}
+
+/// Kinds that are only read, as text: the message names the file, and the row by its agent and time, or by its line.
+#[test]
+fn rows_out_of_their_limits_are_named() {
+    let reading = Reading { rate: Some(10.0), unit: None };
+    let told = |name: &str, text: &str| Tracks::of_file(name, text.as_bytes(), &reading).unwrap_err().to_string();
+    for (name, text) in [
+        ("a.txt", "1 0 0.5 0\n1 5 1e16 0\n"),
+        ("a.traj", "timeStep pedestrianId x y\n0 1 0.5 0\n5 1 1e16 0\n"),
+        ("a.traj", "pedestrianId simTime endTime startX startY endX endY\n1 0.5 0.5 1e16 0 1e16 0\n"),
+        ("obsmat.txt", "0 1 0.5 0 0 0 0 0\n5 1 1e16 0 0 0 0 0\n"),
+    ] {
+        let told = told(name, text);
+        assert!(told.starts_with(&format!("{name}: x of agent 1 at 0.5 s is 1e16, but must be from -")), "{told}");
+        assert!(told.contains("hint: correct or remove the row"), "{told}");
+    }
+    let table = |row: &str| told("a.csv", &format!("number,time,x,y,vx,vy,heading,radius\n1,0,0,0,0,0,0,0.2\n{row}\n"));
+    for (row, what) in [
+        ("1,0.5,0,-1e16,0,0,0,0.2", "y of agent 1 at 0.5 s is -1e16"),
+        ("1,1e11,0,0,0,0,0,0.2", "the time of agent 1 at 100000000000 s is 1"),
+        ("1,0.5,0,0,1e30,0,0,0.2", "the velocity along x of agent 1"),
+        ("1,0.5,0,0,0,1e300,0,0.2", "the velocity along y of agent 1 at 0.5 s is inf"),
+        ("1,0.5,0,0,0,0,1e20,0.2", "the heading of agent 1"),
+        ("1,0.5,0,0,0,0,0,1e20", "the radius of agent 1"),
+    ] {
+        let told = table(row);
+        assert!(told.starts_with(&format!("a.csv:3: {what}")), "{told}");
+    }
+    assert!(told("a.csv", "number,time,x,y\n1,0,nan,0\n").starts_with("a.csv:2: `nan` is no number for x"));
+}

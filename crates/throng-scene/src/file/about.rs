@@ -1,0 +1,65 @@
+//! What the schema says of a value, as a hint for errors about its type or its range.
+
+use super::path::{Path, Step};
+use serde_json::Value;
+
+/// The description of the value at a path, or of the nearest enclosing one that has a description: what it is, its unit, its limits,
+/// and its default. `None` for a path that the schema does not know, such as into parameters of a plug-in.
+pub(super) fn about(path: &Path) -> Option<String> {
+    let root = crate::schema();
+    let (mut schema, mut key, mut found) = (&root, "", None);
+    for step in &path.steps {
+        let (next, description) = child(&root, schema, step)?;
+        if let Step::Key(name) = step {
+            key = name;
+        }
+        if let Some(description) = description {
+            let words: Vec<&str> = description.split_whitespace().collect();
+            let default = next["default"].as_f64().map_or_else(String::new, |value| format!(" Default: {value}."));
+            found = Some(format!("`{key}`: {}{default}", words.join(" ")));
+        }
+        schema = next;
+    }
+    found
+}
+
+/// The schema of what lies one step below a schema, and its description.
+fn child<'s>(root: &'s Value, schema: &'s Value, step: &Step) -> Option<(&'s Value, Option<&'s str>)> {
+    if let Some(name) = schema["$ref"].as_str() {
+        return child(root, &root["$defs"][name.rsplit('/').next()?], step);
+    }
+    let next = match step {
+        Step::Key(key) => schema["properties"].get(key),
+        Step::Index(_) => schema.get("items"),
+    };
+    let Some(next) = next else {
+        let choices = ["anyOf", "oneOf"].into_iter().filter_map(|key| schema[key].as_array()).flatten();
+        return choices.filter(|choice| choice.is_object()).find_map(|choice| child(root, choice, step));
+    };
+    // a choice is a table of one key, which has the description of the choice
+    Some((next, next["description"].as_str().or_else(|| schema["required"].get(0).and(schema["description"].as_str()))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_schema_says_what_a_value_is() {
+        let group = Path::of("group").index(0);
+        for (path, expected) in [
+            (
+                Path::of("time.step"),
+                "`step`: Seconds from one output to the next. Limit: 0.00001 to 10. Default: 0.04.",
+            ),
+            (group.key("body.radius"), "`radius`: A disc of this radius, metres. Limit: > 0, at most 1000."),
+            (group.key("body.radius.uniform").index(1), "`uniform`: Evenly between two bounds, the lower first."),
+            (group.key("place.ring.center").index(0), "`center`: Its middle."),
+        ] {
+            assert_eq!(about(&path).as_deref(), Some(expected));
+        }
+        for path in [Path::default(), Path::of("no.such.key"), group.key("steer.own.gain")] {
+            assert_eq!(about(&path), None);
+        }
+    }
+}
