@@ -22,6 +22,12 @@ pub enum OutputError {
         /// The path.
         path: PathBuf,
     },
+    /// Another process is writing it.
+    #[error("cannot write {}: another process is writing it; wait until that has ended, or name another file", path.display())]
+    Busy {
+        /// The file.
+        path: PathBuf,
+    },
     /// The system does not let us write there.
     #[error("cannot write {}: permission denied; check the folder's permissions, or write elsewhere", path.display())]
     Denied {
@@ -66,7 +72,10 @@ impl OutputError {
     pub fn new(path: &Path, source: io::Error) -> Self {
         let path = path.to_path_buf();
         match source.kind() {
-            io::ErrorKind::NotFound => Self::FolderMissing { folder: folder_of(&path), path },
+            io::ErrorKind::NotFound if !folder_of(&path).is_dir() => {
+                Self::FolderMissing { folder: folder_of(&path), path }
+            }
+            io::ErrorKind::ResourceBusy => Self::Busy { path },
             io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => Self::Denied { path },
             io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => Self::Full { path },
             io::ErrorKind::FileTooLarge => Self::TooLarge { path },
@@ -80,6 +89,7 @@ impl OutputError {
         match self {
             Self::FolderMissing { path, .. }
             | Self::IsFolder { path }
+            | Self::Busy { path }
             | Self::Denied { path }
             | Self::Full { path }
             | Self::TooLarge { path }

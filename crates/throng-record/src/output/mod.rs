@@ -1,5 +1,6 @@
 //! A file that appears under its name only when it is complete.
 
+mod claim;
 mod error;
 mod place;
 #[cfg(test)]
@@ -7,6 +8,7 @@ mod tests;
 
 pub use error::OutputError;
 
+use claim::{claim, claim_new};
 use place::{Part, Place, Temporary, temporary};
 use std::fs::File;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
@@ -36,9 +38,9 @@ pub struct Output {
     path: PathBuf,
     /// Where the finished file goes: `path` with symbolic links followed.
     target: PathBuf,
-    file: Place,
-    /// `None`: `file` is the target itself.
+    /// `None`: `file` is the target itself. Before the file, so that it is removed before the lock on the file ends.
     temporary: Option<Temporary>,
+    file: Place,
 }
 
 /// How long bytes of a file that is kept may wait before the system has them.
@@ -64,6 +66,7 @@ impl Output {
 
     /// Begins a file that can be read before it is complete: until then it is called as `path` with `.part` behind it, and so it
     /// stays if the program ends, or the output is dropped, once something was [settled](Self::settle). What was there under that name is gone.
+    /// One process at a time writes it.
     ///
     /// ```
     /// # let folder = tempfile::tempdir()?;
@@ -77,11 +80,12 @@ impl Output {
     /// ```
     ///
     /// # Errors
-    /// As [`create`](Self::create).
+    /// As [`create`](Self::create); [`OutputError::Busy`] if it is being written already.
     pub fn create_kept(path: impl AsRef<Path>) -> Result<Self, OutputError> {
         Self::begin(path.as_ref(), |target| {
             let part = part_of(target);
-            let file = File::create(&part)?;
+            let file = claim_new(&part)?;
+            file.set_len(0)?;
             Ok((file, Temporary::Kept(Part { path: part, settled: None })))
         })
     }
@@ -101,14 +105,18 @@ impl Output {
     /// ```
     ///
     /// # Errors
-    /// As [`create`](Self::create); there is no such file.
+    /// As [`create_kept`](Self::create_kept); there is no such file.
     pub fn append_kept(path: impl AsRef<Path>, keep: u64) -> Result<Self, OutputError> {
         Self::begin(path.as_ref(), |target| {
             let part = part_of(target);
-            if target.exists() {
+            let mut file = if target.exists() {
+                let _name = claim_new(&part)?;
+                let file = claim(target)?;
                 std::fs::rename(target, &part)?;
-            }
-            let mut file = File::options().write(true).open(&part)?;
+                file
+            } else {
+                claim(&part)?
+            };
             file.set_len(keep)?;
             file.seek(SeekFrom::End(0))?;
             Ok((file, Temporary::Kept(Part { path: part, settled: Some(Instant::now()) })))
@@ -193,10 +201,11 @@ impl Output {
     /// The last bytes cannot be written, or the file cannot be renamed. Nothing is left behind then, but of a file that is
     /// [kept](Self::create_kept).
     pub fn finish(self) -> Result<(), OutputError> {
-        let Self { path, target, file, temporary } = self;
-        let done = match file {
-            Place::File(mut file) => file.flush(),
-            Place::Memory(bytes, hand) => hand(&target, bytes),
+        let Self { path, target, temporary, mut file } = self;
+        // The file stays open, and so locked, until it has its name.
+        let done = match &mut file {
+            Place::File(file) => file.flush(),
+            Place::Memory(bytes, hand) => hand(&target, std::mem::take(bytes)),
         };
         let Some(temporary) = temporary else { return done.map_err(|source| OutputError::new(&path, source)) };
         done.map_err(|source| failed(&path, Some(&temporary), source))?;

@@ -8,6 +8,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 use tempfile::{NamedTempFile, TempPath};
 
+/// How the name of a temporary file begins.
+const PREFIX: &str = ".throng-";
+
 /// The file that is not yet complete.
 #[derive(Debug)]
 pub(super) enum Temporary {
@@ -45,7 +48,12 @@ impl Temporary {
     pub(super) fn persist(self, target: &Path) -> io::Result<()> {
         match self {
             Self::Removed(path) => path.persist(target).map_err(|error| error.error),
-            Self::Kept(part) => std::fs::rename(&part.path, target),
+            Self::Kept(mut part) => {
+                std::fs::rename(&part.path, target)?;
+                // Another process may use the name from now on, so it is not removed.
+                part.settled = Some(Instant::now());
+                Ok(())
+            }
         }
     }
 }
@@ -74,15 +82,59 @@ impl Place {
     }
 }
 
-/// A new file with a name of its own in a folder.
+/// A new file with a name of its own in a folder, locked until it is closed.
 pub(super) fn temporary(folder: &Path, suffix: &str) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".throng-").suffix(suffix);
+    builder.prefix(PREFIX).suffix(suffix);
     #[cfg(unix)]
     {
         // Temporary files are private by default; a result is as readable as any other file (the umask applies).
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(std::fs::Permissions::from_mode(0o666));
+        leftovers::remove(folder);
     }
-    builder.tempfile_in(folder)
+    let file = builder.tempfile_in(folder)?;
+    // Without locks in the file system, a killed process leaves its file. On Windows a lock would keep other writers
+    // of this file out, such as ffmpeg.
+    #[cfg(unix)]
+    let _ = file.as_file().try_lock();
+    Ok(file)
+}
+
+/// Temporary files of processes that were killed.
+#[cfg(unix)]
+mod leftovers {
+    use super::PREFIX;
+    use std::collections::BTreeSet;
+    use std::fs::{DirEntry, File};
+    use std::path::{Path, PathBuf};
+    use std::sync::Mutex;
+    use std::time::Duration;
+
+    /// A process locks its file within this time after it creates it.
+    const LOCKED_AFTER: Duration = Duration::from_mins(1);
+
+    /// Folders in which this process has looked.
+    static SEEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+    /// Removes those in a folder, the first time it is called for that folder.
+    pub(super) fn remove(folder: &Path) {
+        if SEEN.lock().is_ok_and(|mut seen| seen.insert(folder.to_path_buf()))
+            && let Ok(entries) = folder.read_dir()
+        {
+            // What cannot be removed stays.
+            entries.flatten().filter(is_leftover).for_each(|entry| drop(std::fs::remove_file(entry.path())));
+        }
+    }
+
+    /// Whether a file is a temporary file that no process holds.
+    fn is_leftover(entry: &DirEntry) -> bool {
+        let is_old = || {
+            let written = entry.metadata().ok().filter(std::fs::Metadata::is_file)?.modified().ok()?;
+            written.elapsed().ok().map(|age| age > LOCKED_AFTER)
+        };
+        entry.file_name().as_encoded_bytes().starts_with(PREFIX.as_bytes())
+            && is_old() == Some(true)
+            && File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok())
+    }
 }

@@ -97,3 +97,87 @@ fn a_symbolic_link_stays_and_its_target_is_replaced() {
     assert!(link.is_symlink());
     assert_eq!(std::fs::read_to_string(&real).unwrap(), "new");
 }
+
+#[test]
+fn a_kept_file_has_one_writer() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, part) = (folder.path().join("run.rec"), folder.path().join("run.rec.part"));
+    std::fs::write(&part, "of a process that was killed").unwrap();
+    let mut first = Output::create_kept(&path).unwrap();
+    first.put(b"first").unwrap();
+    first.settle(true).unwrap();
+    let second = Output::create_kept(&path).unwrap_err();
+    assert!(matches!(&second, OutputError::Busy { path: busy } if *busy == path), "{second}");
+    assert!(matches!(Output::append_kept(&path, 0).unwrap_err(), OutputError::Busy { .. }));
+    first.finish().unwrap();
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), "first");
+    // a complete file that is gone on with takes the place of a `.part`, but not of one that is being written
+    let writing = Output::create_kept(&path).unwrap();
+    assert!(matches!(Output::append_kept(&path, 0).unwrap_err(), OutputError::Busy { .. }));
+    drop(writing);
+    assert_eq!(names(folder.path()), std::slice::from_ref(&path));
+    let mut more = Output::append_kept(&path, 5).unwrap();
+    more.put(b" more").unwrap();
+    assert!(matches!(Output::create_kept(&path).unwrap_err(), OutputError::Busy { .. }));
+    more.finish().unwrap();
+    assert_eq!(names(folder.path()), std::slice::from_ref(&path));
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), "first more");
+}
+
+#[test]
+fn a_file_that_was_removed_meanwhile_is_no_missing_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = Output::create_kept(folder.path().join("run.rec")).unwrap();
+    std::fs::remove_file(output.temporary_path()).unwrap();
+    let error = output.finish().unwrap_err();
+    assert!(matches!(error, OutputError::Io { .. }), "{error}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_not_followed_where_a_kept_file_grows() {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, part, other] = ["run.rec", "run.rec.part", "other"].map(|name| folder.path().join(name));
+    std::os::unix::fs::symlink(&other, &part).unwrap();
+    for there in [false, true] {
+        if there {
+            std::fs::write(&other, "precious").unwrap();
+        }
+        let error = Output::create_kept(&path).unwrap_err().to_string();
+        assert!(error.contains("run.rec.part is a link or no ordinary file; remove it"), "{error}");
+        assert_eq!(other.exists(), there);
+    }
+    assert_eq!(std::fs::read_to_string(&other).unwrap(), "precious");
+}
+
+#[cfg(unix)]
+#[test]
+fn temporary_files_of_killed_processes_are_removed() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str, minutes: u64| {
+        let file = File::create(folder.path().join(name)).unwrap();
+        file.set_modified(std::time::SystemTime::now() - Duration::from_mins(minutes)).unwrap();
+        file
+    };
+    file(".throng-killed.csv", 2);
+    file(".throng-young.csv", 0);
+    file("throng-other.csv", 2);
+    let held = file(".throng-held.csv", 2);
+    held.lock().unwrap();
+    drop(Output::create(folder.path().join("out.csv")).unwrap());
+    let mut left = names(folder.path());
+    left.sort();
+    let want = [".throng-held.csv", ".throng-young.csv", "throng-other.csv"];
+    assert_eq!(left, want.map(|name| folder.path().join(name)));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_temporary_file_is_locked() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = Output::create(folder.path().join("out.csv")).unwrap();
+    let other = File::open(output.temporary_path()).unwrap();
+    assert!(matches!(other.try_lock(), Err(std::fs::TryLockError::WouldBlock)));
+    drop(output);
+    other.try_lock().unwrap();
+}

@@ -18,7 +18,9 @@
 //! The last two are there only where somebody flies, or will ([`Setting::in_space`](crate::Setting::in_space)).
 //!
 //! Numbers are written with as many digits as it takes to read the same bits back. Text is UTF-8, quoted where it
-//! holds commas, quotes or line breaks; lines end in a line feed.
+//! holds commas, quotes or line breaks; lines end in a line feed. A name that a spreadsheet would take for a formula, as it
+//! begins with `=`, `+`, `-`, `@`, a tab or a carriage return, is written with an apostrophe in front of it (`'=1+1`), and so
+//! is a name that begins so after apostrophes. The apostrophe is taken off when the table is read.
 
 mod read;
 mod write;

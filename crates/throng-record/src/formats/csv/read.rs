@@ -1,6 +1,6 @@
 //! Tables read.
 
-use super::write::status_of;
+use super::write::{is_formula, status_of};
 use crate::formats::{Flaw, Reading, text};
 use crate::limits;
 use crate::tracks::{RADIUS, Spot, Tracks};
@@ -89,6 +89,7 @@ impl<'a> Table<'a> {
             };
             let length = |at: usize| value(at).map(|value| value * unit);
             let name = group.map_or("", |at| &*fields[at]);
+            let name = name.strip_prefix('\'').filter(|name| is_formula(name)).unwrap_or(name);
             let group = tracks.setting.groups.iter().rposition(|other| other == name).unwrap_or_else(|| {
                 tracks.setting.groups.push(name.to_owned());
                 tracks.setting.groups.len() - 1
@@ -212,6 +213,24 @@ mod tests {
             let want = if in_space { place(6) } else { place(6).with_z(0.0) };
             assert_eq!((moments.len(), &moments[1]), (3, &(0.1, vec![(9, want)])));
         }
+    }
+
+    #[test]
+    fn no_name_of_a_group_is_a_formula_and_all_come_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("run.csv");
+        let names = ["=1+1", "+1", "-1", "@SUM(1)", "\tx", "\r=1", "'=1", "''-", "'quoted'", "a=b", "=\"a\",b"];
+        let setting = Setting { groups: names.map(str::to_owned).into(), ..Setting::default() };
+        let mut writer = CsvWriter::create(&path, &setting).unwrap();
+        let bodies = (0..names.len() as u32).map(|k| body(k, k, DVec3::new(-1.0, 0.0, 0.0))).collect();
+        writer.push(&Frame { bodies, ..Frame::default() }).unwrap();
+        writer.finish().unwrap();
+        let mut cells = csv::Reader::from_path(&path).unwrap();
+        for row in cells.records().map(Result::unwrap) {
+            assert!(!row[1].starts_with(['=', '+', '-', '@', '\t', '\r']), "{row:?}");
+            assert_eq!(&row[3], "-1", "numbers stay as they are");
+        }
+        assert_eq!(Tracks::read(&path).unwrap().setting.groups, names);
     }
 
     #[test]

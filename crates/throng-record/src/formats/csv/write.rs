@@ -115,8 +115,14 @@ impl Writer for CsvWriter {
 
 /// A text as a field.
 fn field(text: &str) -> String {
+    let text = if is_formula(text) { format!("'{text}") } else { text.into() };
     let plain = !text.contains([',', '"', '\n', '\r']);
-    if plain { text.into() } else { format!("\"{}\"", text.replace('"', "\"\"")) }
+    if plain { text } else { format!("\"{}\"", text.replace('"', "\"\"")) }
+}
+
+/// Whether a spreadsheet takes a text, without the apostrophes in front of it, for a formula.
+pub(super) fn is_formula(text: &str) -> bool {
+    text.trim_start_matches('\'').starts_with(['=', '+', '-', '@', '\t', '\r'])
 }
 
 /// Appends a number as `Display` shows it, several times as fast.

@@ -90,11 +90,9 @@ impl Bin {
         self.accessor(times(seconds), &bytes)
     }
 
-    /// Some of the times that another accessor reads, from one on; `seconds` are they.
-    pub fn times_of(&mut self, accessor: usize, from: usize, seconds: &[f32]) -> usize {
-        let all = &self.accessors[accessor];
-        let (buffer_view, byte_offset) = (all.buffer_view, all.byte_offset + 4 * from as u64);
-        self.accessors.push(Accessor { buffer_view, byte_offset, ..times(seconds) });
+    /// Seconds of the moments from one on, which a view has that is named later.
+    pub fn times_of(&mut self, from: usize, seconds: &[f32]) -> usize {
+        self.accessors.push(Accessor { byte_offset: 4 * from as u64, ..times(seconds) });
         self.accessors.len() - 1
     }
 

@@ -19,18 +19,30 @@ const REACH: f64 = 3.0;
 /// An animation in the making.
 #[derive(Debug)]
 pub struct Motion<'a> {
-    /// The seconds of the moments, and the accessor that reads them.
+    /// The seconds of the moments.
     seconds: &'a [f32],
-    all: usize,
     /// Accessors of some of the moments: from which on, and how many.
     runs: BTreeMap<(usize, usize), usize>,
-    pub animation: Animation,
+    animation: Animation,
 }
 
 impl<'a> Motion<'a> {
-    /// Of moments at `seconds`, which the accessor `all` reads.
-    pub fn new(seconds: &'a [f32], all: usize) -> Self {
-        Self { seconds, all, runs: BTreeMap::new(), animation: Animation::default() }
+    /// Of moments at `seconds`.
+    pub fn new(seconds: &'a [f32]) -> Self {
+        Self { seconds, runs: BTreeMap::new(), animation: Animation::default() }
+    }
+
+    /// Writes the seconds that are shared, if any are.
+    ///
+    /// # Errors
+    /// The system's; the file gets too large.
+    pub fn finish(self, bin: &mut Bin) -> io::Result<Animation> {
+        if !self.runs.is_empty() {
+            let view = bin.view(None)?;
+            bin.put(self.seconds.iter().flat_map(|value| value.to_le_bytes()).collect::<Vec<_>>().as_slice())?;
+            self.runs.into_values().for_each(|at| bin.accessors[at].buffer_view = Some(view));
+        }
+        Ok(self.animation)
     }
 
     /// Somebody who was at some moments somewhere: puts it where it is first, and moves it. `at` is which node it is, `scale` its size.
@@ -118,8 +130,7 @@ impl<'a> Motion<'a> {
         }
         let (from, count) = (moments[0], moments.len());
         let some = &self.seconds[from..from + count];
-        let all = self.all;
-        Ok(*self.runs.entry((from, count)).or_insert_with(|| bin.times_of(all, from, some)))
+        Ok(*self.runs.entry((from, count)).or_insert_with(|| bin.times_of(from, some)))
     }
 }
 

@@ -165,6 +165,41 @@ fn who_flies_is_turned_wholly() {
     assert_eq!((tracks.spots.len(), tracks.spots[0].time), (200, 5.0));
 }
 
+/// Calls `found` with every value of a key, at any depth.
+fn values_of(json: &Value, key: &str, found: &mut impl FnMut(&Value)) {
+    match json {
+        Value::Object(map) => map.iter().for_each(|(name, value)| {
+            if name == key {
+                found(value);
+            }
+            values_of(value, key, found);
+        }),
+        Value::Array(list) => list.iter().for_each(|value| values_of(value, key, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn every_accessor_and_buffer_view_is_used() {
+    let still = |_: u32| DVec2::ZERO;
+    let straight = |k: u32| DVec2::new(f64::from(k), 0.0);
+    let crooked = |k: u32| DVec2::new(f64::from(k), f64::from(k * k % 7));
+    for path in [still, straight, crooked] {
+        let frame = |k: u32| Frame { time: f64::from(k), bodies: vec![Body::walking(3, path(k))], ..Frame::default() };
+        let bytes = written(&Setting::default(), &(0..50).map(frame).collect::<Vec<_>>());
+        let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+        let json: Value = serde_json::from_slice(&bytes[20..20 + length]).unwrap();
+        let used = |keys: &[&str]| {
+            let mut used = std::collections::BTreeSet::new();
+            keys.iter().for_each(|key| values_of(&json, key, &mut |value| used.extend(value.as_u64())));
+            used.into_iter().collect::<Vec<_>>()
+        };
+        let all = |list: &str| (0..json[list].as_array().unwrap().len() as u64).collect::<Vec<_>>();
+        assert_eq!(used(&["input", "output", "indices", "POSITION"]), all("accessors"));
+        assert_eq!(used(&["bufferView", super::TIMES]), all("bufferViews"));
+    }
+}
+
 #[test]
 fn what_stands_still_takes_next_to_nothing() {
     let frames = |count: u32| -> Vec<Frame> {

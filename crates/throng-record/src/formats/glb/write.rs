@@ -55,10 +55,10 @@ impl GlbWriter {
         let times: Vec<f64> = self.spill.moments.iter().map(|&(time, _)| time).collect();
         let seconds = seconds(&times);
         scene.asset(&self.setting, &self.spill);
-        let all = scene.times(&times, &seconds)?;
+        scene.times(&times)?;
         let agents = scene.place(&self.setting, &self.spill)?;
         let meshes = scene.bodies(&self.setting, &self.spill.agents)?;
-        let (mut motion, flies) = (Motion::new(&seconds, all), self.setting.in_space);
+        let (mut motion, flies) = (Motion::new(&seconds), self.setting.in_space);
         scene.bin.view(None)?;
         by_agent(&mut self.spill, &self.output, |agent, track| {
             let mut node = named(agent, track, &self.setting, &times);
@@ -70,7 +70,7 @@ impl GlbWriter {
             scene.root.nodes[agents].children.push(at);
             Ok(())
         })?;
-        scene.root.animations = vec![motion.animation];
+        scene.root.animations = vec![motion.finish(&mut scene.bin)?];
         scene.root.animations.retain(|animation| !animation.channels.is_empty());
         Ok((scene.root, scene.bin))
     }
@@ -132,17 +132,15 @@ impl Scene {
         (self.root.scene, self.root.scenes) = (Some(0), vec![json!({ "nodes": [0] })]);
     }
 
-    /// When the moments are; returns the accessor of the seconds of the animation.
-    fn times(&mut self, times: &[f64], seconds: &[f32]) -> io::Result<usize> {
-        if times.is_empty() {
-            return Ok(0);
+    /// When the moments are.
+    fn times(&mut self, times: &[f64]) -> io::Result<()> {
+        if !times.is_empty() {
+            let view = self.bin.view(None)?;
+            let bytes: Vec<u8> = times.iter().flat_map(|time| time.to_le_bytes()).collect();
+            self.bin.put(&bytes)?;
+            self.root.asset.extras.insert(TIMES.to_owned(), view.into());
         }
-        let view = self.bin.view(None)?;
-        let bytes: Vec<u8> = times.iter().flat_map(|time| time.to_le_bytes()).collect();
-        self.bin.put(&bytes)?;
-        self.root.asset.extras.insert(TIMES.to_owned(), view.into());
-        self.bin.view(None)?;
-        self.bin.times(seconds)
+        Ok(())
     }
 
     /// The place; returns the node to which everybody belongs.

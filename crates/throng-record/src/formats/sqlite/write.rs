@@ -6,13 +6,17 @@ use crate::{Frame, Output, OutputError, Setting};
 use glam::DVec2;
 use rusqlite::{Connection, OpenFlags, params};
 use std::collections::BTreeSet;
-use std::io;
+use std::fs::File;
+use std::io::{self, Write};
 
 /// The version of the layout.
 const VERSION: u32 = 2;
 
 /// Rows of a transaction.
 const ROWS: usize = 1 << 16;
+
+/// SQLite's access to files that takes no locks: the output has locked the file.
+const WITHOUT_LOCKS: &str = if cfg!(windows) { "win32-none" } else { "unix-none" };
 
 const TABLES: &str = "
     PRAGMA journal_mode = OFF;
@@ -65,8 +69,9 @@ impl SqliteWriter {
         let no_file = || io::Error::new(io::ErrorKind::Unsupported, "a database needs a file; name one");
         let path = output.own_file().ok_or_else(|| output.error(no_file()))?;
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
-        let database = Connection::open_with_flags(path, flags).map_err(|error| output.error(system(error)))?;
-        database.execute_batch(TABLES).map_err(|error| output.error(system(error)))?;
+        let database = Connection::open_with_flags_and_vfs(path, flags, WITHOUT_LOCKS)
+            .and_then(|database| database.execute_batch(TABLES).map(|()| database))
+            .map_err(|error| failed(&output, error))?;
         Ok(Self {
             database,
             output,
@@ -126,13 +131,13 @@ impl SqliteWriter {
 
 impl Writer for SqliteWriter {
     fn push(&mut self, frame: &Frame) -> Result<(), OutputError> {
-        self.add(frame).map_err(|error| self.output.error(system(error)))
+        self.add(frame).map_err(|error| failed(&self.output, error))
     }
 
     fn finish(self: Box<Self>) -> Result<(), OutputError> {
-        self.describe().map_err(|error| self.output.error(system(error)))?;
+        self.describe().map_err(|error| failed(&self.output, error))?;
         let Self { database, output, .. } = *self;
-        database.close().map_err(|(_, error)| output.error(system(error)))?;
+        database.close().map_err(|(_, error)| failed(&output, error))?;
         output.finish()
     }
 }
@@ -144,13 +149,19 @@ fn bounds(wkt: &str) -> Option<[DVec2; 2]> {
     corners.map(|p| [p, p]).reduce(|[low, high], [p, _]| [low.min(p), high.max(p)])
 }
 
-/// What the system said.
-fn system(error: rusqlite::Error) -> io::Error {
-    match error.sqlite_error_code() {
-        Some(rusqlite::ErrorCode::DiskFull) => io::ErrorKind::StorageFull.into(),
-        Some(rusqlite::ErrorCode::PermissionDenied | rusqlite::ErrorCode::ReadOnly) => {
-            io::ErrorKind::PermissionDenied.into()
-        }
+/// An error of SQLite as an error about the file.
+fn failed(output: &Output, error: rusqlite::Error) -> OutputError {
+    use rusqlite::ErrorCode::{DiskFull, PermissionDenied, ReadOnly, SystemIoFailure};
+    output.error(match error.sqlite_error_code() {
+        Some(DiskFull) => io::ErrorKind::StorageFull.into(),
+        Some(PermissionDenied | ReadOnly) => io::ErrorKind::PermissionDenied.into(),
+        Some(SystemIoFailure) => refusal(output).unwrap_or_else(|| io::Error::other(error)),
         _ => io::Error::other(error),
-    }
+    })
+}
+
+/// The system's answer to more bytes in the file: SQLite does not pass on why a file cannot grow.
+fn refusal(output: &Output) -> Option<io::Error> {
+    let mut file = File::options().append(true).open(output.own_file()?).ok()?;
+    file.write_all(&[0; 1 << 16]).err()
 }
