@@ -245,11 +245,14 @@ fn every_byte_counts() {
 /// Numbers that no file of trajectories may have.
 const ABSURD: [f64; 7] = [1e16, -1e16, 1.1e8, 1e300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
+/// A change of one number of a frame.
+type Change = fn(&mut Frame, f64);
+
 /// Whatever number a file has, what is read is within the limits.
 #[test]
 fn numbers_out_of_their_limits_are_refused() {
     let (setting, frames) = crowd::small();
-    let fields: [(&str, fn(&mut Frame, f64)); 6] = [
+    let fields: [(&str, Change); 6] = [
         ("x", |frame, value| frame.bodies[0].position.x = value),
         ("y", |frame, value| frame.bodies[0].position.y = value),
         ("z", |frame, value| frame.bodies[0].altitude = value as f32),
