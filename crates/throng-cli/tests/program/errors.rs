@@ -344,6 +344,18 @@ const CASES: &[Case] = &[
         code: 2,
     },
     Case {
+        what: "A limit on the size of files, and a database",
+        files: &[],
+        command: "trap '' XFSZ; ulimit -f 8; throng run headon -q -o a.sqlite",
+        code: 2,
+    },
+    Case {
+        what: "A record that would grow in another file",
+        files: &[],
+        command: "ln -s other a.rec.part; throng run headon -q -o a.rec",
+        code: 2,
+    },
+    Case {
         what: "A file that could not be completed, and can be read",
         files: &[],
         command: "trap '' XFSZ; ulimit -f 8; throng run doorway -q -o a.rec",

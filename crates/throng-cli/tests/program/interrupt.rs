@@ -1,9 +1,9 @@
 //! Ctrl-C ends a run cleanly.
 
-use crate::shared::{folder, names};
+use crate::shared::{call, folder, names, stderr};
 use serde_json::Value;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 /// Interrupts the program with these arguments when it has begun; what it says then.
@@ -68,24 +68,67 @@ fn an_interrupted_run_finishes_its_files() {
     assert!(holds(&video, b"moov") && holds(&video, b"mdat"), "the video has its index");
 }
 
+/// Begins a run without an end that writes a file, until some of it is in the folder.
+#[cfg(unix)]
+fn endless(folder: &Path, file: &str) -> Child {
+    let child = Command::new(env!("CARGO_BIN_EXE_throng"))
+        .current_dir(folder)
+        .args(format!("run circle -o {file} -q --duration 100000").split_whitespace())
+        .spawn()
+        .unwrap();
+    let begin = Instant::now();
+    let grown = |entry: std::fs::DirEntry| entry.metadata().is_ok_and(|file| file.len() > 100_000);
+    while !std::fs::read_dir(folder).unwrap().flatten().any(grown) {
+        assert!(begin.elapsed() < Duration::from_secs(20), "the run does not begin");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    child
+}
+
+/// Ends a run with a signal that it cannot catch.
+#[cfg(unix)]
+fn kill(mut child: Child) {
+    child.kill().unwrap();
+    child.wait().unwrap();
+}
+
+#[cfg(unix)]
+#[test]
+fn a_second_run_into_the_same_record_is_refused() {
+    let folder = folder();
+    let first = endless(folder.path(), "a.rec");
+    let second = call(folder.path(), "run headon -q --no-expect -o a.rec");
+    kill(first);
+    let told = stderr(&second.code(2));
+    assert!(told.contains("cannot write a.rec: another process is writing it; wait"), "{told}");
+    let tracks = throng_record::Tracks::read(folder.path().join("a.rec.part")).unwrap();
+    assert_eq!(tracks.moments(0).next().unwrap().1.len(), 36, "the first run");
+    // what a killed run left is not in the way
+    call(folder.path(), "run headon -q --no-expect -o a.rec").success();
+    assert_eq!(names(folder.path()), ["a.rec"]);
+    let tracks = throng_record::Tracks::read(folder.path().join("a.rec")).unwrap();
+    assert_eq!(tracks.setting.groups, ["left", "right"], "the other run");
+}
+
+#[cfg(unix)]
+#[test]
+fn what_a_killed_run_leaves_the_next_one_removes() {
+    let folder = folder();
+    kill(endless(folder.path(), "a.csv"));
+    let left = names(folder.path());
+    assert!(left.len() == 1 && left[0].starts_with(".throng-"), "{left:?}");
+    let file = std::fs::File::open(folder.path().join(&left[0])).unwrap();
+    file.set_modified(std::time::SystemTime::now() - Duration::from_mins(2)).unwrap();
+    call(folder.path(), "run headon -q --no-expect -o b.csv").success();
+    assert_eq!(names(folder.path()), ["b.csv"]);
+}
+
 #[cfg(unix)]
 #[test]
 fn a_run_that_is_killed_leaves_what_it_wrote() {
     let folder = folder();
     let part = folder.path().join("a.rec.part");
-    let mut child = Command::new(env!("CARGO_BIN_EXE_throng"))
-        .current_dir(folder.path())
-        .args("run circle -o a.rec -q --duration 100000".split_whitespace())
-        .spawn()
-        .unwrap();
-    let begin = Instant::now();
-    while !std::fs::metadata(&part).is_ok_and(|part| part.len() > 100_000) {
-        assert!(begin.elapsed() < Duration::from_secs(20), "the run does not begin");
-        std::thread::sleep(Duration::from_millis(10));
-    }
-    // no signal that it could catch
-    child.kill().unwrap();
-    child.wait().unwrap();
+    kill(endless(folder.path(), "a.rec"));
     assert_eq!(names(folder.path()), ["a.rec.part"]);
     let tracks = throng_record::Tracks::read(&part).unwrap();
     let moments: Vec<_> = tracks.moments(0).collect();

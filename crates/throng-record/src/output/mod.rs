@@ -16,7 +16,8 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// A file being written: it grows under a temporary name in the folder of its target and takes the target's name,
-/// replacing what was there, in [`finish`](Self::finish). Dropped before that, it leaves nothing behind.
+/// replacing what was there, in [`finish`](Self::finish). Dropped before that, it leaves nothing behind. The temporary file of a
+/// process that was killed is removed by the next process that begins a file in that folder (on Unix, after a minute).
 ///
 /// What can be read before it is complete is begun with [`create_kept`](Self::create_kept) instead, and stays.
 ///
