@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use throng_draw::record::{Files, Plan, Recorder};
 use throng_draw::sink::Kind;
 use throng_draw::{Film, Sheet, Style};
-use throng_record::Format;
 use throng_record::formats::FORMATS;
+use throng_record::{Format, Output};
 
 /// Begins the files of a run.
 ///
@@ -14,6 +14,7 @@ use throng_record::formats::FORMATS;
 /// A name does not say what to write or comes twice, what is chosen is not there, or a file cannot be begun.
 pub fn create(paths: &[PathBuf], plan: &Plan) -> Result<Files, Failure> {
     distinct(paths)?;
+    paths.iter().for_each(Output::remove_leftovers);
     let kinds = paths.iter().filter(|path| !path.is_dir()).filter_map(Format::of);
     plan.choice.check(plan.setting, kinds)?;
     let begin = |path: &PathBuf| {

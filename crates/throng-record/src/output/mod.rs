@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 
 /// A file being written: it grows under a temporary name in the folder of its target and takes the target's name,
 /// replacing what was there, in [`finish`](Self::finish). Dropped before that, it leaves nothing behind. The temporary file of a
-/// process that was killed is removed by the next process that begins a file in that folder (on Unix, after a minute).
+/// process that was killed stays until [`remove_leftovers`](Self::remove_leftovers).
 ///
 /// What can be read before it is complete is begun with [`create_kept`](Self::create_kept) instead, and stays.
 ///
@@ -63,6 +63,15 @@ impl Output {
             let (file, temporary) = temporary(&folder, &suffix)?.into_parts();
             Ok((file, Temporary::Removed(temporary)))
         })
+    }
+
+    /// Removes the temporary files that killed processes left in the folder of `path`, a minute after they were last written. Files
+    /// that are being written stay. On Windows it does nothing.
+    pub fn remove_leftovers(path: impl AsRef<Path>) {
+        #[cfg(unix)]
+        place::remove_leftovers(&folder_of(path.as_ref()));
+        #[cfg(not(unix))]
+        let _ = path;
     }
 
     /// Begins a file that can be read before it is complete: until then it is called as `path` with `.part` behind it, and so it

@@ -5,6 +5,8 @@ use std::fmt;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+#[cfg(unix)]
+use std::time::Duration;
 use std::time::Instant;
 use tempfile::{NamedTempFile, TempPath};
 
@@ -91,7 +93,6 @@ pub(super) fn temporary(folder: &Path, suffix: &str) -> io::Result<NamedTempFile
         // Temporary files are private by default; a result is as readable as any other file (the umask applies).
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(std::fs::Permissions::from_mode(0o666));
-        leftovers::remove(folder);
     }
     let file = builder.tempfile_in(folder)?;
     // Without locks in the file system, a killed process leaves its file. On Windows a lock would keep other writers
@@ -101,40 +102,24 @@ pub(super) fn temporary(folder: &Path, suffix: &str) -> io::Result<NamedTempFile
     Ok(file)
 }
 
-/// Temporary files of processes that were killed.
+/// A process locks its temporary file within this time after it creates it.
 #[cfg(unix)]
-mod leftovers {
-    use super::PREFIX;
-    use std::collections::BTreeSet;
-    use std::fs::{DirEntry, File};
-    use std::path::{Path, PathBuf};
-    use std::sync::Mutex;
-    use std::time::Duration;
+const LOCKED_AFTER: Duration = Duration::from_mins(1);
 
-    /// A process locks its file within this time after it creates it.
-    const LOCKED_AFTER: Duration = Duration::from_mins(1);
+/// Removes the temporary files in a folder that no process holds. What cannot be removed stays.
+#[cfg(unix)]
+pub(super) fn remove_leftovers(folder: &Path) {
+    let entries = folder.read_dir().into_iter().flatten().flatten();
+    entries.filter(is_leftover).for_each(|entry| drop(std::fs::remove_file(entry.path())));
+}
 
-    /// Folders in which this process has looked.
-    static SEEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
-
-    /// Removes those in a folder, the first time it is called for that folder.
-    pub(super) fn remove(folder: &Path) {
-        if SEEN.lock().is_ok_and(|mut seen| seen.insert(folder.to_path_buf()))
-            && let Ok(entries) = folder.read_dir()
-        {
-            // What cannot be removed stays.
-            entries.flatten().filter(is_leftover).for_each(|entry| drop(std::fs::remove_file(entry.path())));
-        }
-    }
-
-    /// Whether a file is a temporary file that no process holds.
-    fn is_leftover(entry: &DirEntry) -> bool {
-        let is_old = || {
-            let written = entry.metadata().ok().filter(std::fs::Metadata::is_file)?.modified().ok()?;
-            written.elapsed().ok().map(|age| age > LOCKED_AFTER)
-        };
-        entry.file_name().as_encoded_bytes().starts_with(PREFIX.as_bytes())
-            && is_old() == Some(true)
-            && File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok())
-    }
+#[cfg(unix)]
+fn is_leftover(entry: &std::fs::DirEntry) -> bool {
+    let is_old = || {
+        let written = entry.metadata().ok().filter(std::fs::Metadata::is_file)?.modified().ok()?;
+        written.elapsed().ok().map(|age| age > LOCKED_AFTER)
+    };
+    entry.file_name().as_encoded_bytes().starts_with(PREFIX.as_bytes())
+        && is_old() == Some(true)
+        && File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok())
 }
