@@ -109,7 +109,8 @@ fn samples(index: usize, kind: &Format) -> Result<Vec<Vec<u8>>, Box<dyn std::err
             let path = folder.path().join(format!("run.{}", kind.ending));
             let groups = vec!["left".to_owned(), "right, or so".to_owned()];
             let setting = Setting { title: "broken".into(), groups, ..Setting::default() };
-            let mut writer = Choice::default().create(kind, kind.output(&path)?, &setting, || false).ok_or("not written")??;
+            let mut writer =
+                Choice::default().create(kind, kind.output(&path)?, &setting, || false).ok_or("not written")??;
             (0..12).try_for_each(|k| writer.push(&frame(k)))?;
             writer.finish()?;
             vec![std::fs::read(path)?]
