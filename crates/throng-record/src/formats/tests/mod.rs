@@ -4,7 +4,7 @@ mod crowd;
 
 use super::{FORMATS, Flaw, Format, Reading, Writer, rec};
 use crate::tracks::{Spot, Tracks};
-use crate::{Frame, Output, Setting};
+use crate::{Frame, Output, OutputError, Setting};
 use crowd::{Times, crowd};
 use glam::DVec3;
 use proptest::prelude::*;
@@ -72,9 +72,13 @@ fn written(format: &Format, setting: &Setting, frames: &[Frame]) -> Vec<u8> {
 }
 
 fn write(format: &Format, path: &Path, setting: &Setting, frames: &[Frame]) {
-    let mut writer = format.create(Output::create(path).unwrap(), setting, &[]).unwrap().unwrap();
-    frames.iter().for_each(|frame| writer.push(frame).unwrap());
-    writer.finish().unwrap();
+    try_write(format, path, setting, frames).unwrap();
+}
+
+fn try_write(format: &Format, path: &Path, setting: &Setting, frames: &[Frame]) -> Result<(), OutputError> {
+    let mut writer = format.create(Output::create(path)?, setting, &[]).unwrap()?;
+    frames.iter().try_for_each(|frame| writer.push(frame))?;
+    writer.finish()
 }
 
 fn read(format: &Format, bytes: &[u8]) -> Result<Tracks, Flaw> {
@@ -252,6 +256,7 @@ type Change = fn(&mut Frame, f64);
 #[test]
 fn numbers_out_of_their_limits_are_refused() {
     let (setting, frames) = crowd::small();
+    let folder = tempfile::tempdir().unwrap();
     let fields: [(&str, Change); 6] = [
         ("x", |frame, value| frame.bodies[0].position.x = value),
         ("y", |frame, value| frame.bodies[0].position.y = value),
@@ -265,9 +270,15 @@ fn numbers_out_of_their_limits_are_refused() {
             for (name, change) in fields {
                 let mut frames = frames.clone();
                 change(&mut frames[2], value);
-                let bytes = written(format, &setting, &frames);
                 let path = format!("run.{}", format.ending);
                 let what = format!("{name} = {value} in {path}");
+                let file = folder.path().join(&path);
+                if let Err(error) = try_write(format, &file, &setting, &frames) {
+                    // a database holds no NaN
+                    assert_eq!(format.ending, "sqlite", "{what}: {error}");
+                    continue;
+                }
+                let bytes = std::fs::read(file).unwrap();
                 match Tracks::of_file(&path, &bytes, &Reading::default()) {
                     Ok(tracks) => assert!(crate::limits::tracks(&tracks).is_ok(), "{what}"),
                     Err(error) => assert!(error.to_string().starts_with(&path), "{what}: {error}"),
