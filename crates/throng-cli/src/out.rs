@@ -70,6 +70,11 @@ fn controls(c: char) -> bool {
     c.is_control() && !matches!(c, '\n' | '\t') || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
+/// Says to standard error what was left out of a file, or changed.
+pub fn note<'n>(notes: impl IntoIterator<Item = &'n String>) {
+    notes.into_iter().for_each(|note| complain(&format!("note: {note}")));
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -85,9 +90,4 @@ mod tests {
         assert_eq!(read, json);
         assert!(matches!(escaped("plain\n\ttext"), Cow::Borrowed(_)));
     }
-}
-
-/// Says to standard error what was left out of a file, or changed.
-pub fn note<'n>(notes: impl IntoIterator<Item = &'n String>) {
-    notes.into_iter().for_each(|note| complain(&format!("note: {note}")));
 }
