@@ -76,7 +76,8 @@ fn mistakes_are_named_with_what_there_is() {
     );
     assert_eq!(
         message("time.step", "soon"),
-        "--set time.step=\"soon\": this is the wrong type: the text \"soon\", but should be a number"
+        "--set time.step=\"soon\": this is the wrong type: the text \"soon\", but should be a number\n  \
+         hint: `step`: Seconds from one output to the next. Limit: 0.00001 to 10. Default: 0.04."
     );
     let unknown = message("radius", "3");
     assert!(
@@ -98,6 +99,7 @@ fn a_value_out_of_range_is_blamed_on_the_setting() {
     assert_eq!(error.kind, Kind::OutOfRange);
     assert_eq!(
         error.to_string(),
-        "--set body.radius=-1: group `eastward`: body.radius is -1, but must be more than 0 and at most 1000"
+        "--set body.radius=-1: group `eastward`: body.radius is -1, but must be more than 0 and at most 1000\n  \
+         hint: `radius`: A disc of this radius, metres. Limit: > 0, at most 1000."
     );
 }
