@@ -76,9 +76,7 @@ impl Crowd {
     pub fn world(&self, group: Group, max_acceleration: f32) -> Result<World, Error> {
         let mut world = World::new(Settings { step: self.step, sub_steps: SubSteps::Fixed(1), ..Settings::default() })?;
         world.set_walkable(self.walkable.clone())?;
-        for obstacle in &self.obstacles {
-            world.add_obstacle(obstacle.clone())?;
-        }
+        world.add_obstacles(self.obstacles.iter().cloned()).map_err(|(_, error)| error)?;
         let group = world.add_group(group)?;
         let goals: Vec<GoalId> = self
             .goals

@@ -10,13 +10,13 @@ use i_overlay::core::{fill_rule::FillRule, overlay::Overlay, overlay::ShapeType,
 /// Polygons with holes: each a list of contours, the ground to their left.
 pub(super) type Shapes = Vec<Vec<Vec<LatticePoint>>>;
 
-/// Obstacles that are taken off the ground as they are, at most: more are united first.
+/// More contours than this are united before they are taken off the ground.
 const MANY: usize = 64;
 /// Contours that are united all at once, at most.
 const GROUP: usize = 8;
-/// Corners of a boundary whose strip is one contour, at most.
+/// A boundary with more corners than this is cut into pieces, so that their strips can be united in groups.
 const LONG: usize = 4096;
-/// Edges of the pieces of a longer boundary.
+/// Edges of a piece of a boundary.
 const PIECE: usize = 8;
 
 /// The free ground for the centre of a disc of `radius`. Without walkable areas the ground is the box `bounds`, grown
@@ -185,11 +185,11 @@ fn strips(shapes: &Shapes, radius: f64, solid: &mut Vec<Vec<LatticePoint>>) {
             let pieces =
                 (0..contour.len()).step_by(PIECE).map(|from| &closed[from..closed.len().min(from + PIECE + 1)]);
             solid.extend(merge(pieces.map(|piece| brush.chain(piece)).collect()));
-            continue;
+        } else {
+            let wall: Vec<_> = contour.iter().rev().copied().collect();
+            solid.push(brush.ring(&wall));
+            solid.push(contour.clone());
         }
-        let wall: Vec<_> = contour.iter().rev().copied().collect();
-        solid.push(brush.ring(&wall));
-        solid.push(contour.clone());
     }
 }
 

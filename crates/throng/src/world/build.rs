@@ -205,7 +205,9 @@ impl World {
         }
         let first = self.place.obstacles.len();
         self.place.obstacles.extend(obstacles.into_iter().map(Some));
-        self.place_changed();
+        if self.place.obstacles.len() > first {
+            self.place_changed();
+        }
         Ok((first..self.place.obstacles.len()).map(|index| ObstacleId(index as u32)).collect())
     }
 

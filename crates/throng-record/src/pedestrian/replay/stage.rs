@@ -34,7 +34,7 @@ impl Stage {
     pub fn world(&self) -> Result<World, Error> {
         let mut world = World::new(self.settings)?;
         world.set_walkable(self.walkable.clone())?;
-        self.obstacles.iter().try_for_each(|obstacle| world.add_obstacle(obstacle.clone()).map(drop))?;
+        world.add_obstacles(self.obstacles.iter().cloned()).map_err(|(_, error)| error)?;
         Ok(world)
     }
 
